@@ -1,0 +1,26 @@
+# What every target is compiled with. Floating point is the language's own, operation by operation: contraction into
+# fused multiply-adds is off everywhere, because a pose must be the same bits on every machine (docs/decisions/0003),
+# and -ffast-math is never used.
+add_library(vex_compile_options INTERFACE)
+target_compile_features(vex_compile_options INTERFACE cxx_std_20)
+target_compile_options(vex_compile_options INTERFACE
+  -ffp-contract=off
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion -Wnon-virtual-dtor
+  -Wold-style-cast -Woverloaded-virtual -Wnull-dereference -Wformat=2)
+if(VEX_WARNINGS_AS_ERRORS)
+  target_compile_options(vex_compile_options INTERFACE -Werror)
+endif()
+if(VEX_SANITIZE)
+  target_compile_options(vex_compile_options INTERFACE
+    -fsanitize=${VEX_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(vex_compile_options INTERFACE -fsanitize=${VEX_SANITIZE})
+endif()
+
+# vex_library(NAME sources...): a static library with the options above and an alias vex::NAME.
+function(vex_library name)
+  add_library(vex_${name} STATIC ${ARGN})
+  add_library(vex::${name} ALIAS vex_${name})
+  target_include_directories(vex_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+  target_link_libraries(vex_${name} PUBLIC $<BUILD_INTERFACE:vex_compile_options>)
+  target_compile_features(vex_${name} PUBLIC cxx_std_20)
+endfunction()

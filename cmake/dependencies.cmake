@@ -1,0 +1,19 @@
+# Third-party packages, all from Debian 12; cmake/packages.txt names the packages that provide them.
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(Boost 1.74 REQUIRED)            # header-only parts: Math; in the tests also Multiprecision
+find_package(assimp 5.2 REQUIRED)
+find_package(Qhull 2020 REQUIRED)
+find_package(ccd REQUIRED)
+find_package(CLI11 2.1 REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(Threads REQUIRED)
+
+# Random123 is headers only and ships no package file.
+find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
+add_library(vex_random123 INTERFACE)
+target_include_directories(vex_random123 SYSTEM INTERFACE ${RANDOM123_INCLUDE_DIR})
+
+if(VEX_BUILD_TESTS)
+  find_package(GTest 1.12 REQUIRED)
+  find_package(benchmark 1.7 REQUIRED)
+endif()

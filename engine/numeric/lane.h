@@ -1,0 +1,65 @@
+// The lane type: what an algorithm is written over, so that one source serves one trial or a register full of them.
+//
+// An algorithm of the engine is a template over a lane type L. `double` is the one-lane case and is defined here; a
+// packet of W doubles is another, which provides the same names (tests/referees/array_lanes.h is a plain one, and a test
+// demands of it bit for bit what `double` gives). A lane type has
+//   + - * / and unary minus, each one IEEE operation on each lane, never fused;
+//   < <= > >= ==, which give a MaskOf<L>, one truth value a lane;
+//   construction from double, which fills every lane;
+// and the functions below. Masks are combined by the named functions, because && and || cannot act lane by lane and ~
+// of a bool is not its negation.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace vex {
+
+/// Tells of a lane type its mask, its bits as unsigned integers, and how many lanes it has.
+template <class L>
+struct LaneTraits;
+
+template <>
+struct LaneTraits<double> {
+  using Mask = bool;
+  using Bits = std::uint64_t;
+  static constexpr int width = 1;
+};
+
+template <class L>
+using MaskOf = typename LaneTraits<L>::Mask;
+
+template <class L>
+using BitsOf = typename LaneTraits<L>::Bits;
+
+// --- masks of the one-lane case
+inline bool both(bool a, bool b) { return a && b; }
+inline bool either(bool a, bool b) { return a || b; }
+inline bool but_not(bool a, bool b) { return a && !b; }
+inline bool negation(bool a) { return !a; }
+inline bool any(bool a) { return a; }
+inline bool all(bool a) { return a; }
+
+// --- arithmetic of the one-lane case
+inline double select(bool condition, double if_true, double if_false) { return condition ? if_true : if_false; }
+inline double square_root(double x) { return std::sqrt(x); }
+inline double absolute(double x) { return std::fabs(x); }
+inline double copy_sign(double magnitude, double sign) { return std::copysign(magnitude, sign); }
+inline double larger(double a, double b) { return a > b ? a : b; }
+
+/// The element of `table` at each lane's index; the indices are whole numbers held in lanes.
+inline double gather(const double* table, double index) { return table[static_cast<std::size_t>(index)]; }
+
+inline std::uint64_t bits_of(double x) { return std::bit_cast<std::uint64_t>(x); }
+inline double from_bits(std::uint64_t bits) { return std::bit_cast<double>(bits); }
+
+/// The nearest whole number, ties to even, for |x| < 2^51: adding 1.5 * 2^52 leaves no room for a fraction.
+template <class L>
+L nearest_whole(L x) {
+  const L magic = L(0x1.8p52);
+  return (x + magic) - magic;
+}
+
+}  // namespace vex

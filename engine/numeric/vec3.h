@@ -1,0 +1,62 @@
+// Three lanes: a point or a direction for each trial of a packet. No Eigen: these run inside the kernels.
+//
+// Sums of products are written out in a fixed order, because the exact meaning of a placed vertex (and so of a verdict)
+// depends on it: docs/derivations.md, "What the input is".
+#pragma once
+
+#include "engine/numeric/lane.h"
+
+namespace vex {
+
+template <class L>
+struct Vec3 {
+  L x{0.0}, y{0.0}, z{0.0};
+};
+
+using Vec3d = Vec3<double>;
+
+template <class L>
+Vec3<L> operator+(const Vec3<L>& a, const Vec3<L>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class L>
+Vec3<L> operator-(const Vec3<L>& a, const Vec3<L>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class L>
+Vec3<L> operator-(const Vec3<L>& a) {
+  return {-a.x, -a.y, -a.z};
+}
+template <class L>
+Vec3<L> operator*(const L& s, const Vec3<L>& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+template <class L>
+L dot(const Vec3<L>& a, const Vec3<L>& b) {
+  return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+template <class L>
+Vec3<L> cross(const Vec3<L>& a, const Vec3<L>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class L>
+L norm(const Vec3<L>& a) {
+  return square_root(dot(a, a));
+}
+/// |x| + |y| + |z|, never below the Euclidean norm.
+template <class L>
+L norm_1(const Vec3<L>& a) {
+  return (absolute(a.x) + absolute(a.y)) + absolute(a.z);
+}
+template <class L>
+Vec3<L> select(const MaskOf<L>& condition, const Vec3<L>& if_true, const Vec3<L>& if_false) {
+  return {select(condition, if_true.x, if_false.x), select(condition, if_true.y, if_false.y),
+          select(condition, if_true.z, if_false.z)};
+}
+/// The same vector in every lane.
+template <class L>
+Vec3<L> broadcast(const Vec3d& a) {
+  return {L(a.x), L(a.y), L(a.z)};
+}
+
+}  // namespace vex
