@@ -1,9 +1,6 @@
 // The pose of one body in another's frame.
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-
 #include "engine/numeric/vec3.h"
 
 namespace vex {
@@ -33,16 +30,5 @@ struct Transform {
 };
 
 using Transformd = Transform<double>;
-
-inline Vec3d from_eigen(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-inline Eigen::Vector3d to_eigen(const Vec3d& v) { return {v.x, v.y, v.z}; }
-
-inline Transformd from_eigen(const Eigen::Isometry3d& a_from_b) {
-  const Eigen::Matrix3d r = a_from_b.linear();
-  return {{r(0, 0), r(0, 1), r(0, 2)},
-          {r(1, 0), r(1, 1), r(1, 2)},
-          {r(2, 0), r(2, 1), r(2, 2)},
-          from_eigen(Eigen::Vector3d(a_from_b.translation()))};
-}
 
 }  // namespace vex
