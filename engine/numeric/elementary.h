@@ -1,0 +1,73 @@
+// sincospi and cbrt from + - * / and square root alone, over lanes.
+//
+// A trial's pose must be the same bits on every machine, compiler and register width, or the same seed would not give the
+// same hits; the C library's functions promise no such thing. Errors are proven in docs/derivations.md: at most 4 u for
+// sincospi (E3) and 2 u for cbrt (E4), both below 2^-50 relative.
+#pragma once
+
+#include "engine/numeric/expect.h"
+#include "engine/numeric/lane.h"
+
+namespace vex {
+
+template <class L>
+struct SinCos {
+  L sin;
+  L cos;
+};
+
+/// sin(pi x) and cos(pi x) for 0 <= x <= 2, each within 4 u of its true value, relative (E3).
+///
+/// The argument is reduced exactly: x = q/2 + r with |r| <= 1/4, and the truncated series of sin(pi r) and cos(pi r) follow.
+template <class L>
+SinCos<L> sincospi(L x) {
+  const L q = nearest_whole(x + x);
+  const L r = x - L(0.5) * q;
+  const L y = r * r;
+  // (-1)^k pi^(2k+1) / (2k+1)!, rounded to nearest
+  L s = L(-0x1.6fadb9f155744p-16);
+  s = L(0x1.e8f434d018d63p-12) + y * s;
+  s = L(-0x1.e3074fde8871fp-8) + y * s;
+  s = L(0x1.50783487ee782p-4) + y * s;
+  s = L(-0x1.32d2cce62bd86p-1) + y * s;
+  s = L(0x1.466bc6775aae2p+1) + y * s;
+  s = L(-0x1.4abbce625be53p+2) + y * s;
+  s = L(0x1.921fb54442d18p+1) + y * s;
+  s = r * s;
+  // (-1)^k pi^(2k) / (2k)!, rounded to nearest
+  L c = L(0x1.20c62c2f2d7f5p-18);
+  c = L(-0x1.b6e24f44b128fp-14) + y * c;
+  c = L(0x1.f9d38a3763cc3p-10) + y * c;
+  c = L(-0x1.a6d1f2a204a8cp-6) + y * c;
+  c = L(0x1.e1f506891babbp-3) + y * c;
+  c = L(-0x1.55d3c7e3cbffap+0) + y * c;
+  c = L(0x1.03c1f081b5ac4p+2) + y * c;
+  c = L(-0x1.3bd3cc9be45dep+2) + y * c;
+  c = L(1.0) + y * c;
+  // sin and cos of q/2 half turns: a quarter turn swaps them, and q = 4 is q = 0 again.
+  const MaskOf<L> quarter = either(q == L(1.0), q == L(3.0));
+  const MaskOf<L> sin_negative = either(q == L(2.0), q == L(3.0));
+  const MaskOf<L> cos_negative = either(q == L(1.0), q == L(2.0));
+  const L sin = select(quarter, c, s);
+  const L cos = select(quarter, s, c);
+  return {select(sin_negative, -sin, sin), select(cos_negative, -cos, cos)};
+}
+
+/// The cube root of a normal x > 0, within 2 u relative (E4).
+///
+/// A third of the exponent field is a guess within 5 % (Kahan; FreeBSD's s_cbrt.c); each of three Halley steps cubes the
+/// error, and the last is written as a small correction, so that only its final addition rounds at full size.
+template <class L>
+L cube_root(L x) {
+  // floor(high / 3) for a 32-bit high word: 0xAAAAAAAB / 2^33 exceeds 1/3 by less than 2^-33 / 3 (E4).
+  const BitsOf<L> high = bits_of(x) >> 32;
+  const BitsOf<L> guess = ((high * BitsOf<L>(0xAAAAAAABu)) >> 33) + BitsOf<L>(715094163u);
+  L t = from_bits(guess << 32);
+  for (int step = 0; step < 3; ++step) {
+    const L cube = t * t * t;
+    t = t + t * ((x - cube) / ((cube + cube) + x));
+  }
+  return t;
+}
+
+}  // namespace vex

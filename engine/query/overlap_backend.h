@@ -1,0 +1,34 @@
+// A way to decide overlap: the engine's own, or a peer library behind the same interface.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "engine/query/verdict.h"
+#include "engine/support/convex_body.h"
+#include "engine/numeric/transform.h"
+
+namespace vex {
+
+/// Decides many poses of one pair of bodies. One instance serves one thread.
+class OverlapBackend {
+ public:
+  virtual ~OverlapBackend() = default;
+  /// verdicts[k] for a_from_b[k]; the spans have the same length.
+  virtual void decide(std::span<const Transformd> a_from_b, std::span<Verdict> verdicts) = 0;
+};
+
+/// Names a backend and makes its instances. The bodies must outlive them.
+struct BackendKind {
+  std::string name;
+  /// A peer answers every pose itself: no quick verdict is put before it.
+  bool is_peer = false;
+  std::function<std::unique_ptr<OverlapBackend>(const ConvexBody& a, const ConvexBody& b)> make;
+};
+
+/// The engine's own: `overlap` of engine/query/overlap.h.
+BackendKind gjk_backend();
+
+}  // namespace vex

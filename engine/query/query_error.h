@@ -1,0 +1,24 @@
+// The rounding bounds that turn computed signs into proven ones: docs/derivations.md, E1.
+#pragma once
+
+#include "engine/numeric/rounding.h"
+#include "engine/numeric/transform.h"
+#include "engine/support/support_mapping.h"
+
+namespace vex {
+
+/// What a placed pair of bodies needs to know of its own roundings. Lengths; one value a lane.
+template <class L>
+struct QueryError {
+  L reach;    // no point of A - B, computed or true, is farther than this from the origin
+  L support;  // h(d) <= fl(d . w) + support * |d|_1 for w = s_A(d) - s_B(-d) as computed; w is within this of A - B
+};
+
+/// E1. For a pose whose R is a rotation to within 1e-6, which is what poses are required to be.
+template <class A, class B, class L>
+QueryError<L> query_error(const A& a, const B& b, const Transform<L>& a_from_b) {
+  const L reach = L(a.reach() + 2.0 * b.reach()) + norm_1(a_from_b.translation);
+  return {reach, L(a.support_error() + 2.0 * b.support_error()) + L(40.0 * kUnitRoundoff) * reach};
+}
+
+}  // namespace vex

@@ -1,0 +1,56 @@
+#include "engine/sampling/domain.h"
+
+#include <numbers>
+
+#include "engine/numeric/rounding.h"
+
+namespace vex {
+namespace {
+
+// A drawn R may stretch B, and the position is rounded, by parts in 10^14: the domains are wider by far more than that,
+// and their volume is computed after widening, so that the estimate stays what it says.
+constexpr double kWidening = 1.0 + 0x1p-40;
+
+// Half the width of A along one axis and the middle between its two support values.
+struct Interval {
+  double middle, half_width;
+};
+
+Interval extent_along(const ConvexBody& body, const Vec3d& unit_axis) {
+  const double upper = dot(unit_axis, body.support(unit_axis)) + body.support_error();
+  const double lower = dot(unit_axis, body.support(-unit_axis)) - body.support_error();
+  return {0.5 * (upper + lower), 0.5 * (upper - lower)};
+}
+
+}  // namespace
+
+Domain ball_domain(const ConvexBody& a, const ConvexBody& b) {
+  Domain domain;
+  domain.kind = Domain::Kind::ball;
+  domain.middle = a.centre();
+  domain.radius = (a.circumradius() + b.circumradius()) * kWidening;
+  domain.volume = (4.0 / 3.0) * std::numbers::pi * (domain.radius * domain.radius * domain.radius);
+  return domain;
+}
+
+Domain box_domain(const ConvexBody& a, const ConvexBody& b) {
+  Domain domain;
+  domain.kind = Domain::Kind::box;
+  const Interval x = extent_along(a, {1.0, 0.0, 0.0});
+  const Interval y = extent_along(a, {0.0, 1.0, 0.0});
+  const Interval z = extent_along(a, {0.0, 0.0, 1.0});
+  const double margin = b.circumradius() + 8.0 * kUnitRoundoff * a.reach();
+  domain.middle = {x.middle, y.middle, z.middle};
+  domain.half_extent = {(x.half_width + margin) * kWidening, (y.half_width + margin) * kWidening,
+                        (z.half_width + margin) * kWidening};
+  domain.volume = 8.0 * (domain.half_extent.x * domain.half_extent.y * domain.half_extent.z);
+  return domain;
+}
+
+Domain best_domain(const ConvexBody& a, const ConvexBody& b) {
+  const Domain ball = ball_domain(a, b);
+  const Domain box = box_domain(a, b);
+  return box.volume < ball.volume ? box : ball;
+}
+
+}  // namespace vex

@@ -1,0 +1,33 @@
+// The sampling domain of hit-or-miss: a set that contains every position of B's centre at which B can meet A.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "engine/numeric/vec3.h"
+#include "engine/support/convex_body.h"
+
+namespace vex {
+
+struct Domain {
+  enum class Kind : std::uint8_t { ball, box };
+
+  Kind kind = Kind::ball;
+  Vec3d middle;       // in A's frame
+  double radius = 0;  // of a ball
+  Vec3d half_extent;  // of a box
+  double volume = 0;  // length^3
+};
+
+constexpr std::string_view name_of(Domain::Kind kind) { return kind == Domain::Kind::ball ? "ball" : "box"; }
+
+/// The ball about A's centre of the sum of the circumradii.
+Domain ball_domain(const ConvexBody& a, const ConvexBody& b);
+
+/// A's bounding box along its own axes, widened on every side by B's circumradius.
+Domain box_domain(const ConvexBody& a, const ConvexBody& b);
+
+/// The one of smaller volume.
+Domain best_domain(const ConvexBody& a, const ConvexBody& b);
+
+}  // namespace vex

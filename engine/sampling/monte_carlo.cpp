@@ -1,0 +1,293 @@
+#include "engine/sampling/monte_carlo.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "engine/numeric/expect.h"
+#include "engine/sampling/random_stream.h"
+#include "engine/scene/quick_verdict.h"
+
+namespace vex {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+template <class T>
+void keep_first(FirstOf<T>& list) {
+  std::sort(list.kept.begin(), list.kept.end(), [](const T& x, const T& y) { return x.index < y.index; });
+  if (list.kept.size() > FirstOf<T>::kKept) list.kept.resize(FirstOf<T>::kKept);
+}
+
+template <class T>
+void append(FirstOf<T>& list, FirstOf<T>&& more) {
+  list.n_all += more.n_all;
+  list.kept.insert(list.kept.end(), std::make_move_iterator(more.kept.begin()),
+                   std::make_move_iterator(more.kept.end()));
+  if (list.kept.size() > 2 * FirstOf<T>::kKept) keep_first(list);
+  more = {};
+}
+
+// What one thread brings home from a block of consecutive trials.
+struct BlockRecord {
+  Tally tally;
+  FirstOf<UndecidedTrial> undecided;
+  FirstOf<Disagreement> disagreements;
+  std::vector<std::uint64_t> n_undecided_by_check;
+};
+
+// One thread's means of answering trials: its own backends and buffers, filled a batch at a time.
+class TrialRunner {
+ public:
+  TrialRunner(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings)
+      : settings_(settings),
+        centre_b_(b.centre()),
+        quick_verdict_(a, b, kDrawnRotationError),
+        uses_quick_verdicts_(settings.quick_verdicts && !settings.backend.is_peer),
+        backend_(settings.backend.make(a, b)) {
+    for (const BackendKind& kind : settings.cross_check) checks_.push_back(kind.make(a, b));
+  }
+
+  BlockRecord run(std::uint64_t begin, std::uint64_t end) {
+    BlockRecord record;
+    record.n_undecided_by_check.assign(checks_.size(), 0);
+    for (std::uint64_t first = begin; first < end; first += kBatch) {
+      run_batch(first, static_cast<std::size_t>(std::min<std::uint64_t>(kBatch, end - first)), record);
+    }
+    return record;
+  }
+
+ private:
+  static constexpr std::size_t kBatch = 64;  // poses held at once: 6 kB, within the first-level cache
+
+  void run_batch(std::uint64_t first, std::size_t n, BlockRecord& record) {
+    std::size_t n_open = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      std::array<double, kPoseDimension> point;
+      draw_unit_cube(settings_.seed, Stream::pose, first + k, point);
+      poses_[k] = pose_at(point, settings_.law, settings_.domain, centre_b_);
+      if (uses_quick_verdicts_) {
+        const QuickVerdict::Answer<double> quick = quick_verdict_(poses_[k]);
+        if (quick.disjoint) {
+          verdicts_[k] = Verdict::disjoint(DecidedBy::outer_bound);
+          continue;
+        }
+        if (quick.overlap) {
+          verdicts_[k] = Verdict::overlap(DecidedBy::inner_bound);
+          continue;
+        }
+      }
+      open_[n_open] = k;
+      open_poses_[n_open] = poses_[k];
+      ++n_open;
+    }
+    backend_->decide({open_poses_.data(), n_open}, {open_verdicts_.data(), n_open});
+    for (std::size_t j = 0; j < n_open; ++j) verdicts_[open_[j]] = open_verdicts_[j];
+    for (std::size_t k = 0; k < n; ++k) {
+      record.tally.add(verdicts_[k]);
+      if (verdicts_[k].outcome == Outcome::undecided) {
+        ++record.undecided.n_all;
+        record.undecided.kept.push_back({first + k, verdicts_[k].reason});
+      }
+    }
+    if (!checks_.empty()) cross_check(first, n, record);
+  }
+
+  void cross_check(std::uint64_t first, std::size_t n, BlockRecord& record) {
+    std::array<std::vector<Outcome>, kBatch> outcomes;
+    for (std::size_t k = 0; k < n; ++k) outcomes[k].push_back(verdicts_[k].outcome);
+    for (std::size_t c = 0; c < checks_.size(); ++c) {
+      checks_[c]->decide({poses_.data(), n}, {open_verdicts_.data(), n});
+      for (std::size_t k = 0; k < n; ++k) {
+        outcomes[k].push_back(open_verdicts_[k].outcome);
+        if (open_verdicts_[k].outcome == Outcome::undecided) ++record.n_undecided_by_check[c];
+      }
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto says = [&](Outcome outcome) { return std::ranges::find(outcomes[k], outcome) != outcomes[k].end(); };
+      if (!says(Outcome::disjoint) || !says(Outcome::overlap)) continue;
+      ++record.disagreements.n_all;
+      if (record.disagreements.kept.size() < FirstOf<Disagreement>::kKept) {
+        record.disagreements.kept.push_back({first + k, poses_[k], outcomes[k]});
+      }
+    }
+  }
+
+  const MonteCarloSettings& settings_;
+  Vec3d centre_b_;
+  QuickVerdict quick_verdict_;
+  bool uses_quick_verdicts_;
+  std::unique_ptr<OverlapBackend> backend_;
+  std::vector<std::unique_ptr<OverlapBackend>> checks_;
+  std::array<Transformd, kBatch> poses_, open_poses_;
+  std::array<Verdict, kBatch> verdicts_, open_verdicts_;
+  std::array<std::size_t, kBatch> open_{};
+};
+
+// The run as the threads share it. Threads take blocks of consecutive trials up to the next evaluation; every block
+// taken is finished, so the finished trials are always 0 ... n - 1. The thread that finishes the last block evaluates.
+class Run {
+ public:
+  Run(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings)
+      : a_(a), b_(b), settings_(settings), certain_(hits_by_construction(a, b, settings.domain)) {
+    record_.n_undecided_by_check.assign(settings.cross_check.size(), 0);
+    set_next_evaluation();
+  }
+
+  RunRecord go() {
+    std::vector<std::jthread> threads;
+    for (int k = 0; k < settings_.n_threads; ++k) threads.emplace_back([this] { work(); });
+    wait_and_report();
+    threads.clear();
+    if (failure_) std::rethrow_exception(failure_);
+    record_.seconds = seconds_since(start_);
+    keep_first(record_.undecided);
+    keep_first(record_.disagreements);
+    return std::move(record_);
+  }
+
+ private:
+  static constexpr double kBlockSeconds = 0.01;  // an interrupt is answered within a block or two
+  static constexpr auto kProgressInterval = std::chrono::milliseconds(100);
+
+  std::uint64_t trial_limit() const {
+    return std::min(settings_.stop.trials.value_or(settings_.stop.max_trials), settings_.stop.max_trials);
+  }
+
+  void set_next_evaluation() {
+    const std::uint64_t limit = trial_limit();
+    round_end_ = settings_.stop.relative_error ? std::min(limit, next_evaluation(round_end_)) : limit;
+  }
+
+  bool interrupted() const { return settings_.interrupt != nullptr && settings_.interrupt->load() != 0; }
+
+  // Called with the lock held. Whether another block may be taken now; if the run is over, says why.
+  bool may_take_block() {
+    if (stopped_) return false;
+    if (interrupted()) {
+      stop(StopReason::interrupted);
+    } else if (settings_.stop.seconds && seconds_since(start_) >= *settings_.stop.seconds && next_ > 0) {
+      stop(StopReason::seconds);
+    }
+    return !stopped_ && next_ < round_end_;
+  }
+
+  void stop(StopReason reason) {
+    stopped_ = true;
+    record_.stopped_by = reason;
+    record_.complete = reason != StopReason::interrupted && reason != StopReason::max_trials;
+    changed_.notify_all();
+  }
+
+  // Called with the lock held, when all trials up to round_end_ are done.
+  void evaluate() {
+    if (settings_.stop.relative_error && reaches(*settings_.stop.relative_error, record_.tally, certain_)) {
+      stop(StopReason::relative_error);
+    } else if (round_end_ == trial_limit()) {
+      const bool as_asked = settings_.stop.trials && *settings_.stop.trials <= settings_.stop.max_trials;
+      stop(as_asked ? StopReason::trials : StopReason::max_trials);
+    } else {
+      set_next_evaluation();
+      changed_.notify_all();
+    }
+  }
+
+  void work() {
+    try {
+      TrialRunner runner(a_, b_, settings_);
+      std::uint64_t block = 16;
+      std::unique_lock lock(mutex_);
+      while (true) {
+        if (!may_take_block()) {
+          if (stopped_) return;
+          changed_.wait(lock);
+          continue;
+        }
+        const std::uint64_t begin = next_;
+        const std::uint64_t end = std::min(round_end_, begin + block);
+        next_ = end;
+        lock.unlock();
+        const Clock::time_point block_start = Clock::now();
+        BlockRecord done = runner.run(begin, end);
+        const double block_seconds = seconds_since(block_start);
+        // The size of a block decides nothing but the waiting: aim at kBlockSeconds, at most doubling.
+        if (end - begin == block && block_seconds < 0.5 * kBlockSeconds) block *= 2;
+        if (block_seconds > kBlockSeconds && block > 1) block /= 2;
+        lock.lock();
+        take_home(std::move(done));
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+      stop(StopReason::interrupted);
+    }
+  }
+
+  // Called with the lock held.
+  void take_home(BlockRecord&& done) {
+    record_.tally += done.tally;
+    append(record_.undecided, std::move(done.undecided));
+    append(record_.disagreements, std::move(done.disagreements));
+    for (std::size_t c = 0; c < done.n_undecided_by_check.size(); ++c) {
+      record_.n_undecided_by_check[c] += done.n_undecided_by_check[c];
+    }
+    if (!stopped_ && record_.tally.n_trials == round_end_) evaluate();
+  }
+
+  void wait_and_report() {
+    std::unique_lock lock(mutex_);
+    while (!stopped_) {
+      changed_.wait_for(lock, kProgressInterval);
+      if (stopped_) break;
+      if (interrupted()) stop(StopReason::interrupted);
+      if (settings_.on_progress) {
+        const Progress progress{record_.tally, seconds_since(start_)};
+        lock.unlock();
+        settings_.on_progress(progress);
+        lock.lock();
+      }
+    }
+  }
+
+  const ConvexBody& a_;
+  const ConvexBody& b_;
+  const MonteCarloSettings& settings_;
+  const bool certain_;
+  const Clock::time_point start_ = Clock::now();
+
+  std::mutex mutex_;  // guards all below; taken once a block, not once a trial
+  std::condition_variable changed_;
+  std::uint64_t next_ = 0;       // the first trial that no thread has taken
+  std::uint64_t round_end_ = 0;  // where the stop rule is looked at next
+  bool stopped_ = false;
+  std::exception_ptr failure_;
+  RunRecord record_;
+};
+
+}  // namespace
+
+bool hits_by_construction(const ConvexBody& a, const ConvexBody& b, const Domain& domain) {
+  return domain.kind == Domain::Kind::ball && a.inradius() == a.circumradius() && b.inradius() == b.circumradius();
+}
+
+RunRecord run_hit_or_miss(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings) {
+  VEX_EXPECT(settings.n_threads >= 1);
+  VEX_EXPECT(settings.domain.volume > 0.0);
+  VEX_EXPECT(settings.stop.max_trials >= 1 && settings.stop.trials.value_or(1) >= 1);
+  return Run(a, b, settings).go();
+}
+
+Transformd trial_pose(std::uint64_t seed, std::uint64_t index, OrientationLaw law, const Domain& domain,
+                      const ConvexBody& b) {
+  std::array<double, kPoseDimension> point;
+  draw_unit_cube(seed, Stream::pose, index, point);
+  return pose_at(point, law, domain, b.centre());
+}
+
+}  // namespace vex

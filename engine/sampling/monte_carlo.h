@@ -1,0 +1,84 @@
+// The Monte Carlo driver: one for every pair of bodies, every orientation law, every backend.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "engine/query/overlap_backend.h"
+#include "engine/sampling/domain.h"
+#include "engine/sampling/estimate.h"
+#include "engine/sampling/pose_map.h"
+#include "engine/sampling/stop_rule.h"
+#include "engine/sampling/tally.h"
+
+namespace vex {
+
+/// What a run is doing, several times a second.
+struct Progress {
+  Tally tally;  // of all blocks finished so far
+  double seconds = 0.0;
+};
+
+struct MonteCarloSettings {
+  std::uint64_t seed = 1;
+  int n_threads = 1;
+  OrientationLaw law = OrientationLaw::isotropic;
+  Domain domain;
+  bool quick_verdicts = true;  // never before a peer
+  StopRule stop;
+  BackendKind backend = gjk_backend();
+  /// Answer the same poses again, for comparison; they do not change the tally.
+  std::vector<BackendKind> cross_check;
+  /// Becomes non-zero from outside, for example from a signal handler: the run ends within a block of each thread.
+  const std::atomic<int>* interrupt = nullptr;
+  /// Called on the calling thread.
+  std::function<void(const Progress&)> on_progress;
+};
+
+/// Two backends decided one pose differently.
+struct Disagreement {
+  std::uint64_t index = 0;  // of the trial
+  Transformd a_from_b;
+  std::vector<Outcome> outcomes;  // of the run's backend, then of those it was checked against
+};
+
+struct UndecidedTrial {
+  std::uint64_t index = 0;
+  UndecidedReason reason = UndecidedReason::none;
+};
+
+/// The first of a list that may be long, in the order of the trials, and how many there were.
+template <class T>
+struct FirstOf {
+  static constexpr std::size_t kKept = 1000;
+  std::vector<T> kept;
+  std::uint64_t n_all = 0;
+};
+
+struct RunRecord {
+  Tally tally;  // of the trials 0 ... n_trials - 1, also where the run was interrupted
+  StopReason stopped_by = StopReason::trials;
+  bool complete = false;
+  double seconds = 0.0;
+  FirstOf<UndecidedTrial> undecided;
+  FirstOf<Disagreement> disagreements;
+  std::vector<std::uint64_t> n_undecided_by_check;  // of each backend in `cross_check`
+};
+
+/// Whether every trial hits by construction: two balls about their centres, in the ball of their radii.
+bool hits_by_construction(const ConvexBody& a, const ConvexBody& b, const Domain& domain);
+
+/// Draws trials 0, 1, 2, ... of (seed, Stream::pose) until the stop rule ends the run, and counts.
+///
+/// The tally depends on the bodies, seed, law, domain, backend and number of trials only; never on threads. Exceptions of
+/// a backend end the run and are thrown again here.
+RunRecord run_hit_or_miss(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings);
+
+/// The pose of one trial, as the driver draws it: for replaying an undecided or disputed one.
+Transformd trial_pose(std::uint64_t seed, std::uint64_t index, OrientationLaw law, const Domain& domain,
+                      const ConvexBody& b);
+
+}  // namespace vex

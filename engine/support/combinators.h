@@ -1,0 +1,77 @@
+// Support mappings made of others: posed, inflated by a ball, Minkowski difference.
+#pragma once
+
+#include <utility>
+
+#include "engine/numeric/expect.h"
+#include "engine/numeric/rounding.h"
+#include "engine/numeric/transform.h"
+#include "engine/support/support_mapping.h"
+
+namespace vex {
+
+/// radius * dir / |dir|; the zero vector where dir is zero.
+template <class L>
+Vec3<L> ball_support(const L& radius, const Vec3<L>& dir) {
+  const L length = norm(dir);
+  return (radius / select(length > L(0.0), length, L(1.0))) * dir;
+}
+
+/// Body B as it stands in A's frame, each lane under its own pose. Holds a reference: B must outlive it.
+template <class Body, class L>
+class Posed {
+ public:
+  Posed(const Body& body, const Transform<L>& a_from_b) : body_(body), a_from_b_(a_from_b) {}
+
+  Vec3<L> support(const Vec3<L>& dir) const { return a_from_b_(body_.support(a_from_b_.direction_to_b(dir))); }
+
+ private:
+  const Body& body_;
+  const Transform<L>& a_from_b_;
+};
+
+/// A - B = {a - b}: it contains the origin exactly where A and B share a point. Holds references.
+template <class A, class B>
+class MinkowskiDifference {
+ public:
+  MinkowskiDifference(const A& a, const B& b) : a_(a), b_(b) {}
+
+  template <class L>
+  Vec3<L> support(const Vec3<L>& dir) const {
+    return a_.support(dir) - b_.support(-dir);
+  }
+
+ private:
+  const A& a_;
+  const B& b_;
+};
+
+/// Body + ball of radius r about the origin: every point within r of the body.
+template <SupportMapping Body>
+class Inflated {
+ public:
+  Inflated(Body body, double radius) : body_(std::move(body)), radius_(radius) { VEX_EXPECT(radius >= 0.0); }
+
+  template <class L>
+  Vec3<L> support(const Vec3<L>& dir) const {
+    return body_.support(dir) + ball_support(L(radius_), dir);
+  }
+
+  /// The ball's point is off by at most 8 u r, and the sum's rounding by u of its size (E2).
+  double support_error() const {
+    const Vec3d c = body_.centre();
+    return body_.support_error() + 8.0 * kUnitRoundoff * (radius_ + body_.circumradius() + norm_1(c));
+  }
+  Vec3d centre() const { return body_.centre(); }
+  double circumradius() const { return (body_.circumradius() + radius_) * (1.0 + 2.0 * kUnitRoundoff); }
+  double inradius() const { return (body_.inradius() + radius_) * (1.0 - 2.0 * kUnitRoundoff); }
+
+  const Body& body() const { return body_; }
+  double radius() const { return radius_; }
+
+ private:
+  Body body_;
+  double radius_;
+};
+
+}  // namespace vex

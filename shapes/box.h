@@ -1,0 +1,40 @@
+// A rectangular box about the origin, edges along x, y and z.
+#pragma once
+
+#include <algorithm>
+#include <numbers>
+
+#include "engine/numeric/expect.h"
+#include "engine/numeric/rounding.h"
+#include "engine/support/support_mapping.h"
+#include "shapes/measures.h"
+
+namespace vex {
+
+class Box {
+ public:
+  /// Full edges. Their halves are exact, so the eight vertices are exactly (+-a/2, +-b/2, +-c/2).
+  Box(double edge_x, double edge_y, double edge_z) : half_{0.5 * edge_x, 0.5 * edge_y, 0.5 * edge_z} {
+    VEX_EXPECT(edge_x > 0.0 && edge_y > 0.0 && edge_z > 0.0);
+  }
+
+  /// A vertex picked by signs: exact.
+  template <class L>
+  Vec3<L> support(const Vec3<L>& dir) const {
+    return {copy_sign(L(half_.x), dir.x), copy_sign(L(half_.y), dir.y), copy_sign(L(half_.z), dir.z)};
+  }
+  double support_error() const { return 0.0; }
+  Vec3d centre() const { return {}; }
+  double circumradius() const { return norm(half_) * (1.0 + gamma(4)); }
+  double inradius() const { return std::min({half_.x, half_.y, half_.z}); }
+
+  Measures measures() const {
+    const double a = 2.0 * half_.x, b = 2.0 * half_.y, c = 2.0 * half_.z;
+    return {a * b * c, 2.0 * (a * b + b * c + c * a), std::numbers::pi * (a + b + c)};
+  }
+
+ private:
+  Vec3d half_;
+};
+
+}  // namespace vex

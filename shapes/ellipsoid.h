@@ -1,0 +1,37 @@
+// An ellipsoid about the origin, semi-axes along x, y and z.
+#pragma once
+
+#include <algorithm>
+
+#include "engine/support/combinators.h"
+#include "shapes/measures.h"
+
+namespace vex {
+
+class Ellipsoid {
+ public:
+  Ellipsoid(double semi_axis_x, double semi_axis_y, double semi_axis_z) : axes_{semi_axis_x, semi_axis_y, semi_axis_z} {
+    VEX_EXPECT(semi_axis_x > 0.0 && semi_axis_y > 0.0 && semi_axis_z > 0.0);
+  }
+
+  /// The image of the unit ball under D = diag(a, b, c): s(d) = D (D d / |D d|).
+  template <class L>
+  Vec3<L> support(const Vec3<L>& dir) const {
+    const Vec3<L> image{L(axes_.x) * dir.x, L(axes_.y) * dir.y, L(axes_.z) * dir.z};
+    const Vec3<L> unit = ball_support(L(1.0), image);
+    return {L(axes_.x) * unit.x, L(axes_.y) * unit.y, L(axes_.z) * unit.z};
+  }
+  /// Each coordinate within 7 u of its own size: D d, its length, the quotient, and D again (E2).
+  double support_error() const { return 8.0 * kUnitRoundoff * circumradius(); }
+  Vec3d centre() const { return {}; }
+  double circumradius() const { return std::max({axes_.x, axes_.y, axes_.z}); }
+  double inradius() const { return std::min({axes_.x, axes_.y, axes_.z}); }
+
+  /// S = 4 pi R_G(a^2 b^2, a^2 c^2, b^2 c^2) and M = 4 pi R_G(a^2, b^2, c^2), Carlson's symmetric integral (DLMF 19.33).
+  Measures measures() const;
+
+ private:
+  Vec3d axes_;
+};
+
+}  // namespace vex

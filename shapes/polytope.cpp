@@ -1,0 +1,31 @@
+#include "shapes/polytope.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/numeric/errors.h"
+#include "engine/numeric/expect.h"
+#include "engine/numeric/rounding.h"
+
+namespace vex {
+
+Polytope::Polytope(std::span<const Vec3d> vertices, const Vec3d& centre, double inradius)
+    : centre_(centre), inradius_(inradius) {
+  VEX_EXPECT(inradius >= 0.0);
+  if (vertices.empty()) throw InputError("a polytope has no vertex - give at least one point");
+  double farthest = 0.0, largest = 0.0;
+  for (const Vec3d& v : vertices) {
+    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) {
+      throw InputError("a vertex of a polytope is not finite - give finite coordinates");
+    }
+    x_.push_back(v.x);
+    y_.push_back(v.y);
+    z_.push_back(v.z);
+    farthest = std::max(farthest, norm(v - centre));
+    largest = std::max(largest, norm(v));
+  }
+  circumradius_ = farthest * (1.0 + gamma(8));
+  support_error_ = 8.0 * kUnitRoundoff * largest;
+}
+
+}  // namespace vex

@@ -1,0 +1,34 @@
+// The ball of radius R about the origin.
+#pragma once
+
+#include <numbers>
+
+#include "engine/support/combinators.h"
+#include "shapes/measures.h"
+
+namespace vex {
+
+class Sphere {
+ public:
+  explicit Sphere(double radius) : radius_(radius) { VEX_EXPECT(radius > 0.0); }
+
+  template <class L>
+  Vec3<L> support(const Vec3<L>& dir) const {
+    return ball_support(L(radius_), dir);
+  }
+  /// Length of dir within 3 u, quotient and product each u (E2).
+  double support_error() const { return 8.0 * kUnitRoundoff * radius_; }
+  Vec3d centre() const { return {}; }
+  double circumradius() const { return radius_; }
+  double inradius() const { return radius_; }
+
+  Measures measures() const {
+    constexpr double pi = std::numbers::pi;
+    return {4.0 / 3.0 * pi * radius_ * radius_ * radius_, 4.0 * pi * radius_ * radius_, 4.0 * pi * radius_};
+  }
+
+ private:
+  double radius_;
+};
+
+}  // namespace vex
