@@ -62,11 +62,15 @@ installed $package
   done
 }
 
-apt_get() {
-  # A umask of the caller's must not make the system's files unreadable to others.
-  (umask 022 && with_progress $as_root env DEBIAN_FRONTEND=noninteractive \
-    apt-get -o DPkg::Lock::Timeout=600 -o Dpkg::Use-Pty=0 "$@")
-}
+# Run by root, with the packages as arguments. Another apt-get is waited for, and a umask of the caller's must not make
+# the system's files unreadable to others. Without network the package lists that are there may do.
+# shellcheck disable=SC2016  # expanded by the shell that root runs
+apt_script='
+  umask 022
+  export DEBIAN_FRONTEND=noninteractive
+  options="-o DPkg::Lock::Timeout=600 -o Dpkg::Use-Pty=0"
+  apt-get $options update || echo "vex: apt-get update failed; going on with the package lists that are there"
+  exec apt-get $options install -y --no-install-recommends "$@"'
 
 # Fails, with the reason said, if something is missing and cannot be installed.
 install_packages() {
@@ -81,17 +85,17 @@ install_packages() {
   as_root=
   if [ "$(id -u)" -ne 0 ]; then
     if ! has sudo; then
-      say "packages are missing, and only root can install them (there is no sudo); please have this run:"
+      say "packages are missing, and there is no sudo to install them with; please have root run:"
       say "    apt-get install $missing"
       return 1
     fi
     as_root=sudo
   fi
   say "installing through apt-get${as_root:+ (with sudo)}: $missing"
-  apt_get update || say "apt-get update failed; going on with the package lists that are there"
   # shellcheck disable=SC2086  # one word a package
-  if ! apt_get install -y --no-install-recommends $missing; then
-    say "apt-get could not install them; please install: $missing"
+  if ! with_progress $as_root sh -c "$apt_script" sh $missing; then
+    say "they could not be installed; please have root run:"
+    say "    apt-get install $missing"
     return 1
   fi
 }

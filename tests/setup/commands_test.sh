@@ -194,7 +194,6 @@ expect_unsaid "words of"
 sed 's/apt-get.* \(update\|install\)/apt-get \1/; s/^\(cmake [^ ]*\).*/\1/' "$calls" >"$scratch/order"
 [ "$(cat "$scratch/order")" = "sudo
 apt-get update
-sudo
 apt-get install -y --no-install-recommends ninja-build libccd-dev
 cmake --fresh
 cmake --build" ] || fail "other calls expected"
@@ -250,7 +249,32 @@ run tests/run
 expect_status 1
 expect_out ""
 expect_said "words of apt-get"
-expect_said "please install: libccd-dev"
+expect_said "apt-get install libccd-dev"
+
+it "asks sudo once, and says what root should install where sudo refuses"
+missing=libccd-dev
+configure_status=1
+stand_in sudo <<'END'
+echo "sudo refused" >>"$calls"
+echo "words of sudo"
+exit 1
+END
+run tests/run
+expect_status 1
+expect_said "words of sudo"
+expect_said "apt-get install libccd-dev"
+expect_not_called apt-get
+[ "$(grep -c sudo "$calls")" -eq 1 ] || fail "one call of sudo expected"
+
+it "installs from the package lists that are there when apt-get cannot update them"
+missing=libccd-dev
+stand_in apt-get <<'END'
+echo "apt-get $*" >>"$calls"
+case "$*" in *update*) exit 100 ;; esac
+END
+run apps/run
+expect_status 0
+expect_called 'apt-get.* install .* libccd-dev$'
 
 it "shows the compiler's words when it fails, and then looks again for what may be missing"
 build_status=2
