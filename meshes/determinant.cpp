@@ -1,0 +1,35 @@
+#include "meshes/determinant.h"
+
+#include <cmath>
+
+#include "engine/numeric/rounding.h"
+
+namespace vex {
+namespace {
+
+// Counting double-double roundings (Joldes, Muller, Popescu: a product 7 u^2, a sum 3 u^2, to first order): a minor
+// 7 + 3, its product with the third factor 7, two sums 3 + 3; 23 u^2 times the permanent. 32 leaves room for the second
+// order, for the permanent's own rounding and for value() rounding the result.
+constexpr double kErrorPerPermanent = 32.0 * kUnitRoundoff * kUnitRoundoff;
+
+double permanent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  return std::fabs(a.x) * (std::fabs(b.y * c.z) + std::fabs(b.z * c.y)) +
+         std::fabs(a.y) * (std::fabs(b.z * c.x) + std::fabs(b.x * c.z)) +
+         std::fabs(a.z) * (std::fabs(b.x * c.y) + std::fabs(b.y * c.x));
+}
+
+}  // namespace
+
+double norm(const DoubleDoubleVec3& v) { return std::sqrt(dot(v, v).value()); }
+
+BoundedDeterminant determinant(const DoubleDoubleVec3& a, const DoubleDoubleVec3& b, const DoubleDoubleVec3& c) {
+  return {dot(a, cross(b, c)), kErrorPerPermanent * permanent(a.value(), b.value(), c.value())};
+}
+
+BoundedDeterminant orientation(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
+  // In double first: differences 1 rounding each, a minor 2, its product 1, sums 2; 8 u of the permanent settles nearly
+  // every sign, and where a difference is not exact its rounding is one of the counted ones.
+  return determinant(exact_difference(b, a), exact_difference(c, a), exact_difference(d, a));
+}
+
+}  // namespace vex

@@ -1,0 +1,14 @@
+// How much memory there is to use, so that a mesh which does not fit is refused and not swapped to death.
+#pragma once
+
+#include <cstdint>
+
+namespace vex {
+
+/// Bytes of memory of this machine, or of this container where that is less.
+std::uint64_t machine_memory();
+
+/// Bytes of address space that this process has now.
+std::uint64_t own_address_space();
+
+}  // namespace vex

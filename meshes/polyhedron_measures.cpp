@@ -1,0 +1,117 @@
+#include "meshes/polyhedron_measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "engine/numeric/expect.h"
+#include "engine/numeric/rounding.h"
+
+namespace vex {
+
+VolumeAndCentroid volume_and_centroid(const Triangles& triangles) {
+  VolumeAndCentroid result;
+  const Vec3d base = triangles.corner(0, 0);
+  DoubleDouble six_volumes;
+  double error = 0.0;
+  double magnitude = 0.0;
+  DoubleDoubleVec3 moment;  // sum of six_volume * (a + b + c), coordinates from the base
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const DoubleDoubleVec3 a = exact_difference(triangles.corner(t, 0), base);
+    const DoubleDoubleVec3 b = exact_difference(triangles.corner(t, 1), base);
+    const DoubleDoubleVec3 c = exact_difference(triangles.corner(t, 2), base);
+    const BoundedDeterminant det = determinant(a, b, c);
+    six_volumes += det.value;
+    error += det.error;
+    magnitude += std::fabs(det.value.value());
+    const DoubleDoubleVec3 sum = (a + b) + c;
+    moment = moment + DoubleDoubleVec3{det.value * sum.x, det.value * sum.y, det.value * sum.z};
+  }
+  // Each sum adds 3 u^2 of the partial sum's magnitude.
+  error += 4.0 * kUnitRoundoff * kUnitRoundoff * static_cast<double>(triangles.size()) * magnitude;
+  result.volume = six_volumes.value() / 6.0;
+  result.volume_error = error / 6.0;
+  result.centroid.base = base;
+  if (std::fabs(result.volume) > result.volume_error) {
+    // A tetrahedron's centroid is a quarter of the sum of its corners, one of which is the base.
+    const double scale = 4.0 * six_volumes.value();
+    result.centroid.step = {moment.x.value() / scale, moment.y.value() / scale, moment.z.value() / scale};
+  }
+  return result;
+}
+
+double surface_area(const Triangles& triangles) {
+  DoubleDouble twice_area;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const Vec3d a = triangles.corner(t, 0);
+    twice_area += norm(cross(exact_difference(triangles.corner(t, 1), a), exact_difference(triangles.corner(t, 2), a)));
+  }
+  return twice_area.value() / 2.0;
+}
+
+double integrated_mean_curvature(const Triangles& triangles) {
+  DoubleDouble twice_curvature;
+  for (std::uint32_t h = 0; h < triangles.mates.size(); ++h) {
+    const std::uint32_t back = triangles.mates[h];
+    if (back < h) {
+      continue;
+    }
+    const Vec3d a = triangles.point(triangles.tail(h));
+    const DoubleDoubleVec3 edge = exact_difference(triangles.point(triangles.head(h)), a);
+    const DoubleDoubleVec3 to_left = exact_difference(triangles.point(triangles.opposite(h)), a);
+    const DoubleDoubleVec3 to_right = exact_difference(triangles.point(triangles.opposite(back)), a);
+    const DoubleDoubleVec3 dir_normal_left = cross(edge, to_left);
+    const DoubleDoubleVec3 dir_normal_right = cross(to_right, edge);
+    // With n1 = e x l and n2 = r x e: n1 x n2 = -det(e, l, r) e, which has the direction of e at a convex edge.
+    const double length = norm(edge);
+    const double sine = -dot(dir_normal_left, to_right).value() * length;
+    const double cosine = dot(dir_normal_left, dir_normal_right).value();
+    twice_curvature += length * std::atan2(sine, cosine);
+  }
+  return twice_curvature.value() / 2.0;
+}
+
+double bounding_diagonal(std::span<const Vec3d> vertices) {
+  VEX_EXPECT(!vertices.empty());
+  Vec3d low = vertices.front();
+  Vec3d high = low;
+  for (const Vec3d& v : vertices) {
+    low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+    high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+  }
+  return norm(high - low);
+}
+
+double inscribed_radius(const Triangles& triangles, const LocalPoint& centre) {
+  double radius = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const DoubleDoubleVec3 a = centre.to(triangles.corner(t, 0));
+    const DoubleDoubleVec3 ab = exact_difference(triangles.corner(t, 1), triangles.corner(t, 0));
+    const DoubleDoubleVec3 ac = exact_difference(triangles.corner(t, 2), triangles.corner(t, 0));
+    const BoundedDeterminant det = determinant(a, ab, ac);
+    const double normal_length = norm(cross(ab, ac));
+    if (normal_length > 0.0) {  // a triangle without area lies in its neighbours
+      radius = std::min(radius, (det.value.value() - det.error) / normal_length);
+    }
+  }
+  if (!std::isfinite(radius)) {
+    return 0.0;
+  }
+  // A dozen roundings of one division, one root and the norm under it.
+  return std::max(0.0, radius * (1.0 - gamma(16)));
+}
+
+Vec3d rounded_centre(const LocalPoint& centroid, double inradius, double size) {
+  const double scale = inradius > 0.0 ? inradius / 256.0 : size * 0x1p-40;
+  const double grid = std::ldexp(1.0, std::ilogb(scale));
+  // Twice: what rounding left of a sum that should be a whole number of half grids must not choose the side.
+  const auto rounded = [grid](double base, double step) {
+    const double fine = std::nearbyint((base + step) / (grid * 0x1p-24)) * (grid * 0x1p-24);
+    return std::nearbyint(fine / grid) * grid + 0.0;
+  };
+  return {rounded(centroid.base.x, centroid.step.x), rounded(centroid.base.y, centroid.step.y),
+          rounded(centroid.base.z, centroid.step.z)};
+}
+
+}  // namespace vex
