@@ -7,9 +7,10 @@
 namespace vex {
 namespace {
 
-// Without a cap libccd's GJK never ends on about one of 10^6 random pairs of cubes. A search that reaches the cap has not
-// answered, whatever libccd then returns.
-constexpr unsigned long kMaxIterations = 1000;
+// Left alone, libccd's GJK never ends on about one of 10^6 random pairs of cubes, and its portal refinement, which takes
+// no cap at all, where its tolerance is below the bodies' rounding. After this many support calls each body answers with a
+// point behind the origin, which every loop of libccd takes for a separating direction; the query then counts as given up.
+constexpr unsigned long kMaxSupportCalls = 2000;
 
 struct PlacedBody {
   const ConvexBody* body = nullptr;
@@ -22,8 +23,11 @@ Vec3d from_ccd(const ccd_vec3_t& v) { return {v.v[0], v.v[1], v.v[2]}; }
 void support(const void* object, const ccd_vec3_t* dir, ccd_vec3_t* point) {
   // libccd passes the object on as constant; the counter is ours.
   auto& placed = *static_cast<PlacedBody*>(const_cast<void*>(object));
-  ++placed.n_support_calls;
   const Vec3d d = from_ccd(*dir);
+  if (++placed.n_support_calls > kMaxSupportCalls) {
+    ccdVec3Set(point, -d.x, -d.y, -d.z);
+    return;
+  }
   const Vec3d p = placed.a_from_b == nullptr
                       ? placed.body->support(d)
                       : (*placed.a_from_b)(placed.body->support(placed.a_from_b->direction_to_b(d)));
@@ -46,7 +50,6 @@ class CcdBackend final : public OverlapBackend {
     ccd_.support2 = support;
     ccd_.center1 = centre;
     ccd_.center2 = centre;
-    ccd_.max_iterations = kMaxIterations;
     ccd_.mpr_tolerance = 1e-12;
     a_.body = &a;
     b_.body = &b;
@@ -56,9 +59,10 @@ class CcdBackend final : public OverlapBackend {
     VEX_EXPECT(a_from_b.size() == verdicts.size());
     for (std::size_t k = 0; k < a_from_b.size(); ++k) {
       a_.n_support_calls = 0;
+      b_.n_support_calls = 0;
       b_.a_from_b = &a_from_b[k];
       const int meets = query_(&a_, &b_, &ccd_);
-      if (a_.n_support_calls >= kMaxIterations) {
+      if (a_.n_support_calls > kMaxSupportCalls || b_.n_support_calls > kMaxSupportCalls) {
         verdicts[k] = Verdict::undecided(DecidedBy::peer, UndecidedReason::iteration_cap);
       } else {
         verdicts[k] = meets != 0 ? Verdict::overlap(DecidedBy::peer) : Verdict::disjoint(DecidedBy::peer);

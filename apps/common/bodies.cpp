@@ -1,0 +1,89 @@
+#include "apps/common/bodies.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "apps/common/numbers.h"
+#include "engine/numeric/errors.h"
+
+namespace vex {
+namespace {
+
+// `spher:1` is a mistyped body rather than a missing file.
+bool looks_like_a_named_shape(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  std::error_code error;
+  return colon != std::string::npos && colon > 1 && !std::filesystem::exists(text, error) &&
+         std::ranges::all_of(text.substr(0, colon), [](char c) { return c >= 'a' && c <= 'z'; });
+}
+
+nlohmann::ordered_json point_json(const Vec3d& p) { return {p.x, p.y, p.z}; }
+
+}  // namespace
+
+LoadedBody load_body(const std::string& text, const MeshOptions& mesh_options) {
+  if (names_a_shape(text) || looks_like_a_named_shape(text)) return {text, parse_shape(text), std::nullopt};
+  ConvexMesh mesh = load_convex_mesh(text, mesh_options);
+  LoadedBody loaded{text, {"polyhedron", ConvexBody(std::move(mesh.body)), mesh.measures}, std::move(mesh.report)};
+  require_size_in_range(loaded.shape.body, loaded.shape.measures, text);
+  return loaded;
+}
+
+nlohmann::ordered_json body_json(const LoadedBody& loaded) {
+  const MeasuredBody& shape = loaded.shape;
+  const std::optional<MeshReport>& mesh = loaded.mesh;
+  nlohmann::ordered_json json;
+  json["source"] = loaded.source;
+  json["kind"] = shape.kind;
+  json["vertices"] = nullptr;
+  json["faces"] = nullptr;
+  if (mesh) {
+    json["vertices"] = mesh->n_vertices;
+    json["faces"] = mesh->n_faces;
+  }
+  json["volume"] = shape.measures.volume;
+  json["surface_area"] = shape.measures.surface_area;
+  json["integrated_mean_curvature"] = shape.measures.integrated_mean_curvature;
+  json["mean_radius"] = shape.measures.mean_radius();
+  json["centre"] = point_json(shape.body.centre());
+  json["circumradius"] = shape.body.circumradius();
+  json["inradius"] = shape.body.inradius();
+  json["convex"] = true;
+  json["reflex_depth"] = mesh ? mesh->reflex_depth : 0.0;
+  json["welded_vertices"] = mesh ? mesh->n_welded_vertices : 0;
+  json["hull_added_volume"] = mesh ? mesh->hull_added_volume : 0.0;
+  if (mesh) {
+    json["triangles"] = mesh->n_triangles;
+    json["parts"] = mesh->n_parts;
+    json["hull_used"] = mesh->hull_used;
+    json["coordinates"] = "32-bit floats of the file reader, promoted to double";
+    json["notes"] = mesh->notes;
+  }
+  return json;
+}
+
+std::string body_text(const LoadedBody& loaded, const std::string& label) {
+  const MeasuredBody& shape = loaded.shape;
+  const Vec3d centre = shape.body.centre();
+  std::string text = label + "  " + loaded.source + "  " + shape.kind;
+  if (loaded.mesh) {
+    text += ", " + std::to_string(loaded.mesh->n_vertices) + " vertices, " + std::to_string(loaded.mesh->n_faces) +
+            " faces (its 32-bit coordinates, taken as exact)";
+  }
+  const auto line = [&](const std::string& name, double value, const std::string& remark = "") {
+    text += "\n   " + name + std::string(34 - name.size(), ' ') + short_number(value, 12) + remark;
+  };
+  line("volume V", shape.measures.volume);
+  line("surface area S", shape.measures.surface_area);
+  line("integrated mean curvature M", shape.measures.integrated_mean_curvature,
+       "   (mean radius M/4pi = " + short_number(shape.measures.mean_radius(), 12) + ")");
+  line("circumradius", shape.body.circumradius(),
+       "   about (" + short_number(centre.x, 6) + ", " + short_number(centre.y, 6) + ", " + short_number(centre.z, 6) + ")");
+  line("inradius", shape.body.inradius());
+  if (loaded.mesh) {
+    for (const std::string& note : loaded.mesh->notes) text += "\n   note: " + note;
+  }
+  return text + "\n";
+}
+
+}  // namespace vex

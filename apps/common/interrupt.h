@@ -1,0 +1,14 @@
+// Ctrl-C and termination: a run ends early, and what it found is still reported.
+#pragma once
+
+#include <atomic>
+
+namespace vex {
+
+/// From now on SIGINT and SIGTERM set the number below instead of ending the program; a second one ends it at once.
+void catch_interrupts();
+
+/// The signal that arrived, or 0.
+const std::atomic<int>& interrupting_signal();
+
+}  // namespace vex

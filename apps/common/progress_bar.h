@@ -1,0 +1,27 @@
+// One line on the terminal that says how far a run is.
+#pragma once
+
+#include "engine/sampling/monte_carlo.h"
+
+namespace vex {
+
+/// Drawn on standard error, only where that is a terminal and `wanted`; erased at the end.
+class ProgressBar {
+ public:
+  ProgressBar(bool wanted, const StopRule& stop);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  void show(const Progress& progress);
+
+ private:
+  bool enabled_;
+  bool drawn_ = false;
+  StopRule stop_;
+};
+
+/// How much of a run is done, 0 to 1: the largest share over its stop rules.
+double fraction_done(const Progress& progress, const StopRule& stop);
+
+}  // namespace vex

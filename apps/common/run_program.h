@@ -1,0 +1,33 @@
+// What every program's main does: parse, act, and turn failures into the documented exit codes.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace vex {
+
+enum ExitCode : int {
+  kSuccess = 0,
+  kFault = 1,         // of the program
+  kWrongUsage = 2,    // an option that is not built yet says so
+  kInputRefused = 3,  // unreadable, not closed, not convex, not finite, too large, without extent
+  kDisagreement = 4,  // Monte Carlo and formula, by more than --max-z
+  kSignalBase = 128,  // plus the signal that interrupted
+};
+
+/// The project's version, as CMake has it.
+std::string version();
+
+/// Parses the command line into `app`, then runs `action`, whose result is the exit code. Every failure becomes one line on
+/// standard error, "vex_mesh: problem (where, which value) - what to do".
+int run_program(CLI::App& app, int argc, char** argv, const std::function<int()>& action);
+
+/// Throws UsageError: `what` is in the documentation, but comes in a later version.
+[[noreturn]] void not_built_yet(const std::string& what);
+
+/// The command line as a shell would take it back.
+std::string command_line(int argc, char** argv);
+
+}  // namespace vex

@@ -1,0 +1,91 @@
+// vex_mesh A [B]: the orientation-averaged excluded volume of two convex bodies, by Monte Carlo and by the formula.
+#include <cmath>
+#include <iostream>
+
+#include "apps/common/interrupt.h"
+#include "apps/common/output_file.h"
+#include "apps/common/progress_bar.h"
+#include "apps/common/run_program.h"
+#include "apps/vex_mesh/options.h"
+#include "apps/vex_mesh/report.h"
+#include "engine/numeric/errors.h"
+
+namespace vex {
+namespace {
+
+Domain choose_domain(DomainChoice choice, const ConvexBody& a, const ConvexBody& b) {
+  switch (choice) {
+    case DomainChoice::ball: return ball_domain(a, b);
+    case DomainChoice::box: return box_domain(a, b);
+    case DomainChoice::best: break;
+  }
+  return best_domain(a, b);
+}
+
+void require_finite(double value, const char* what) {
+  if (!std::isfinite(value)) {
+    throw InputError(std::string("a result would overflow (") + what + ") - choose another unit of length");
+  }
+  if (value == 0.0) {
+    throw InputError(std::string("a result would underflow (") + what + ") - choose another unit of length");
+  }
+}
+
+int run_vex_mesh(const CommandLine& words, const std::string& command) {
+  const Options options = interpret(words);
+
+  std::optional<OutputFile> json;
+  if (!options.json.empty()) json.emplace(options.json, std::vector<std::string>{options.a, options.b});
+
+  MeshOptions mesh_options;
+  mesh_options.convex_tolerance = options.convex_tolerance;
+  const LoadedBody loaded_a = load_body(options.a, mesh_options);
+  MeshRun run{command, options, loaded_a, options.a == options.b ? loaded_a : load_body(options.b, mesh_options)};
+  const ConvexBody& a = run.a.shape.body;
+  const ConvexBody& b = run.b.shape.body;
+  const FormulaResult formula = formula_result(run.a.shape.measures, run.b.shape.measures);
+  require_finite(formula.excluded_volume, "the excluded volume");
+  if (options.law == OrientationLaw::isotropic) {
+    run.formula = formula;
+  } else {
+    run.formula_reason = "the formula holds for isotropic orientations, not for " + std::string(name_of(options.law)) + " ones";
+  }
+  run.domain = choose_domain(options.domain, a, b);
+  require_finite(run.domain.volume, "the sampling volume");
+
+  MonteCarloSettings settings;
+  settings.seed = options.seed;
+  settings.n_threads = options.n_threads;
+  settings.law = options.law;
+  settings.domain = run.domain;
+  settings.quick_verdicts = options.quick_verdicts;
+  settings.stop = options.stop;
+  settings.backend = options.backend;
+  settings.cross_check = options.cross_check;
+  catch_interrupts();
+  settings.interrupt = &interrupting_signal();
+  {
+    ProgressBar bar(!options.quiet, options.stop);
+    settings.on_progress = [&bar](const Progress& progress) { bar.show(progress); };
+    run.record = run_hit_or_miss(a, b, settings);
+  }
+  compare(run);
+
+  if (!options.quiet && !(json && json->is_standard_output())) std::cout << report_text(run);
+  if (json) json->write(report_json(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+
+  if (run.record.stopped_by == StopReason::interrupted) return kSignalBase + interrupting_signal().load();
+  return run.z && std::fabs(*run.z) > options.max_z ? kDisagreement : kSuccess;
+}
+
+}  // namespace
+}  // namespace vex
+
+int main(int argc, char** argv) {
+  CLI::App app("Average excluded volume <V_ex> of two convex bodies: by Monte Carlo, and by the formula from V, S and M.",
+               "vex_mesh");
+  vex::CommandLine words;
+  vex::declare_options(app, words);
+  return vex::run_program(app, argc, argv,
+                          [&] { return vex::run_vex_mesh(words, vex::command_line(argc, argv)); });
+}

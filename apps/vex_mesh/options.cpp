@@ -1,0 +1,166 @@
+#include "apps/vex_mesh/options.h"
+
+#include <algorithm>
+#include <functional>
+#include <initializer_list>
+#include <string_view>
+#include <thread>
+
+#include "apps/common/numbers.h"
+#include "apps/common/run_program.h"
+#include "apps/peers/ccd_backend.h"
+#include "engine/numeric/errors.h"
+#include "shapes/any_shape.h"
+
+namespace vex {
+namespace {
+
+constexpr std::uint64_t kMaxThreads = 1024;
+
+double positive_number(const std::string& word, const char* option) {
+  const double value = parse_number(word, option);
+  if (!(value > 0.0)) {
+    throw UsageError("not positive (\"" + word + "\" for " + option + ") - give a number above 0");
+  }
+  return value;
+}
+
+std::uint64_t positive_count(const std::string& word, const char* option) {
+  const std::uint64_t value = parse_count(word, option);
+  if (value == 0) throw UsageError("not positive (\"" + word + "\" for " + option + ") - give a count above 0");
+  return value;
+}
+
+// The word is one of `built`, or it is said whether it is planned or unknown.
+void require_one_of(const std::string& word, const char* option, std::initializer_list<std::string_view> built,
+                    std::initializer_list<std::string_view> planned) {
+  if (std::ranges::find(built, word) != built.end()) return;
+  const std::string name = word.substr(0, word.find(':'));
+  if (std::ranges::find(planned, name) != planned.end()) not_built_yet(std::string(option) + " " + word);
+  std::string choices;
+  for (const std::string_view choice : built) choices += (choices.empty() ? "" : ", ") + std::string(choice);
+  throw UsageError("not a choice (\"" + word + "\" for " + option + ") - there are " + choices);
+}
+
+BackendKind backend_named(const std::string& name) {
+  if (name == "ccd-gjk") return ccd_gjk_backend();
+  if (name == "ccd-mpr" || name == "ccd") return ccd_mpr_backend();
+  return gjk_backend();
+}
+
+}  // namespace
+
+void declare_options(CLI::App& app, CommandLine& words) {
+  app.add_option("A", words.a, "A mesh file (.obj .stl .ply .off .gltf .glb .dae .3mf ...) or a named body")->required();
+  app.add_option("B", words.b, "The second body; without it, A again");
+
+  const std::string stop = "When to stop (whichever comes first; --rel-error 1e-3 if none is given)";
+  app.add_option("--trials", words.trials, "Stop after this many trials, written like 1e7")->group(stop);
+  app.add_option("--rel-error", words.relative_error, "Stop at this standard error relative to the estimate")->group(stop);
+  app.add_option("--seconds", words.seconds, "Stop after this time")->group(stop);
+  app.add_option("--max-trials", words.max_trials, "Give up after this many trials (default 1e11)")->group(stop);
+
+  const std::string sampling = "Sampling";
+  app.add_option("--orientations", words.orientations, "isotropic (default) or aligned (R = I); later also fixed:W,X,Y,Z cone:DEG onsager:ALPHA")
+      ->group(sampling);
+  app.add_option("--estimator", words.estimator, "hit-or-miss; others come later")->group(sampling);
+  app.add_option("--sequence", words.sequence, "random; sobol comes later")->group(sampling);
+  app.add_option("--domain", words.domain, "Sampling domain of hit-or-miss: ball, box, or best (default): the smaller")->group(sampling);
+  app.add_option("--seed", words.seed, "The same seed gives the same hits on any number of threads (default 1)")->group(sampling);
+  app.add_option("--threads", words.threads, "Threads (default: all cores)")->group(sampling);
+
+  const std::string query = "Overlap query";
+  app.add_option("--backend", words.backend, "gjk (default), ccd-gjk or ccd-mpr (libccd; ccd means ccd-mpr); fcl and specialised come later")->group(query);
+  app.add_flag("--no-quick-verdicts", words.no_quick_verdicts, "Do not let the circumscribed and inscribed balls decide")->group(query);
+  app.add_flag("--cross-check", words.cross_check, "Ask every backend about every pose and list each disagreement")->group(query);
+
+  const std::string meshes = "Meshes";
+  app.add_option("--convex-tolerance", words.convex_tolerance, "How far from convex a mesh may be, relative to its size (default 1e-6)")->group(meshes);
+
+  const std::string output = "Output";
+  app.add_option("--json", words.json, "Write one JSON document; - is standard output, where then nothing else is printed")
+      ->type_name("FILE")->group(output);
+  app.add_option("--max-z", words.max_z, "Exit with 4 where Monte Carlo and formula differ by more standard errors (default 6)")->group(output);
+  app.add_flag("--quiet", words.quiet, "Print no report and draw no progress bar")->group(output);
+
+  const std::string later = "Not built yet";
+  app.add_flag("--hull", words.hull, "Take the convex hull of whatever the file holds")->group(later);
+  app.add_flag("--unit-volume", words.unit_volume, "Scale every body to V = 1")->group(later);
+  app.add_option("--scale", words.scale, "Scale every body")->group(later);
+  app.add_flag("--dump-vertices", words.dump_vertices, "Print a polytope's vertices")->group(later);
+  app.add_flag("--verify", words.verify, "Prove every verdict again")->group(later);
+  app.add_option("--isa", words.isa, "Instruction set of the kernels")->group(later);
+  app.add_option("--checkpoint", words.checkpoint, "Save the run's state")->group(later);
+  app.add_option("--resume", words.resume, "Continue a saved run")->group(later);
+
+  std::string bodies = "Named bodies: ";
+  for (const NamedShape& shape : named_shapes()) {
+    bodies += "\n  " + std::string(shape.name) + ":" + std::string(shape.parameters) + "  " + std::string(shape.meaning);
+  }
+  app.footer(bodies + "\n\nExit codes: 0 success, 1 a fault of the program, 2 wrong usage, 3 input refused, 4 Monte Carlo and formula disagree,"
+                      "\n130 or 143 interrupted (what was done is reported).");
+}
+
+Options interpret(const CommandLine& words) {
+  for (const auto& [given, option] : std::initializer_list<std::pair<bool, const char*>>{
+           {words.hull, "--hull"},
+           {words.unit_volume, "--unit-volume"},
+           {!words.scale.empty(), "--scale"},
+           {words.dump_vertices, "--dump-vertices"},
+           {words.verify, "--verify"},
+           {!words.isa.empty(), "--isa"},
+           {!words.checkpoint.empty(), "--checkpoint"},
+           {!words.resume.empty(), "--resume"}}) {
+    if (given) not_built_yet(option);
+  }
+  const auto or_default = [](const std::string& word, const char* value) { return word.empty() ? value : word; };
+  const std::string estimator = or_default(words.estimator, "hit-or-miss");
+  const std::string sequence = or_default(words.sequence, "random");
+  const std::string domain = or_default(words.domain, "best");
+  const std::string backend = or_default(words.backend, "gjk");
+  const std::string orientations = or_default(words.orientations, "isotropic");
+  require_one_of(estimator, "--estimator", {"hit-or-miss"},
+                 {"hit-or-miss-fitted", "stratified", "radial", "mixed-volume", "mean-width"});
+  require_one_of(sequence, "--sequence", {"random"}, {"sobol"});
+  require_one_of(domain, "--domain", {"ball", "box", "best"}, {});
+  require_one_of(backend, "--backend", {"gjk", "ccd-gjk", "ccd-mpr", "ccd"}, {"fcl", "specialised"});
+  require_one_of(orientations, "--orientations", {"isotropic", "aligned"}, {"fixed", "cone", "onsager"});
+
+  Options options;
+  options.a = words.a;
+  options.b = words.b.empty() ? words.a : words.b;
+  if (!words.trials.empty()) options.stop.trials = positive_count(words.trials, "--trials");
+  if (!words.relative_error.empty()) options.stop.relative_error = positive_number(words.relative_error, "--rel-error");
+  if (!words.seconds.empty()) options.stop.seconds = positive_number(words.seconds, "--seconds");
+  if (!words.max_trials.empty()) options.stop.max_trials = positive_count(words.max_trials, "--max-trials");
+  if (!options.stop.trials && !options.stop.relative_error && !options.stop.seconds) options.stop.relative_error = 1e-3;
+  if (!words.seed.empty()) options.seed = parse_count(words.seed, "--seed");
+  if (words.threads.empty()) {
+    options.n_threads = static_cast<int>(std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, kMaxThreads));
+  } else {
+    const std::uint64_t n = positive_count(words.threads, "--threads");
+    if (n > kMaxThreads) throw UsageError("too many threads (" + words.threads + ") - at most 1024");
+    options.n_threads = static_cast<int>(n);
+  }
+  options.domain = domain == "ball" ? DomainChoice::ball : domain == "box" ? DomainChoice::box : DomainChoice::best;
+  options.law = orientations == "aligned" ? OrientationLaw::aligned : OrientationLaw::isotropic;
+  options.backend = backend_named(backend);
+  if (words.cross_check) {
+    for (const BackendKind& kind : {gjk_backend(), ccd_gjk_backend(), ccd_mpr_backend()}) {
+      if (kind.name != options.backend.name) options.cross_check.push_back(kind);
+    }
+  }
+  options.quick_verdicts = !words.no_quick_verdicts;
+  if (!words.max_z.empty()) options.max_z = positive_number(words.max_z, "--max-z");
+  if (!words.convex_tolerance.empty()) {
+    options.convex_tolerance = parse_number(words.convex_tolerance, "--convex-tolerance");
+    if (options.convex_tolerance < 0.0 || options.convex_tolerance > 0.1) {
+      throw UsageError("out of range (\"" + words.convex_tolerance + "\" for --convex-tolerance) - from 0 to 0.1");
+    }
+  }
+  options.json = words.json;
+  options.quiet = words.quiet;
+  return options;
+}
+
+}  // namespace vex

@@ -1,0 +1,51 @@
+// The command line of vex_mesh.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "engine/sampling/monte_carlo.h"
+
+namespace vex {
+
+/// The words of the command line, as they stand.
+struct CommandLine {
+  std::string a, b;
+  std::string trials, relative_error, seconds, max_trials;
+  std::string seed, threads;
+  std::string estimator, sequence, domain, backend, orientations, isa;
+  std::string max_z, convex_tolerance;
+  std::string json;
+  std::string scale, checkpoint, resume;
+  bool no_quick_verdicts = false, cross_check = false, quiet = false;
+  bool hull = false, verify = false, unit_volume = false, dump_vertices = false;
+};
+
+/// Declares the options; parsing fills `words`, which must outlive `app`.
+void declare_options(CLI::App& app, CommandLine& words);
+
+enum class DomainChoice { ball, box, best };
+
+/// What the words mean.
+struct Options {
+  std::string a, b;
+  StopRule stop;
+  std::uint64_t seed = 1;
+  int n_threads = 1;
+  DomainChoice domain = DomainChoice::best;
+  OrientationLaw law = OrientationLaw::isotropic;
+  BackendKind backend;
+  std::vector<BackendKind> cross_check;
+  bool quick_verdicts = true;
+  double max_z = 6.0;
+  double convex_tolerance = 1e-6;
+  std::string json;
+  bool quiet = false;
+};
+
+/// Throws UsageError where a word means nothing, or something that is not built yet.
+Options interpret(const CommandLine& words);
+
+}  // namespace vex

@@ -1,0 +1,208 @@
+#include "apps/vex_mesh/report.h"
+
+#include <cmath>
+
+#include "apps/common/numbers.h"
+#include "apps/common/run_program.h"
+#include "engine/sampling/random_stream.h"
+#include "shapes/excluded_volume.h"
+
+namespace vex {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr DecidedBy kAllDecidedBy[] = {DecidedBy::outer_bound, DecidedBy::inner_bound, DecidedBy::gjk, DecidedBy::exact,
+                                       DecidedBy::peer};
+
+std::vector<double> twelve_numbers(const Transformd& pose) {
+  return {pose.row_x.x, pose.row_x.y, pose.row_x.z, pose.row_y.x,       pose.row_y.y,       pose.row_y.z,
+          pose.row_z.x, pose.row_z.y, pose.row_z.z, pose.translation.x, pose.translation.y, pose.translation.z};
+}
+
+std::vector<std::string> backend_names(const MeshRun& run) {
+  std::vector<std::string> names = {run.options.backend.name};
+  for (const BackendKind& kind : run.options.cross_check) names.push_back(kind.name);
+  return names;
+}
+
+// A number, or null where it is none: JSON has no infinity.
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json estimate_json(const MeshRun& run) {
+  const Tally& tally = run.record.tally;
+  Json json;
+  json["estimator"] = "hit-or-miss";
+  json["sequence"] = "random";
+  json["backend"] = run.options.backend.name;
+  json["orientations"] = name_of(run.options.law);
+  json["excluded_volume"] = run.estimate ? number_or_null(run.estimate->excluded_volume) : Json(nullptr);
+  json["std_error"] = run.estimate ? number_or_null(run.estimate->std_error) : Json(nullptr);
+  json["ci95"] = run.estimate ? Json{run.estimate->ci95.lower, run.estimate->ci95.upper} : Json(nullptr);
+  json["trials"] = tally.n_trials;
+  json["hits"] = tally.n_hits;
+  json["undecided"] = tally.n_undecided;
+  json["sampling_volume"] = run.domain.volume;
+  json["domain"] = name_of(run.domain.kind);
+  json["quick_verdicts"] = run.options.quick_verdicts && !run.options.backend.is_peer;
+  json["seconds"] = run.record.seconds;
+  json["trials_per_second"] = static_cast<double>(tally.n_trials) / run.record.seconds;
+  json["stopped_by"] = name_of(run.record.stopped_by);
+  for (const DecidedBy by : kAllDecidedBy) {
+    json["decided_by"][std::string(name_of(by))] = tally.n_decided_by[static_cast<std::size_t>(by)];
+  }
+  json["undecided_trials"] = Json::array();
+  for (const UndecidedTrial& trial : run.record.undecided.kept) {
+    json["undecided_trials"].push_back({{"index", trial.index}, {"reason", name_of(trial.reason)}});
+  }
+  return json;
+}
+
+Json disagreements_json(const MeshRun& run) {
+  const std::vector<std::string> names = backend_names(run);
+  Json list = Json::array();
+  for (const Disagreement& found : run.record.disagreements.kept) {
+    Json verdicts;
+    for (std::size_t k = 0; k < names.size(); ++k) verdicts[names[k]] = name_of(found.outcomes[k]);
+    list.push_back({{"index", found.index}, {"matrix", twelve_numbers(found.a_from_b)}, {"verdicts", verdicts}});
+  }
+  return list;
+}
+
+std::string decided_by_text(const Tally& tally) {
+  std::string text;
+  for (const DecidedBy by : kAllDecidedBy) {
+    const std::uint64_t n = tally.n_decided_by[static_cast<std::size_t>(by)];
+    if (n == 0) continue;
+    const char* const name = by == DecidedBy::outer_bound   ? "outer balls "
+                             : by == DecidedBy::inner_bound ? "inner balls "
+                             : by == DecidedBy::gjk         ? "GJK "
+                             : by == DecidedBy::exact       ? "exact "
+                                                            : "peer ";
+    const double percent = 100.0 * static_cast<double>(n) / static_cast<double>(tally.n_trials);
+    text += (text.empty() ? "" : ", ") + std::string(name) + short_number(percent, 3) + " %";
+  }
+  return text;
+}
+
+std::string cross_check_text(const MeshRun& run) {
+  const std::vector<std::string> names = backend_names(run);
+  const FirstOf<Disagreement>& found = run.record.disagreements;
+  std::string text = "\nCross-check";
+  for (const std::string& name : names) text += " " + name;
+  text += ": " + std::to_string(found.n_all) + " of " + std::to_string(run.record.tally.n_trials) + " poses disputed\n";
+  for (std::size_t k = 1; k < names.size(); ++k) {
+    if (const std::uint64_t n = run.record.n_undecided_by_check[k - 1]; n > 0) {
+      text += "   " + names[k] + " gave up on " + std::to_string(n) + "\n";
+    }
+  }
+  constexpr std::size_t kShown = 10;
+  for (std::size_t j = 0; j < found.kept.size() && j < kShown; ++j) {
+    const Disagreement& one = found.kept[j];
+    text += "   trial " + std::to_string(one.index) + ":";
+    for (std::size_t k = 0; k < names.size(); ++k) text += " " + names[k] + " " + std::string(name_of(one.outcomes[k]));
+    text += "\n      r11 ... r33, tx, ty, tz =";
+    for (const double value : twelve_numbers(one.a_from_b)) text += " " + hex_number(value);
+    text += "\n";
+  }
+  if (found.n_all > kShown) text += "   ... --json lists the first " + std::to_string(found.kept.size()) + "\n";
+  return text;
+}
+
+}  // namespace
+
+FormulaResult formula_result(const Measures& a, const Measures& b) {
+  const double volume = average_excluded_volume(a, b);
+  return {volume, reduced_excluded_volume(volume, a, b), second_virial_coefficient(volume)};
+}
+
+void compare(MeshRun& run) {
+  if (run.record.tally.n_trials == 0) {
+    run.z_reason = "no trial was done";
+    return;
+  }
+  run.estimate = hit_or_miss_estimate(run.record.tally, run.domain.volume);
+  if (!run.formula) {
+    run.z_reason = run.formula_reason;
+  } else if (hits_by_construction(run.a.shape.body, run.b.shape.body, run.domain)) {
+    run.z_reason = "every trial hits by construction: the domain is the excluded volume itself";
+  } else {
+    run.z = (run.estimate->excluded_volume - run.formula->excluded_volume) / run.estimate->std_error;
+  }
+}
+
+Json report_json(const MeshRun& run) {
+  Json json;
+  json["version"] = version();
+  json["stream_version"] = kStreamVersion;
+  json["command"] = run.command;
+  json["seed"] = run.options.seed;
+  json["threads"] = run.options.n_threads;
+  json["complete"] = run.record.complete;
+  json["seconds"] = run.record.seconds;
+  json["bodies"] = {body_json(run.a), body_json(run.b)};
+  if (run.formula) {
+    json["formula"] = {{"excluded_volume", number_or_null(run.formula->excluded_volume)},
+                       {"reduced", number_or_null(run.formula->reduced)},
+                       {"b2", number_or_null(run.formula->b2)}};
+  } else {
+    json["formula"] = nullptr;
+    json["formula_reason"] = run.formula_reason;
+  }
+  json["estimate"] = estimate_json(run);
+  if (run.z) {
+    json["z"] = *run.z;
+  } else {
+    json["z"] = nullptr;
+    json["z_reason"] = run.z_reason;
+  }
+  if (!run.options.cross_check.empty()) {
+    json["n_disagreements"] = run.record.disagreements.n_all;
+    json["disagreements"] = disagreements_json(run);
+  }
+  return json;
+}
+
+std::string report_text(const MeshRun& run) {
+  std::string text = body_text(run.a, "A");
+  text += run.a.source == run.b.source ? "B  the same body\n" : body_text(run.b, "B");
+
+  text += "\nFormula  V_A + V_B + (M_A S_B + M_B S_A)/4pi, random orientations\n";
+  if (run.formula) {
+    text += "   <V_ex>                            " + short_number(run.formula->excluded_volume, 12) + "\n";
+    text += "   <V_ex> / sqrt(V_A V_B)            " + short_number(run.formula->reduced, 12) + "\n";
+    text += "   B2 = <V_ex>/2                     " + short_number(run.formula->b2, 12) + "\n";
+  } else {
+    text += "   none: " + run.formula_reason + "\n";
+  }
+
+  const Tally& tally = run.record.tally;
+  text += "\nMonte Carlo  hit-or-miss, " + std::string(name_of(run.options.law)) + " orientations, " +
+          std::string(name_of(run.domain.kind)) + " domain of volume " + short_number(run.domain.volume, 6) + ", " +
+          run.options.backend.name + ", seed " + std::to_string(run.options.seed) + "\n";
+  if (run.estimate) {
+    const VolumeEstimate& estimate = *run.estimate;
+    text += "   <V_ex>                            " + with_error(estimate.excluded_volume, estimate.std_error) +
+            "   95 %: " + short_number(estimate.ci95.lower, 8) + " ... " + short_number(estimate.ci95.upper, 8) + "\n";
+    text += "   hits / trials                     " + std::to_string(tally.n_hits) + " / " + std::to_string(tally.n_trials);
+    if (tally.n_undecided > 0) text += ", undecided " + std::to_string(tally.n_undecided);
+    text += "\n   decided by                        " + decided_by_text(tally) + "\n";
+  }
+  text += "   " + short_number(run.record.seconds, 3) + " s on " + std::to_string(run.options.n_threads) +
+          (run.options.n_threads == 1 ? " thread, " : " threads, ") +
+          short_count(static_cast<double>(tally.n_trials) / run.record.seconds) + " trials/s";
+  if (run.record.stopped_by == StopReason::interrupted) text += " - interrupted: this is what was done until then";
+  if (run.record.stopped_by == StopReason::max_trials) text += " - incomplete: --max-trials was reached first";
+  text += "\n";
+  if (!run.options.cross_check.empty()) text += cross_check_text(run);
+
+  if (run.z) {
+    text += "\nz = " + short_number(*run.z, 3) + " standard errors between Monte Carlo and formula: ";
+    text += std::fabs(*run.z) <= run.options.max_z ? "they agree\n" : "THEY DISAGREE\n";
+  } else {
+    text += "\nz: none - " + run.z_reason + "\n";
+  }
+  return text;
+}
+
+}  // namespace vex

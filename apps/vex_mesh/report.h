@@ -1,0 +1,44 @@
+// What vex_mesh says of a run: on the screen and in JSON.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "apps/common/bodies.h"
+#include "apps/vex_mesh/options.h"
+#include "engine/sampling/monte_carlo.h"
+
+namespace vex {
+
+/// The formula's side of the comparison; never in contact with the run.
+struct FormulaResult {
+  double excluded_volume = 0.0;
+  double reduced = 0.0;
+  double b2 = 0.0;
+};
+
+/// All that is reported.
+struct MeshRun {
+  std::string command;
+  Options options;
+  LoadedBody a, b;
+  Domain domain{};
+  std::optional<FormulaResult> formula{};
+  std::string formula_reason{};  // where there is none
+  RunRecord record{};
+  std::optional<VolumeEstimate> estimate{};  // none where not one trial was done
+  std::optional<double> z{};
+  std::string z_reason{};  // where there is none
+};
+
+FormulaResult formula_result(const Measures& a, const Measures& b);
+
+/// Fills `estimate`, `z` and their reasons from the record.
+void compare(MeshRun& run);
+
+nlohmann::ordered_json report_json(const MeshRun& run);
+std::string report_text(const MeshRun& run);
+
+}  // namespace vex

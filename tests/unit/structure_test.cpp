@@ -1,0 +1,103 @@
+// The direction of includes (README, "Where things live"): a room sees only the rooms below it, and each third party has one place.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Include {
+  fs::path file;  // relative to the source folder
+  std::string what;
+};
+
+std::vector<Include> includes_below(const std::string& room) {
+  static const std::regex pattern(R"re(^\s*#\s*include\s*["<]([^">]+)[">])re");
+  std::vector<Include> found;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(VEX_SOURCE_DIR) / room)) {
+    const std::string extension = entry.path().extension().string();
+    if (extension != ".h" && extension != ".cpp") continue;
+    std::ifstream file(entry.path());
+    std::smatch match;
+    for (std::string line; std::getline(file, line);) {
+      if (std::regex_search(line, match, pattern)) found.push_back({fs::relative(entry.path(), VEX_SOURCE_DIR), match[1]});
+    }
+  }
+  return found;
+}
+
+bool starts_with_any(const std::string& text, const std::vector<std::string>& prefixes) {
+  for (const std::string& prefix : prefixes) {
+    if (text.rfind(prefix, 0) == 0) return true;
+  }
+  return false;
+}
+
+TEST(Structure, EveryRoomSeesOnlyTheRoomsBelowIt) {
+  const std::map<std::string, std::vector<std::string>> allowed = {
+      {"engine/numeric", {"engine/numeric/"}},
+      {"engine/support", {"engine/numeric/", "engine/support/"}},
+      {"engine/query", {"engine/numeric/", "engine/support/", "engine/query/"}},
+      {"engine/scene", {"engine/numeric/", "engine/support/", "engine/query/", "engine/scene/"}},
+      {"engine/sampling", {"engine/"}},
+      {"shapes", {"engine/numeric/", "engine/support/", "shapes/"}},
+      {"meshes", {"engine/numeric/", "engine/support/", "shapes/", "meshes/"}},
+      {"apps/peers", {"engine/", "shapes/", "meshes/", "apps/peers/"}},
+      {"apps", {"engine/", "shapes/", "meshes/", "apps/"}},
+  };
+  const std::vector<std::string> rooms = {"engine/", "shapes/", "meshes/", "apps/", "tests/"};
+  for (const auto& [room, may_see] : allowed) {
+    const std::vector<Include> includes = includes_below(room);
+    ASSERT_FALSE(includes.empty()) << room << ": nothing was looked at";
+    for (const Include& include : includes) {
+      if (!starts_with_any(include.what, rooms)) continue;
+      EXPECT_TRUE(starts_with_any(include.what, may_see)) << include.file << " includes " << include.what;
+    }
+  }
+}
+
+TEST(Structure, EveryThirdPartyHasItsOnePlace) {
+  const std::map<std::string, std::vector<std::string>> places = {
+      {"assimp/", {"meshes/reader.cpp"}},
+      {"libqhull", {"meshes/hull.cpp"}},
+      {"ccd/", {"apps/peers/ccd_"}},
+      {"Random123/", {"engine/sampling/random_stream.cpp"}},
+      {"Eigen/", {"engine/numeric/eigen.h"}},
+      {"boost/", {"shapes/ellipsoid.cpp"}},
+      {"CLI/", {"apps/"}},
+      {"nlohmann/", {"apps/"}},
+  };
+  std::set<std::string> seen;
+  for (const char* room : {"engine", "shapes", "meshes", "apps"}) {
+    for (const Include& include : includes_below(room)) {
+      for (const auto& [library, files] : places) {
+        if (include.what.rfind(library, 0) != 0) continue;
+        seen.insert(library);
+        EXPECT_TRUE(starts_with_any(include.file.string(), files)) << include.file << " includes " << include.what;
+      }
+    }
+  }
+  EXPECT_EQ(seen.size(), places.size()) << "a library of the list is not used where it should be";
+}
+
+TEST(Structure, TheOracleStaysApart) {
+  // The sampler never sees V, S and M, and what computes them never sees the sampler.
+  for (const Include& include : includes_below("engine")) {
+    EXPECT_EQ(include.what.find("measures"), std::string::npos) << include.file;
+  }
+  for (const char* room : {"shapes", "meshes"}) {
+    for (const Include& include : includes_below(room)) {
+      EXPECT_EQ(include.what.rfind("engine/sampling", 0), std::string::npos) << include.file;
+      EXPECT_EQ(include.what.rfind("engine/query", 0), std::string::npos) << include.file;
+    }
+  }
+}
+
+}  // namespace
