@@ -32,24 +32,45 @@ struct PortalResult {
 
 namespace detail {
 
-/// The plane of a, b, c passes the origin, on the side that makes det(a, b, c) positive, at more than the points' own error.
-///
-/// The distance is det(a, b, c) / |(b - a) x (c - a)|; both are computed here with their rounding on the safe side (E2).
+/// An oriented triangle's plane: (b - a) x (c - a), from the two shorter edges. Of a sliver the long edges are nearly parallel,
+/// and their product would drown in its rounding.
 template <class L>
-MaskOf<L> passes_origin(const Vec3<L>& a, const Vec3<L>& b, const Vec3<L>& c, const QueryError<L>& error) {
-  const L determinant = dot(a, cross(b, c));
-  const L rounding = L(8.0 * kUnitRoundoff) * (norm_1(a) * (norm_1(b) * norm_1(c)));
-  const L area = norm_1(cross(b - a, c - a)) + L(64.0 * kUnitRoundoff) * (error.reach * error.reach);
-  return determinant > L(1.0 + 0x1p-40) * (rounding + error.support * area);
+struct Face {
+  Vec3<L> normal;
+  L edge_product;  // |e|_1 |f|_1 of the two edges; the normal is off by at most 4 u times this (E2)
+};
+
+template <class L>
+Face<L> face_of(const Vec3<L>& a, const Vec3<L>& b, const Vec3<L>& c) {
+  const Vec3<L> ab = b - a, bc = c - b, ca = a - c;
+  const L length_ab = norm_1(ab), length_bc = norm_1(bc), length_ca = norm_1(ca);
+  const MaskOf<L> omits_ab = both(length_ab > length_bc, length_ab > length_ca);
+  const MaskOf<L> omits_bc = but_not(length_bc > length_ca, omits_ab);
+  // ab x bc = bc x ca = ca x ab
+  const Vec3<L> e = select<L>(omits_ab, bc, select<L>(omits_bc, ca, ab));
+  const Vec3<L> f = select<L>(omits_ab, ca, select<L>(omits_bc, ab, bc));
+  const L product = select(omits_ab, length_bc * length_ca, select(omits_bc, length_ca * length_ab, length_ab * length_bc));
+  return {cross(e, f), product};
 }
 
-/// The simplex contains the origin, proven: no point of it can be outside any face by the points' own error.
+/// The plane of the face passes the origin at more than the points' own error, with the origin behind it (E2); `point` is
+/// any of its corners.
 template <class L>
-MaskOf<L> proves_overlap(const Vec3<L>& v0, const Vec3<L>& v1, const Vec3<L>& v2, const Vec3<L>& v3,
+MaskOf<L> has_origin_behind(const Face<L>& face, const Vec3<L>& point, const QueryError<L>& error) {
+  const L rounding = L(8.0 * kUnitRoundoff) * (face.edge_product * norm_1(point));
+  const L area = norm_1(face.normal) + L(4.0 * kUnitRoundoff) * face.edge_product;
+  return dot(face.normal, point) > L(1.0 + 0x1p-40) * (rounding + error.support * area);
+}
+
+/// The simplex contains the origin, proven: every face has it behind by more than the points' own error.
+template <class L>
+MaskOf<L> proves_overlap(const Vec3<L>& v0, const Vec3<L>& v1, const Vec3<L>& v2, const Vec3<L>& v3, const Face<L>& portal,
                          const QueryError<L>& error) {
-  const MaskOf<L> first = both(passes_origin(v1, v2, v3, error), passes_origin(v0, v3, v2, error));
+  const MaskOf<L> first =
+      both(has_origin_behind(portal, v1, error), has_origin_behind(face_of(v0, v3, v2), v2, error));
   if (!any(first)) return first;
-  return both(first, both(passes_origin(v0, v1, v3, error), passes_origin(v0, v2, v1, error)));
+  return both(first, both(has_origin_behind(face_of(v0, v1, v3), v3, error),
+                          has_origin_behind(face_of(v0, v2, v1), v1, error)));
 }
 
 }  // namespace detail
@@ -134,11 +155,11 @@ PortalResult<L> refine_portal(const Difference& difference, const Vec3<L>& v0, c
       awaits_v1 = but_not(awaits_v1, got_v1);
     }
     if (any(refining)) {
-      const Vec3<L> normal = cross(v2 - v1, v3 - v1);
-      dir = select<L>(refining, normal, dir);
-      const Mask behind = both(both(active, refining), dot(normal, v1) > L(0.0));
+      const detail::Face<L> portal = detail::face_of(v1, v2, v3);
+      dir = select<L>(refining, portal.normal, dir);
+      const Mask behind = both(both(active, refining), dot(portal.normal, v1) > L(0.0));
       if (any(behind)) {
-        const Mask inside = both(behind, detail::proves_overlap(v0, v1, v2, v3, error));
+        const Mask inside = both(behind, detail::proves_overlap(v0, v1, v2, v3, portal, error));
         result.overlap = either(result.overlap, inside);
         result.v1 = select<L>(inside, v1, result.v1);
         result.v2 = select<L>(inside, v2, result.v2);

@@ -11,19 +11,19 @@ namespace vex {
 
 template <int W>
 struct ArrayMask {
-  std::array<bool, W> on{};
+  std::array<bool, std::size_t{W}> on{};
   explicit ArrayMask(bool all = false) { on.fill(all); }
 };
 
 template <int W>
 struct ArrayBits {
-  std::array<std::uint64_t, W> word{};
+  std::array<std::uint64_t, std::size_t{W}> word{};
   explicit ArrayBits(std::uint64_t all = 0) { word.fill(all); }
 };
 
 template <int W>
 struct ArrayLanes {
-  std::array<double, W> lane{};
+  std::array<double, std::size_t{W}> lane{};
   ArrayLanes() = default;
   explicit ArrayLanes(double all) { lane.fill(all); }
 };
@@ -148,14 +148,6 @@ ArrayBits<W> operator*(const ArrayBits<W>& a, const ArrayBits<W>& b) {
 template <int W>
 ArrayBits<W> operator+(const ArrayBits<W>& a, const ArrayBits<W>& b) {
   return array_lanes_detail::each<ArrayBits<W>, W>([&](auto& r, std::size_t k) { r.word[k] = a.word[k] + b.word[k]; });
-}
-
-/// Packs W scalar values, or vectors, into lanes, and takes one out again.
-template <int W>
-ArrayLanes<W> pack(const std::array<double, W>& values) {
-  ArrayLanes<W> result;
-  result.lane = values;
-  return result;
 }
 
 }  // namespace vex

@@ -21,7 +21,9 @@ void expect_exact(const TestPolytope& a, const TestPolytope& b, const Transformd
   const std::vector<Vec3d> placed_b = exact::placed(b.vertices, pose);
   if (outcome == Outcome::undecided) return;
   ASSERT_EQ(outcome == Outcome::overlap, exact::overlap(a.vertices, placed_b));
-  if (outcome == Outcome::disjoint) ASSERT_TRUE(exact::separates(proof.separating_dir, a.vertices, placed_b));
+  if (outcome == Outcome::disjoint) {
+    ASSERT_TRUE(exact::separates(proof.separating_dir, a.vertices, placed_b));
+  }
 }
 
 struct Counts {

@@ -47,8 +47,12 @@ void expect_lanes_to_agree(const A& a, const B& b, std::uint64_t seed) {
       ASSERT_EQ(wide.disjoint.on[k], one.disjoint);
       ASSERT_EQ(wide.overlap.on[k], one.overlap);
       ASSERT_EQ(wide.capped.on[k], one.capped);
-      if (one.disjoint) ASSERT_EQ(bits_of(wide.separating_dir.x.lane[k]), bits_of(one.separating_dir.x));
-      if (one.overlap) ASSERT_EQ(bits_of(wide.v3.z.lane[k]), bits_of(one.v3.z));
+      if (one.disjoint) {
+        ASSERT_EQ(bits_of(wide.separating_dir.x.lane[k]), bits_of(one.separating_dir.x));
+      }
+      if (one.overlap) {
+        ASSERT_EQ(bits_of(wide.v3.z.lane[k]), bits_of(one.v3.z));
+      }
       n_overlap += one.overlap ? 1 : 0;
       n_disjoint += one.disjoint ? 1 : 0;
     }

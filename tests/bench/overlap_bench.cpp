@@ -1,0 +1,97 @@
+// Overlap queries a second: the engine and libccd on the same stored poses, in one run, on one core.
+//
+// Ball domain, isotropic orientations, every backend answers every pose itself (no quick verdicts), except in the rows
+// "trial", which time whole trials of the driver: random numbers, pose, quick verdicts, query, tally.
+#include <benchmark/benchmark.h>
+
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "apps/peers/ccd_backend.h"
+#include "engine/sampling/monte_carlo.h"
+#include "shapes/any_shape.h"
+#include "tests/referees/polytopes.h"
+
+namespace vex {
+namespace {
+
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+struct Subject {
+  std::string name;
+  ConvexBody body;
+};
+
+std::vector<Subject> subjects() {
+  return {{"cube", parse_shape("box:1,1,1").body},
+          {"ellipsoid-4:1:1", parse_shape("ellipsoid:4,1,1").body},
+          {"capsule-L1-R.25", parse_shape("capsule:1,0.25").body},
+          {"hull-100", test_point_hull(100, {1, 1, 1}, 100).body}};
+}
+
+// More poses than a branch predictor remembers.
+constexpr std::size_t kPoses = 1 << 17;
+
+std::vector<Transformd> stored_poses(const ConvexBody& body) {
+  std::vector<Transformd> poses;
+  const Domain domain = ball_domain(body, body);
+  for (std::size_t k = 0; k < kPoses; ++k) poses.push_back(trial_pose(1, k, OrientationLaw::isotropic, domain, body));
+  return poses;
+}
+
+void time_query(benchmark::State& state, const ConvexBody& body, const BackendKind& kind) {
+  const std::vector<Transformd> poses = stored_poses(body);
+  std::vector<Verdict> verdicts(256);
+  const std::unique_ptr<OverlapBackend> backend = kind.make(body, body);
+  std::size_t first = 0, n_hits = 0, n = 0;
+  for (auto _ : state) {
+    backend->decide({&poses[first], verdicts.size()}, verdicts);
+    for (const Verdict& verdict : verdicts) n_hits += verdict.outcome == Outcome::overlap ? 1 : 0;
+    n += verdicts.size();
+    first = (first + verdicts.size()) % kPoses;
+  }
+  state.SetItemsProcessed(static_cast<std::int64_t>(n));
+  state.counters["hits"] = static_cast<double>(n_hits) / static_cast<double>(n);
+}
+
+void time_trial(benchmark::State& state, const ConvexBody& body) {
+  MonteCarloSettings settings;
+  settings.domain = ball_domain(body, body);
+  settings.stop.trials = kPoses;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(run_hit_or_miss(body, body, settings));
+    ++settings.seed;
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kPoses));
+}
+
+}  // namespace
+}  // namespace vex
+
+int main(int argc, char** argv) {
+  using namespace vex;
+  benchmark::AddCustomContext("processor", processor());
+  benchmark::AddCustomContext("compiler", std::string("g++ ") + __VERSION__);
+  for (const Subject& subject : subjects()) {
+    for (const BackendKind& kind : {gjk_backend(), ccd_gjk_backend(), ccd_mpr_backend()}) {
+      benchmark::RegisterBenchmark((subject.name + "/" + kind.name).c_str(), [subject, kind](benchmark::State& state) {
+        time_query(state, subject.body, kind);
+      });
+    }
+    benchmark::RegisterBenchmark((subject.name + "/trial").c_str(), [subject](benchmark::State& state) {
+      time_trial(state, subject.body);
+    })->UseRealTime()->Unit(benchmark::kMillisecond);
+  }
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

@@ -1,0 +1,233 @@
+#include "engine/sampling/monte_carlo.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+#include "engine/scene/quick_verdict.h"
+#include "shapes/box.h"
+#include "shapes/ellipsoid.h"
+#include "shapes/sphere.h"
+
+namespace vex {
+namespace {
+
+MonteCarloSettings settings_for(const ConvexBody& a, const ConvexBody& b, std::uint64_t trials) {
+  MonteCarloSettings settings;
+  settings.domain = best_domain(a, b);
+  settings.stop.trials = trials;
+  return settings;
+}
+
+// A backend that answers what it is told.
+class Scripted final : public OverlapBackend {
+ public:
+  using Answer = std::function<Verdict(const Transformd&)>;
+  explicit Scripted(Answer answer) : answer_(std::move(answer)) {}
+  void decide(std::span<const Transformd> poses, std::span<Verdict> verdicts) override {
+    for (std::size_t k = 0; k < poses.size(); ++k) verdicts[k] = answer_(poses[k]);
+  }
+
+ private:
+  Answer answer_;
+};
+
+BackendKind scripted(std::string name, Scripted::Answer answer) {
+  return {std::move(name), true,
+          [answer](const ConvexBody&, const ConvexBody&) { return std::make_unique<Scripted>(answer); }};
+}
+
+TEST(MonteCarlo, SameSeedSameTallyForAnyNumberOfThreads) {
+  const ConvexBody a = Box(1, 2, 3), b = Ellipsoid(1, 1, 2);
+  MonteCarloSettings settings = settings_for(a, b, 100003);
+  const RunRecord one = run_hit_or_miss(a, b, settings);
+  EXPECT_EQ(one.tally.n_trials, 100003u);
+  EXPECT_TRUE(one.complete);
+  for (const int n : {2, 3, 7}) {
+    settings.n_threads = n;
+    EXPECT_EQ(run_hit_or_miss(a, b, settings).tally, one.tally) << n << " threads";
+  }
+  settings.seed = 2;
+  EXPECT_NE(run_hit_or_miss(a, b, settings).tally.n_hits, one.tally.n_hits);
+}
+
+TEST(MonteCarlo, StopsByRelativeErrorAtTheSameTrialForAnyNumberOfThreads) {
+  const ConvexBody a = Box(1, 1, 1);
+  MonteCarloSettings settings = settings_for(a, a, 1);
+  settings.stop.trials.reset();
+  settings.stop.relative_error = 0.01;
+  const RunRecord one = run_hit_or_miss(a, a, settings);
+  EXPECT_EQ(one.stopped_by, StopReason::relative_error);
+  EXPECT_LE(hit_or_miss_estimate(one.tally, 1.0).relative_error(), 0.01);
+  settings.n_threads = 4;
+  EXPECT_EQ(run_hit_or_miss(a, a, settings).tally, one.tally);
+}
+
+TEST(MonteCarlo, TalliesAreTheTrialsOnePerOne) {
+  const ConvexBody a = Box(1, 1, 1), b = Sphere(0.5);
+  const MonteCarloSettings settings = settings_for(a, b, 1000);
+  Tally expected;
+  const QuickVerdict quick(a, b, kDrawnRotationError);
+  const std::unique_ptr<OverlapBackend> gjk = gjk_backend().make(a, b);
+  for (std::uint64_t k = 0; k < 1000; ++k) {
+    const Transformd pose = trial_pose(settings.seed, k, settings.law, settings.domain, b);
+    const QuickVerdict::Answer<double> answer = quick(pose);
+    Verdict verdict;
+    if (answer.disjoint) {
+      verdict = Verdict::disjoint(DecidedBy::outer_bound);
+    } else if (answer.overlap) {
+      verdict = Verdict::overlap(DecidedBy::inner_bound);
+    } else {
+      gjk->decide({&pose, 1}, {&verdict, 1});
+    }
+    expected.add(verdict);
+  }
+  EXPECT_EQ(run_hit_or_miss(a, b, settings).tally, expected);
+}
+
+TEST(MonteCarlo, QuickVerdictsChangeWhoDecidesNotWhatIsDecided) {
+  const ConvexBody a = Box(1, 2, 3), b = Ellipsoid(1, 1, 2);
+  MonteCarloSettings settings = settings_for(a, b, 50000);
+  const Tally quick = run_hit_or_miss(a, b, settings).tally;
+  settings.quick_verdicts = false;
+  const Tally slow = run_hit_or_miss(a, b, settings).tally;
+  EXPECT_EQ(quick.n_hits, slow.n_hits);
+  EXPECT_GT(quick.n_decided_by[static_cast<std::size_t>(DecidedBy::outer_bound)], 1000u);
+  EXPECT_GT(quick.n_decided_by[static_cast<std::size_t>(DecidedBy::inner_bound)], 1000u);
+  EXPECT_EQ(slow.n_decided_by[static_cast<std::size_t>(DecidedBy::gjk)], 50000u);
+  std::uint64_t sum = quick.n_undecided;
+  for (const std::uint64_t n : quick.n_decided_by) sum += n;
+  EXPECT_EQ(sum, quick.n_trials);
+}
+
+TEST(MonteCarlo, WhereEveryTrialHitsItEndsAndClaimsAnError) {
+  const ConvexBody a = Sphere(1.0), b = Sphere(2.0);
+  MonteCarloSettings settings = settings_for(a, b, 1);
+  settings.domain = ball_domain(a, b);
+  settings.stop.trials.reset();
+  settings.stop.relative_error = 1e-3;
+  ASSERT_TRUE(hits_by_construction(a, b, settings.domain));
+  const RunRecord record = run_hit_or_miss(a, b, settings);
+  EXPECT_EQ(record.stopped_by, StopReason::relative_error);
+  EXPECT_EQ(record.tally.n_hits, record.tally.n_trials);
+  EXPECT_GT(hit_or_miss_estimate(record.tally, settings.domain.volume).std_error, 0.0);
+  EXPECT_FALSE(hits_by_construction(a, b, box_domain(a, b)));
+  EXPECT_FALSE(hits_by_construction(Box(1, 1, 1), b, ball_domain(Box(1, 1, 1), b)));
+}
+
+TEST(MonteCarlo, WhereNoTrialHitsItEndsAtTheLimitIncomplete) {
+  const ConvexBody a = Sphere(1.0);
+  MonteCarloSettings settings = settings_for(a, a, 1);
+  settings.stop.trials.reset();
+  settings.stop.relative_error = 1e-3;
+  settings.stop.max_trials = 20000;
+  settings.backend = scripted("never", [](const Transformd&) { return Verdict::disjoint(DecidedBy::peer); });
+  const RunRecord record = run_hit_or_miss(a, a, settings);
+  EXPECT_EQ(record.stopped_by, StopReason::max_trials);
+  EXPECT_FALSE(record.complete);
+  EXPECT_EQ(record.tally.n_trials, 20000u);
+  EXPECT_EQ(record.tally.n_hits, 0u);
+}
+
+TEST(MonteCarlo, AsksAPeerAboutEveryPose) {
+  const ConvexBody a = Sphere(1.0);
+  MonteCarloSettings settings = settings_for(a, a, 5000);
+  settings.backend = scripted("peer", [](const Transformd&) { return Verdict::overlap(DecidedBy::peer); });
+  const Tally tally = run_hit_or_miss(a, a, settings).tally;
+  EXPECT_EQ(tally.n_decided_by[static_cast<std::size_t>(DecidedBy::peer)], 5000u);
+}
+
+TEST(MonteCarlo, CountsAndListsUndecidedTrialsAndNeverCallsThemHitsOrMisses) {
+  const ConvexBody a = Sphere(1.0);
+  MonteCarloSettings settings = settings_for(a, a, 6000);
+  settings.n_threads = 3;
+  settings.backend = scripted("unsure", [](const Transformd& pose) {
+    return pose.translation.x > 0.0 ? Verdict::undecided(DecidedBy::peer, UndecidedReason::iteration_cap)
+                                    : Verdict::disjoint(DecidedBy::peer);
+  });
+  const RunRecord record = run_hit_or_miss(a, a, settings);
+  EXPECT_NEAR(static_cast<double>(record.tally.n_undecided), 3000.0, 200.0);
+  EXPECT_EQ(record.tally.n_hits, 0u);
+  EXPECT_EQ(record.undecided.n_all, record.tally.n_undecided);
+  ASSERT_EQ(record.undecided.kept.size(), FirstOf<UndecidedTrial>::kKept);
+  for (std::size_t k = 0; k < record.undecided.kept.size(); ++k) {
+    if (k > 0) {
+      ASSERT_LT(record.undecided.kept[k - 1].index, record.undecided.kept[k].index);
+    }
+    ASSERT_GT(trial_pose(1, record.undecided.kept[k].index, settings.law, settings.domain, a).translation.x, 0.0);
+  }
+}
+
+TEST(MonteCarlo, CrossCheckFindsALiar) {
+  const ConvexBody a = Box(1, 1, 1);
+  MonteCarloSettings settings = settings_for(a, a, 20000);
+  settings.n_threads = 2;
+  // Denies every overlap whose centre is far out: wrong now and then.
+  settings.cross_check.push_back(scripted("liar", [a](const Transformd& pose) {
+    if (norm(pose.translation) > 1.2) return Verdict::disjoint(DecidedBy::peer);
+    Verdict verdict;
+    gjk_backend().make(a, a)->decide({&pose, 1}, {&verdict, 1});
+    return verdict;
+  }));
+  const RunRecord record = run_hit_or_miss(a, a, settings);
+  EXPECT_GT(record.disagreements.n_all, 100u);
+  for (const Disagreement& found : record.disagreements.kept) {
+    ASSERT_EQ(found.outcomes.size(), 2u);
+    EXPECT_EQ(found.outcomes[0], Outcome::overlap);
+    EXPECT_EQ(found.outcomes[1], Outcome::disjoint);
+    EXPECT_EQ(found.a_from_b.translation.x,
+              trial_pose(1, found.index, settings.law, settings.domain, a).translation.x) << "the pose can be replayed";
+  }
+  settings.cross_check.clear();
+  EXPECT_EQ(run_hit_or_miss(a, a, settings).tally, record.tally) << "a check changes nothing";
+}
+
+TEST(MonteCarlo, EndsAtTheTimeLimit) {
+  const ConvexBody a = Box(1, 1, 1);
+  MonteCarloSettings settings = settings_for(a, a, 1);
+  settings.stop.trials.reset();
+  settings.stop.seconds = 0.2;
+  settings.n_threads = 2;
+  const RunRecord record = run_hit_or_miss(a, a, settings);
+  EXPECT_EQ(record.stopped_by, StopReason::seconds);
+  EXPECT_TRUE(record.complete);
+  EXPECT_GE(record.seconds, 0.2);
+  EXPECT_GT(record.tally.n_trials, 0u);
+  // Whatever ended it, the trials done are the first ones: the same count gives the same hits.
+  MonteCarloSettings again = settings_for(a, a, record.tally.n_trials);
+  EXPECT_EQ(run_hit_or_miss(a, a, again).tally, record.tally);
+}
+
+TEST(MonteCarlo, EndsWhenInterruptedAndKeepsWhatWasDone) {
+  const ConvexBody a = Box(1, 1, 1);
+  std::atomic<int> interrupt{0};
+  MonteCarloSettings settings = settings_for(a, a, 1ull << 40);
+  settings.n_threads = 2;
+  settings.interrupt = &interrupt;
+  int n_reports = 0;
+  std::uint64_t last = 0;
+  settings.on_progress = [&](const Progress& progress) {
+    EXPECT_GE(progress.tally.n_trials, last);
+    last = progress.tally.n_trials;
+    if (++n_reports == 3) interrupt = 2;
+  };
+  const RunRecord record = run_hit_or_miss(a, a, settings);
+  EXPECT_EQ(record.stopped_by, StopReason::interrupted);
+  EXPECT_FALSE(record.complete);
+  EXPECT_GT(record.tally.n_trials, 0u);
+  MonteCarloSettings again = settings_for(a, a, record.tally.n_trials);
+  EXPECT_EQ(run_hit_or_miss(a, a, again).tally, record.tally);
+}
+
+TEST(MonteCarlo, PassesOnWhatABackendThrows) {
+  const ConvexBody a = Box(1, 1, 1);
+  MonteCarloSettings settings = settings_for(a, a, 100000);
+  settings.n_threads = 3;
+  settings.backend = scripted("broken", [](const Transformd&) -> Verdict { throw std::runtime_error("broken backend"); });
+  EXPECT_THROW(run_hit_or_miss(a, a, settings), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace vex

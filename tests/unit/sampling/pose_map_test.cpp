@@ -1,0 +1,153 @@
+#include "engine/sampling/pose_map.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include "engine/sampling/monte_carlo.h"
+#include "engine/sampling/random_stream.h"
+#include "shapes/box.h"
+#include "shapes/polytope.h"
+#include "shapes/sphere.h"
+#include "tests/referees/array_lanes.h"
+#include "tests/referees/random_poses.h"
+
+namespace vex {
+namespace {
+
+using Wide = boost::multiprecision::cpp_bin_float_50;
+
+TEST(UniformRotation, IsARotationToWithinItsBound) {
+  std::mt19937_64 random(1);
+  double worst = 0.0;
+  for (int k = 0; k < 20000; ++k) {
+    const Transformd r = random_rotation(random);
+    const std::array<Vec3d, 3> rows = {r.row_x, r.row_y, r.row_z};
+    Wide deviation_sq = 0;  // Frobenius norm of R R^T - I
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        const Wide entry = Wide(rows[i].x) * rows[j].x + Wide(rows[i].y) * rows[j].y + Wide(rows[i].z) * rows[j].z - (i == j ? 1 : 0);
+        deviation_sq += entry * entry;
+      }
+    }
+    worst = std::max(worst, static_cast<double>(sqrt(deviation_sq)));
+    const double determinant = dot(r.row_x, cross(r.row_y, r.row_z));
+    ASSERT_NEAR(determinant, 1.0, 1e-14);
+  }
+  // |R|_2^2 <= 1 + |R R^T - I|, so |R|_2 - 1 is at most half of it.
+  EXPECT_LE(0.5 * worst, kDrawnRotationError);
+  EXPECT_GT(worst, 0.0);
+}
+
+TEST(UniformRotation, IsUniform) {
+  // E R_ij = 0, E R_ij^2 = 1/3, E R_ij^4 = 1/5, E trace^2 = 1 (the mean of squared characters), for Haar measure.
+  std::mt19937_64 random(2);
+  constexpr int n = 200000;
+  std::array<double, 9> first{}, second{}, fourth{};
+  double trace_sq = 0.0;
+  for (int k = 0; k < n; ++k) {
+    const Transformd r = random_rotation(random);
+    const std::array<double, 9> e = {r.row_x.x, r.row_x.y, r.row_x.z, r.row_y.x, r.row_y.y, r.row_y.z, r.row_z.x, r.row_z.y, r.row_z.z};
+    for (std::size_t i = 0; i < 9; ++i) {
+      first[i] += e[i];
+      second[i] += e[i] * e[i];
+      fourth[i] += e[i] * e[i] * e[i] * e[i];
+    }
+    trace_sq += (e[0] + e[4] + e[8]) * (e[0] + e[4] + e[8]);
+  }
+  for (std::size_t i = 0; i < 9; ++i) {
+    EXPECT_NEAR(first[i] / n, 0.0, 4.5 * std::sqrt(1.0 / 3 / n));
+    EXPECT_NEAR(second[i] / n, 1.0 / 3, 4.5 * std::sqrt((1.0 / 5 - 1.0 / 9) / n));
+    EXPECT_NEAR(fourth[i] / n, 1.0 / 5, 4.5 * std::sqrt((1.0 / 9 - 1.0 / 25) / n));
+  }
+  EXPECT_NEAR(trace_sq / n, 1.0, 4.5 * std::sqrt(2.0 / n));  // E trace^4 = 3
+}
+
+TEST(UniformInUnitBall, IsUniform) {
+  // E r^3 = 1/2, E z^2 = 1/5, E x = E y = E z = 0.
+  std::mt19937_64 random(3);
+  constexpr int n = 200000;
+  double r3 = 0.0;
+  Vec3d mean, squares;
+  for (int k = 0; k < n; ++k) {
+    const double u = random_in_unit_interval(random), v = random_in_unit_interval(random);
+    const Vec3d p = uniform_in_unit_ball(u, v, random_in_unit_interval(random));
+    ASSERT_LE(norm(p), 1.0 + 1e-15);
+    r3 += norm(p) * dot(p, p);
+    mean = mean + p;
+    squares = squares + Vec3d{p.x * p.x, p.y * p.y, p.z * p.z};
+  }
+  EXPECT_NEAR(r3 / n, 0.5, 4.5 * std::sqrt(1.0 / 12 / n));
+  for (const double m : {mean.x, mean.y, mean.z}) EXPECT_NEAR(m / n, 0.0, 4.5 * std::sqrt(0.2 / n));
+  for (const double s : {squares.x, squares.y, squares.z}) EXPECT_NEAR(s / n, 0.2, 4.5 * std::sqrt((3.0 / 35 - 0.04) / n));
+}
+
+TEST(PoseMap, PutsBsCentreWhereTheDomainSays) {
+  std::mt19937_64 random(4);
+  const ConvexBody a = Box(1, 2, 3);
+  const ConvexBody b = Polytope(std::vector<Vec3d>{{10, 0, 0}, {11, 0, 0}, {10, 1, 0}, {10, 0, 1}}, {10.25, 0.25, 0.25}, 0.1);
+  for (const Domain& domain : {ball_domain(a, b), box_domain(a, b)}) {
+    for (int k = 0; k < 1000; ++k) {
+      const Vec3d c = random_pose(random, domain, b)(b.centre());
+      if (domain.kind == Domain::Kind::ball) {
+        EXPECT_LE(norm(c - domain.middle), domain.radius * (1 + 1e-14));
+      } else {
+        EXPECT_LE(std::fabs(c.x - domain.middle.x), domain.half_extent.x * (1 + 1e-13));
+        EXPECT_LE(std::fabs(c.y - domain.middle.y), domain.half_extent.y * (1 + 1e-13));
+        EXPECT_LE(std::fabs(c.z - domain.middle.z), domain.half_extent.z * (1 + 1e-13));
+      }
+    }
+  }
+}
+
+TEST(PoseMap, LeavesAlignedBodiesUnturned) {
+  const ConvexBody a = Box(1, 2, 3);
+  const Transformd pose = trial_pose(1, 5, OrientationLaw::aligned, ball_domain(a, a), a);
+  EXPECT_EQ(pose.row_x.x, 1.0);
+  EXPECT_EQ(pose.row_x.y, 0.0);
+  EXPECT_EQ(pose.row_z.z, 1.0);
+  const Transformd turned = trial_pose(1, 5, OrientationLaw::isotropic, ball_domain(a, a), a);
+  EXPECT_EQ(pose.translation.x, turned.translation.x) << "the law does not change the position drawn";
+}
+
+TEST(PoseMap, LanesGiveTheBitsOfOneLane) {
+  constexpr int W = 4;
+  std::mt19937_64 random(5);
+  const ConvexBody a = Box(1, 2, 3), b = Sphere(1);
+  for (const Domain& domain : {ball_domain(a, b), box_domain(a, b)}) {
+    for (int round = 0; round < 200; ++round) {
+      std::array<std::array<double, kPoseDimension>, W> points;
+      std::array<ArrayLanes<W>, kPoseDimension> packet;
+      for (std::size_t k = 0; k < W; ++k) {
+        for (std::size_t j = 0; j < kPoseDimension; ++j) {
+          points[k][j] = random_in_unit_interval(random);
+          packet[j].lane[k] = points[k][j];
+        }
+      }
+      const Transform<ArrayLanes<W>> wide = pose_at(packet, OrientationLaw::isotropic, domain, b.centre());
+      for (std::size_t k = 0; k < W; ++k) {
+        const Transformd one = pose_at(points[k], OrientationLaw::isotropic, domain, b.centre());
+        ASSERT_EQ(bits_of(wide.row_x.y.lane[k]), bits_of(one.row_x.y));
+        ASSERT_EQ(bits_of(wide.row_z.x.lane[k]), bits_of(one.row_z.x));
+        ASSERT_EQ(bits_of(wide.translation.x.lane[k]), bits_of(one.translation.x));
+        ASSERT_EQ(bits_of(wide.translation.z.lane[k]), bits_of(one.translation.z));
+      }
+    }
+  }
+}
+
+TEST(PoseMap, OfThisStreamVersionIsTheseBits) {
+  // A compiler, a flag or an edit that changes the draw must raise kStreamVersion: then, and only then, change this test.
+  ASSERT_EQ(kStreamVersion, 1);
+  const ConvexBody cube = Box(1, 1, 1);
+  const Transformd pose = trial_pose(1, 1000000007, OrientationLaw::isotropic, ball_domain(cube, cube), cube);
+  EXPECT_EQ(bits_of(pose.row_x.x), 0x3fcd432df44178f4ull);
+  EXPECT_EQ(bits_of(pose.row_y.z), 0x3fd7d04ba5ed2031ull);
+  EXPECT_EQ(bits_of(pose.row_z.y), 0xbfd56ff72b258787ull);
+  EXPECT_EQ(bits_of(pose.translation.x), 0xbfb3024e325ec708ull);
+  EXPECT_EQ(bits_of(pose.translation.y), 0xbfabda982c451a77ull);
+  EXPECT_EQ(bits_of(pose.translation.z), 0xbfeb57fdd372bf26ull);
+}
+
+}  // namespace
+}  // namespace vex

@@ -1,0 +1,105 @@
+// V, S and M of the named bodies against the closed forms and values of the reference tables.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "shapes/any_shape.h"
+#include "shapes/excluded_volume.h"
+
+namespace vex {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+void expect_measures(const std::string& text, double v, double s, double m) {
+  const Measures found = parse_shape(text).measures;
+  EXPECT_NEAR(found.volume, v, 1e-12 * v) << text;
+  EXPECT_NEAR(found.surface_area, s, 1e-12 * s) << text;
+  EXPECT_NEAR(found.integrated_mean_curvature, m, 1e-12 * m) << text;
+}
+
+TEST(Measures, OfSpheresBoxesAndCapsules) {
+  expect_measures("sphere:2", 32 * pi / 3, 16 * pi, 8 * pi);
+  expect_measures("box:1,2,3", 6, 22, 6 * pi);
+  expect_measures("capsule:2,0.5", pi * 0.25 * 2 + pi / 6, 2 * pi * 0.5 * 2 + pi, 2 * pi + 2 * pi);
+}
+
+TEST(Measures, OfEllipsoidsThatAreSpheroids) {
+  // Closed forms of a spheroid with semi-axes a, a, c: S by asin or atanh of the eccentricity, M likewise.
+  for (const double c : {0.01, 0.5, 0.999, 1.001, 2.0, 100.0}) {
+    const double a = 1.0;
+    double s = 0.0, m = 0.0;
+    if (c > a) {
+      const double e = std::sqrt(1 - a * a / (c * c));
+      s = 2 * pi * a * a * (1 + c / (a * e) * std::asin(e));
+      m = 2 * pi * (c + a * a / (c * e) * std::atanh(e));
+    } else {
+      const double e = std::sqrt(1 - c * c / (a * a));
+      s = 2 * pi * a * a * (1 + (1 - e * e) / e * std::atanh(e));
+      m = 2 * pi * (c + a / e * std::asin(e));
+    }
+    const Measures found = parse_shape("ellipsoid:1,1," + std::to_string(c)).measures;
+    EXPECT_NEAR(found.surface_area, s, 1e-10 * s) << c;
+    EXPECT_NEAR(found.integrated_mean_curvature, m, 1e-10 * m) << c;
+    EXPECT_NEAR(found.volume, 4 * pi / 3 * c, 1e-12 * c);
+  }
+}
+
+TEST(Measures, DoNotDependOnTheOrderOfAxesAndScaleAsTheyShould) {
+  const Measures one = parse_shape("ellipsoid:1,2,3").measures;
+  for (const char* text : {"ellipsoid:1,3,2", "ellipsoid:2,1,3", "ellipsoid:3,2,1"}) {
+    const Measures other = parse_shape(text).measures;
+    EXPECT_NEAR(other.surface_area, one.surface_area, 1e-13 * one.surface_area);
+    EXPECT_NEAR(other.integrated_mean_curvature, one.integrated_mean_curvature, 1e-13 * one.integrated_mean_curvature);
+  }
+  const Measures large = parse_shape("ellipsoid:1e30,2e30,3e30").measures;
+  EXPECT_NEAR(large.surface_area, 1e60 * one.surface_area, 1e48 * one.surface_area);
+  EXPECT_NEAR(large.integrated_mean_curvature, 1e30 * one.integrated_mean_curvature, 1e18 * one.integrated_mean_curvature);
+}
+
+TEST(AverageExcludedVolume, OfIdenticalBodiesIsTheReferenceTable) {
+  const auto reduced = [](const std::string& text) {
+    const Measures m = parse_shape(text).measures;
+    return average_excluded_volume(m, m) / m.volume;
+  };
+  const auto near = [](double value) { return 1e-9 * value; };
+  for (const auto& [text, value] : std::initializer_list<std::pair<const char*, double>>{
+           {"box:1,1,1", 11.0},
+           {"sphere:0.7", 8.0},
+           {"ellipsoid:1,2,3", 10.173618525},
+           {"ellipsoid:1,.5,.1", 21.463178620},
+           {"ellipsoid:1,1,3", 10.907497949},
+           {"ellipsoid:10,1,1", 26.382647049},
+           {"ellipsoid:1,100,1", 237.755981372},
+           {"capsule:1,.5", 9.2},
+           {"capsule:5,.5", 16.823529412},
+           {"capsule:100,.5", 206.675496689},
+           {"ellipsoid:1,32,1", 77.74058929613692},
+           {"ellipsoid:1,16,1", 40.28121631695408},
+           {"ellipsoid:8,1,1", 21.81043465534018},
+           {"ellipsoid:1,.25,.25", 12.95579781064419},
+           {"ellipsoid:.5,.5,1", 9.07697331038283}}) {
+    EXPECT_NEAR(reduced(text), value, std::max(near(value), 6e-10)) << text;
+  }
+  // Boxes of unit volume, Table I: 2 (1 + M S / 4 pi).
+  for (const auto& [k, value] : std::initializer_list<std::pair<double, double>>{
+           {1e-6, 2000007.000002}, {0.01, 207.02}, {0.5, 12.0}, {0.8, 11.1}, {2, 12}, {8, 23.25}, {32, 71.0625}, {64, 135.03125}}) {
+    const double l2 = std::cbrt(1.0 / k);
+    char text[128];
+    std::snprintf(text, sizeof text, "box:%.17g,%.17g,%.17g", k * l2, l2, l2);
+    EXPECT_NEAR(reduced(text), value, near(value)) << k;
+  }
+}
+
+TEST(AverageExcludedVolume, OfDifferentBodies) {
+  const double radius = std::cbrt(3.0 / (4.0 * pi));
+  char sphere[64];
+  std::snprintf(sphere, sizeof sphere, "sphere:%.17g", radius);
+  EXPECT_NEAR(average_excluded_volume(parse_shape(sphere).measures, parse_shape("box:1,1,1").measures), 9.34908484193, 1e-9 * 9.35);
+  const Measures capsule = parse_shape("capsule:1,0.25").measures;
+  EXPECT_NEAR(average_excluded_volume(capsule, capsule), 2.87979326579, 1e-9 * 2.88);
+}
+
+}  // namespace
+}  // namespace vex
