@@ -48,6 +48,15 @@ template <class L>
 L norm_1(const Vec3<L>& a) {
   return (absolute(a.x) + absolute(a.y)) + absolute(a.z);
 }
+/// a times the power of two that brings its largest coordinate into [1, 2): exact, and safe from over- and underflow in
+/// what follows. Zero stays zero; coordinates from 2^1023 up, infinite ones and NaNs give nothing usable.
+template <class L>
+Vec3<L> scaled_to_unit_exponent(const Vec3<L>& a) {
+  const L largest = larger(absolute(a.x), larger(absolute(a.y), absolute(a.z)));
+  const BitsOf<L> exponent = bits_of(largest) >> 52;  // biased; the sign bit is 0
+  const L scale = from_bits((BitsOf<L>(2046) - exponent) << 52);
+  return {scale * a.x, scale * a.y, scale * a.z};
+}
 template <class L>
 Vec3<L> select(const MaskOf<L>& condition, const Vec3<L>& if_true, const Vec3<L>& if_false) {
   return {select(condition, if_true.x, if_false.x), select(condition, if_true.y, if_false.y),

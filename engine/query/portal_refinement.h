@@ -37,7 +37,7 @@ namespace detail {
 template <class L>
 struct Face {
   Vec3<L> normal;
-  L edge_product;  // |e|_1 |f|_1 of the two edges; the normal is off by at most 4 u times this (E2)
+  L edge_product;  // |e|_1 |f|_1 of the two edges; the normal is off by at most 4 u times this (E7)
 };
 
 template <class L>
@@ -53,7 +53,7 @@ Face<L> face_of(const Vec3<L>& a, const Vec3<L>& b, const Vec3<L>& c) {
   return {cross(e, f), product};
 }
 
-/// The plane of the face passes the origin at more than the points' own error, with the origin behind it (E2); `point` is
+/// The plane of the face passes the origin at more than the points' own error, with the origin behind it (E7); `point` is
 /// any of its corners.
 template <class L>
 MaskOf<L> has_origin_behind(const Face<L>& face, const Vec3<L>& point, const QueryError<L>& error) {
@@ -93,6 +93,7 @@ PortalResult<L> refine_portal(const Difference& difference, const Vec3<L>& v0, c
       break;
     }
     ++result.n_support_calls;
+    dir = scaled_to_unit_exponent(dir);
     const Vec3<L> w = difference.support(dir);
     const L slack = error.support * norm_1(dir);
     const L value = dot(dir, w);

@@ -6,6 +6,7 @@
 #include "engine/sampling/monte_carlo.h"
 #include "shapes/any_shape.h"
 #include "tests/referees/bodies.h"
+#include "tests/referees/contact.h"
 #include "tests/referees/exact_overlap.h"
 #include "tests/referees/polytopes.h"
 
@@ -36,16 +37,10 @@ TEST(CcdBackend, WhereItContradictsTheEngineExactArithmeticSidesWithTheEngine) {
   const std::unique_ptr<OverlapBackend> gjk = gjk_backend().make(cube.body, cube.body);
   const std::unique_ptr<OverlapBackend> ccd = ccd_gjk_backend().make(cube.body, cube.body);
   int n_disputed = 0;
-  for (int k = 0; k < 60; ++k) {
+  for (int k = 0; k < 20; ++k) {
     Transformd pose = random_rotation(random);
     const Vec3d dir = random_direction(random);
-    double apart = 10.0, together = 0.0;
-    for (int step = 0; step < 60; ++step) {
-      const double middle = 0.5 * (apart + together);
-      pose.translation = middle * dir;
-      (exact::overlap(cube.vertices, exact::placed(cube.vertices, pose)) ? together : apart) = middle;
-    }
-    pose.translation = (apart * (1 + 1e-10)) * dir;
+    pose.translation = (exact::contact_along(cube, cube, pose, dir).apart * (1 + 1e-10)) * dir;
     Verdict ours, theirs;
     gjk->decide({&pose, 1}, {&ours, 1});
     ccd->decide({&pose, 1}, {&theirs, 1});
@@ -53,7 +48,7 @@ TEST(CcdBackend, WhereItContradictsTheEngineExactArithmeticSidesWithTheEngine) {
     ASSERT_FALSE(exact::overlap(cube.vertices, exact::placed(cube.vertices, pose)));
     n_disputed += theirs.outcome == Outcome::overlap ? 1 : 0;
   }
-  EXPECT_GT(n_disputed, 30) << "the stratum must show the peer's fault, or this test shows nothing";
+  EXPECT_GT(n_disputed, 10) << "the stratum must show the peer's fault, or this test shows nothing";
 }
 
 TEST(CcdBackend, NeverHangs) {

@@ -115,6 +115,11 @@ ArrayLanes<W> absolute(const ArrayLanes<W>& a) {
   return array_lanes_detail::each<ArrayLanes<W>, W>([&](auto& r, std::size_t k) { r.lane[k] = std::fabs(a.lane[k]); });
 }
 template <int W>
+ArrayLanes<W> larger(const ArrayLanes<W>& a, const ArrayLanes<W>& b) {
+  return array_lanes_detail::each<ArrayLanes<W>, W>(
+      [&](auto& r, std::size_t k) { r.lane[k] = larger(a.lane[k], b.lane[k]); });
+}
+template <int W>
 ArrayLanes<W> copy_sign(const ArrayLanes<W>& a, const ArrayLanes<W>& b) {
   return array_lanes_detail::each<ArrayLanes<W>, W>(
       [&](auto& r, std::size_t k) { r.lane[k] = std::copysign(a.lane[k], b.lane[k]); });
@@ -144,6 +149,10 @@ ArrayBits<W> operator<<(const ArrayBits<W>& a, int n) {
 template <int W>
 ArrayBits<W> operator*(const ArrayBits<W>& a, const ArrayBits<W>& b) {
   return array_lanes_detail::each<ArrayBits<W>, W>([&](auto& r, std::size_t k) { r.word[k] = a.word[k] * b.word[k]; });
+}
+template <int W>
+ArrayBits<W> operator-(const ArrayBits<W>& a, const ArrayBits<W>& b) {
+  return array_lanes_detail::each<ArrayBits<W>, W>([&](auto& r, std::size_t k) { r.word[k] = a.word[k] - b.word[k]; });
 }
 template <int W>
 ArrayBits<W> operator+(const ArrayBits<W>& a, const ArrayBits<W>& b) {

@@ -28,7 +28,7 @@ std::vector<double> arguments_up_to(double largest) {
   for (int q = 0; q <= 8; ++q) {  // both sides of every boundary of the reduction
     const double edge = largest * q / 8.0;
     for (const double x : {std::nextafter(edge, -1.0), edge, std::nextafter(edge, 9.0)}) {
-      if (x > 0.0 && x <= largest) xs.push_back(x);
+      if (x > 0x1p-1000 && x <= largest) xs.push_back(x);  // normal numbers: the bounds are relative
     }
   }
   return xs;
