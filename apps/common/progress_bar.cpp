@@ -1,5 +1,6 @@
 #include "apps/common/progress_bar.h"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -22,6 +23,11 @@ std::string duration(double seconds) {
     std::snprintf(text, sizeof text, "%ld:%02ld:%02ld", whole / 3600, whole / 60 % 60, whole % 60);
   }
   return text;
+}
+
+std::size_t terminal_width() {
+  struct winsize size = {};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
 }  // namespace
@@ -47,22 +53,31 @@ ProgressBar::~ProgressBar() {
 }
 
 void ProgressBar::show(const Progress& progress) {
-  if (!enabled_ || progress.tally.n_trials == 0) return;
-  constexpr int kWidth = 30;
-  const double fraction = fraction_done(progress, stop_);
-  const int filled = static_cast<int>(fraction * kWidth);
-  std::string line = "\r\033[K[" + std::string(static_cast<std::size_t>(filled), '#') +
-                     std::string(static_cast<std::size_t>(kWidth - filled), ' ') + "] ";
-  const double n = static_cast<double>(progress.tally.n_trials);
-  line += short_number(std::floor(100.0 * fraction), 3) + " %  " + short_count(n) + " trials  " +
-          short_count(n / progress.seconds) + "/s";
-  if (progress.tally.n_hits > 0) {
-    line += "  rel. error " + short_number(hit_or_miss_estimate(progress.tally, 1.0).relative_error(), 2);
-  }
-  if (fraction > 0.0) line += "  " + duration(progress.seconds * (1.0 - fraction) / fraction) + " left";
+  if (!enabled_ || progress.tally.n_trials == 0 || progress.seconds < next_seconds_) return;
+  next_seconds_ = progress.seconds + kSecondsBetween;
+  const std::string line = "\r\033[K" + progress_line(progress, stop_, terminal_width());
   std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
   drawn_ = true;
+}
+
+std::string progress_line(const Progress& progress, const StopRule& stop, std::size_t width) {
+  const double fraction = fraction_done(progress, stop);
+  const double n = static_cast<double>(progress.tally.n_trials);
+  std::string text = short_number(std::floor(100.0 * fraction), 3) + " %  ";
+  if (fraction > 0.0) text += duration(progress.seconds * (1.0 - fraction) / fraction) + " left  ";
+  text += short_count(n) + " trials  " + short_count(n / progress.seconds) + "/s";
+  if (progress.tally.n_hits > 0) {
+    text += "  rel. error " + short_number(hit_or_miss_estimate(progress.tally, 1.0).relative_error(), 2);
+  }
+  // A line that reaches the terminal's edge goes on in the next one, where erasing it does not reach.
+  constexpr std::size_t kWidest = 30;
+  constexpr std::size_t kNarrowest = 5;
+  const std::size_t around = text.size() + std::string("[] ").size() + 1;
+  if (width < around + kNarrowest) return text.substr(0, width > 0 ? width - 1 : 0);
+  const std::size_t bar = std::min(kWidest, width - around);
+  const auto filled = static_cast<std::size_t>(fraction * static_cast<double>(bar));
+  return "[" + std::string(filled, '#') + std::string(bar - filled, ' ') + "] " + text;
 }
 
 }  // namespace vex

@@ -1,6 +1,9 @@
 // One line on the terminal that says how far a run is.
 #pragma once
 
+#include <cstddef>
+#include <string>
+
 #include "engine/sampling/monte_carlo.h"
 
 namespace vex {
@@ -16,12 +19,18 @@ class ProgressBar {
   void show(const Progress& progress);
 
  private:
+  static constexpr double kSecondsBetween = 0.1;  // as fast as eyes read
+
   bool enabled_;
   bool drawn_ = false;
+  double next_seconds_ = kSecondsBetween;  // so that a run over in a blink draws nothing
   StopRule stop_;
 };
 
 /// How much of a run is done, 0 to 1: the largest share over its stop rules.
 double fraction_done(const Progress& progress, const StopRule& stop);
+
+/// The bar and, beside it, remaining time, trials, rate and error: shorter than `width` columns.
+std::string progress_line(const Progress& progress, const StopRule& stop, std::size_t width);
 
 }  // namespace vex
