@@ -2,8 +2,13 @@
 #pragma once
 
 #include <atomic>
+#include <string>
 
 namespace vex {
+
+/// From now on SIGINT and SIGTERM end the program at once, with the exit code that interrupted runs have: while bodies
+/// are loaded there is nothing to report.
+void end_on_interrupts(const std::string& program);
 
 /// From now on SIGINT and SIGTERM set the number below instead of ending the program; a second one ends it at once.
 void catch_interrupts();
