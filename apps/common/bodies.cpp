@@ -4,17 +4,31 @@
 #include <filesystem>
 
 #include "apps/common/numbers.h"
+#include "apps/common/text.h"
 #include "engine/numeric/errors.h"
 
 namespace vex {
 namespace {
 
-// `spher:1` is a mistyped body rather than a missing file.
+// `spher:1` and `Sphere:1` are mistyped bodies rather than missing files, and so is `sphere`.
 bool looks_like_a_named_shape(const std::string& text) {
-  const std::size_t colon = text.find(':');
   std::error_code error;
-  return colon != std::string::npos && colon > 1 && !std::filesystem::exists(text, error) &&
-         std::ranges::all_of(text.substr(0, colon), [](char c) { return c >= 'a' && c <= 'z'; });
+  if (std::filesystem::exists(text, error)) return false;
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) return names_a_shape(text + ":");
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  return colon > 1 && std::ranges::all_of(text.substr(0, colon), is_letter);
+}
+
+// `sphere` alone: its sizes are missing.
+[[noreturn]] void refuse_without_sizes(const std::string& name) {
+  for (const NamedShape& shape : named_shapes()) {
+    if (shape.name != name) continue;
+    throw UsageError("a body without its sizes (" + name + ") - write " + name + ":" + std::string(shape.parameters) +
+                     " (" + std::string(shape.meaning) + ")");
+  }
+  parse_shape(name + ":");
+  throw UsageError("not a body (" + name + ") - name a mesh file or a body with its sizes");
 }
 
 nlohmann::ordered_json point_json(const Vec3d& p) { return {p.x, p.y, p.z}; }
@@ -22,6 +36,7 @@ nlohmann::ordered_json point_json(const Vec3d& p) { return {p.x, p.y, p.z}; }
 }  // namespace
 
 LoadedBody load_body(const std::string& text, const MeshOptions& mesh_options) {
+  if (looks_like_a_named_shape(text) && text.find(':') == std::string::npos) refuse_without_sizes(text);
   if (names_a_shape(text) || looks_like_a_named_shape(text)) return {text, parse_shape(text), std::nullopt};
   ConvexMesh mesh = load_convex_mesh(text, mesh_options);
   LoadedBody loaded{text, {"polyhedron", ConvexBody(std::move(mesh.body)), mesh.measures}, std::move(mesh.report)};
@@ -65,7 +80,7 @@ nlohmann::ordered_json body_json(const LoadedBody& loaded) {
 std::string body_text(const LoadedBody& loaded, const std::string& label) {
   const MeasuredBody& shape = loaded.shape;
   const Vec3d centre = shape.body.centre();
-  std::string text = label + "  " + loaded.source + "  " + shape.kind;
+  std::string text = label + "  " + printable(loaded.source) + "  " + shape.kind;
   if (loaded.mesh) {
     text += ", " + std::to_string(loaded.mesh->n_vertices) + " vertices, " + std::to_string(loaded.mesh->n_faces) +
             " faces (its 32-bit coordinates, taken as exact)";
@@ -81,7 +96,7 @@ std::string body_text(const LoadedBody& loaded, const std::string& label) {
        "   about (" + short_number(centre.x, 6) + ", " + short_number(centre.y, 6) + ", " + short_number(centre.z, 6) + ")");
   line("inradius", shape.body.inradius());
   if (loaded.mesh) {
-    for (const std::string& note : loaded.mesh->notes) text += "\n   note: " + note;
+    for (const std::string& note : loaded.mesh->notes) text += "\n   note: " + printable(note);
   }
   return text + "\n";
 }

@@ -18,7 +18,7 @@ std::string fixed(int decimals, double value) {
 
 std::string general(int digits, double value) {
   char text[64];
-  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  std::snprintf(text, sizeof text, "%.*g", digits, value + 0.0);  // -0 reads 0
   return text;
 }
 

@@ -33,6 +33,8 @@ OutputFile::OutputFile(std::string path, std::span<const std::string> inputs) : 
     throw UsageError(std::string(problem) + " (" + path_ + ") - " + advice);
   };
   if (path_.empty()) refuse("the output file has no name", "give a path, or - for standard output");
+  if (path_.front() == '-')
+    refuse("an option stands where the output file's name is missing", "give FILE; ./-x is a file named -x");
   if (std::ranges::find(kMeshExtensions, lower_case(fs::path(path_).extension().string())) != kMeshExtensions.end()) {
     refuse("an output file would end in the extension of a mesh", "choose another name, such as result.json");
   }
@@ -42,16 +44,23 @@ OutputFile::OutputFile(std::string path, std::span<const std::string> inputs) : 
   }
   if (fs::is_directory(path_, error)) refuse("the output file is a folder", "give the path of a file");
   if (fs::exists(path_, error) && !fs::is_regular_file(path_, error)) return;  // /dev/null and pipes are written directly
+  if (fs::exists(path_, error) && access(path_.c_str(), W_OK) != 0) {
+    refuse("the output file is write-protected", "choose another name");
+  }
   const fs::path folder = fs::path(path_).has_parent_path() ? fs::path(path_).parent_path() : fs::path(".");
   if (!fs::is_directory(folder, error)) refuse("the output file's folder does not exist", "make it first");
   if (access(folder.c_str(), W_OK) != 0) refuse("the output file's folder cannot be written", "choose another one");
 }
 
 void OutputFile::write(std::string_view text) const {
-  const auto fail = [&](const char* problem) { throw std::runtime_error(std::string(problem) + " (" + path_ + ")"); };
+  const auto fail = [&](const char* problem) {
+    throw std::runtime_error(std::string(problem) + " (" + path_ + ") - look whether its disk is full");
+  };
   if (is_standard_output()) {
     std::cout << text << std::flush;
-    if (!std::cout) throw std::runtime_error("standard output cannot be written");
+    if (!std::cout)
+      throw std::runtime_error(
+          "standard output cannot be written - look whether its disk is full or its reader has gone");
     return;
   }
   std::error_code error;

@@ -9,8 +9,9 @@ namespace vex {
 
 class OutputFile {
  public:
-  /// `path`: "-" is standard output. Throws UsageError where the path is one of `inputs`, ends in a mesh extension, or
-  /// names a folder, or where its folder does not exist or cannot be written, so that no long run ends in vain.
+  /// `path`: "-" is standard output. Throws UsageError where the path is one of `inputs`, ends in a mesh extension,
+  /// looks like an option, or names a folder or a write-protected file, or where its folder does not exist or cannot be
+  /// written, so that no long run ends in vain.
   OutputFile(std::string path, std::span<const std::string> inputs);
 
   bool is_standard_output() const { return path_ == "-"; }

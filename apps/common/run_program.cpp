@@ -1,19 +1,64 @@
 #include "apps/common/run_program.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <new>
 #include <system_error>
 
+#include "apps/common/interrupt.h"
+#include "apps/common/text.h"
 #include "engine/numeric/errors.h"
 
 namespace vex {
 namespace {
 
+// One line; what to do is at least to look into the help.
 int report(const CLI::App& app, const std::string& message, int code) {
-  std::fprintf(stderr, "%s: %s\n", app.get_name().c_str(), message.c_str());
-  if (code == kWrongUsage) std::fprintf(stderr, "%s --help lists the options\n", app.get_name().c_str());
+  std::string line = app.get_name() + ": " + message;
+  if (code == kWrongUsage && message.find(" - ") == std::string::npos) {
+    line += " - " + app.get_name() + " --help lists the options";
+  }
+  std::fprintf(stderr, "%s\n", printable(line).c_str());
   return code;
+}
+
+// A caller may have closed them; then the next file that is opened would take their place, and a report or a message
+// would go into it. Writing to what stands in for standard output fails, as it should.
+void hold_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) == -1 && errno == EBADF) {
+      static_cast<void>(open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+    }
+  }
+}
+
+// CLI11 names the option first and explains in terms of its own.
+std::string problem_in_words(CLI::App& app, const CLI::ParseError& error) {
+  const std::string text = error.what();
+  std::string name = text.substr(0, text.find_first_of(": "));
+  const CLI::Option* option = app.get_option_no_throw(name);
+  if (option == nullptr) {
+    name = "--" + name;
+    option = app.get_option_no_throw(name);
+  }
+  if (option == nullptr) return text;
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+    return "nothing is given for " + name + " - " + option->get_description();
+  }
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+    if (option->get_expected_max() == 0) return "an option takes no value (" + name + ") - give it alone";
+    if (option->count() > 1) return "an option is given more than once (" + name + ") - give it once";
+    return "a value is missing (after " + name + ") - write " + name + " " + option->get_type_name();
+  }
+  if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) {
+    return "an empty text is no value (for " + name + ") - give one, or leave it out";
+  }
+  return text;
 }
 
 // The number of edits between two words (Levenshtein), for "did you mean".
@@ -77,10 +122,24 @@ std::string command_line(int argc, char** argv) {
 int run_program(CLI::App& app, int argc, char** argv, const std::function<int()>& action) {
   app.set_version_flag("--version", app.get_name() + " " + version(), "Print the version and exit");
   app.set_help_flag("-h,--help", "Print this help and exit");
+  hold_standard_streams();
+  end_on_interrupts(app.get_name());
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that went away is a write that fails, and --json FILE is still written
+  const auto written = [&app](int code) {
+    return std::cout.flush()
+               ? code
+               : report(app, "standard output cannot be written - look whether its disk is full or its reader has gone",
+                        kFault);
+  };
+  for (CLI::Option* option : app.get_options()) {
+    option->check([](const std::string& word) { return word.empty() ? "empty" : ""; }, "");
+    if (option->get_expected_max() == 0) option->disable_flag_override();
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help_or_version) {
-    return app.exit(help_or_version);
+    app.exit(help_or_version);
+    return written(kSuccess);
   } catch (const CLI::ExtrasError&) {
     std::string words, advice;
     for (const std::string& word : app.remaining()) {
@@ -89,13 +148,10 @@ int run_program(CLI::App& app, int argc, char** argv, const std::function<int()>
     }
     return report(app, "not understood (" + words + ")" + advice, kWrongUsage);
   } catch (const CLI::ParseError& error) {
-    return report(app, error.what(), kWrongUsage);
+    return report(app, problem_in_words(app, error), kWrongUsage);
   }
   try {
-    const int code = action();
-    std::cout.flush();
-    if (!std::cout) return report(app, "standard output cannot be written", kFault);
-    return code;
+    return written(action());
   } catch (const UsageError& error) {
     return report(app, error.what(), kWrongUsage);
   } catch (const InputError& error) {
