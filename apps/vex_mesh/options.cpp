@@ -51,47 +51,71 @@ BackendKind backend_named(const std::string& name) {
 }  // namespace
 
 void declare_options(CLI::App& app, CommandLine& words) {
-  app.add_option("A", words.a, "A mesh file (.obj .stl .ply .off .gltf .glb .dae .3mf ...) or a named body")->required();
-  app.add_option("B", words.b, "The second body; without it, A again");
+  app.add_option("A", words.a,
+                 "A mesh file (.obj .stl .ply .off .gltf .glb .dae .3mf ...) or a named body such as box:1,2,3")
+      ->type_name("")
+      ->required();
+  app.add_option("B", words.b, "The second body; without it, A again")->type_name("");
 
   const std::string stop = "When to stop (whichever comes first; --rel-error 1e-3 if none is given)";
-  app.add_option("--trials", words.trials, "Stop after this many trials, written like 1e7")->group(stop);
-  app.add_option("--rel-error", words.relative_error, "Stop at this standard error relative to the estimate")->group(stop);
-  app.add_option("--seconds", words.seconds, "Stop after this time")->group(stop);
-  app.add_option("--max-trials", words.max_trials, "Give up after this many trials (default 1e11)")->group(stop);
+  app.add_option("--trials", words.trials, "Stop after this many trials, written like 1e7")
+      ->type_name("N")
+      ->group(stop);
+  app.add_option("--rel-error", words.relative_error, "Stop at this standard error relative to the estimate")
+      ->type_name("E")
+      ->group(stop);
+  app.add_option("--seconds", words.seconds, "Stop after this time")->type_name("S")->group(stop);
+  app.add_option("--max-trials", words.max_trials, "Give up after this many trials (default 1e11)")
+      ->type_name("N")
+      ->group(stop);
 
   const std::string sampling = "Sampling";
-  app.add_option("--orientations", words.orientations, "isotropic (default) or aligned (R = I); later also fixed:W,X,Y,Z cone:DEG onsager:ALPHA")
+  app.add_option("--orientations", words.orientations,
+                 "isotropic (default) or aligned (R = I); later also fixed:W,X,Y,Z cone:DEG onsager:ALPHA")
+      ->type_name("LAW")
       ->group(sampling);
-  app.add_option("--estimator", words.estimator, "hit-or-miss; others come later")->group(sampling);
-  app.add_option("--sequence", words.sequence, "random; sobol comes later")->group(sampling);
-  app.add_option("--domain", words.domain, "Sampling domain of hit-or-miss: ball, box, or best (default): the smaller")->group(sampling);
-  app.add_option("--seed", words.seed, "The same seed gives the same hits on any number of threads (default 1)")->group(sampling);
-  app.add_option("--threads", words.threads, "Threads (default: all cores)")->group(sampling);
+  app.add_option("--estimator", words.estimator, "hit-or-miss; others come later")->type_name("NAME")->group(sampling);
+  app.add_option("--sequence", words.sequence, "random; sobol comes later")->type_name("NAME")->group(sampling);
+  app.add_option("--domain", words.domain, "Sampling domain of hit-or-miss: ball, box, or best (default): the smaller")
+      ->type_name("NAME")
+      ->group(sampling);
+  app.add_option("--seed", words.seed, "The same seed gives the same hits on any number of threads (default 1)")
+      ->type_name("N")
+      ->group(sampling);
+  app.add_option("--threads", words.threads, "Threads (default: all cores)")->type_name("N")->group(sampling);
 
   const std::string query = "Overlap query";
-  app.add_option("--backend", words.backend, "gjk (default), ccd-gjk or ccd-mpr (libccd; ccd means ccd-mpr); fcl and specialised come later")->group(query);
+  app.add_option("--backend", words.backend,
+                 "gjk (default), ccd-gjk or ccd-mpr (libccd; ccd means ccd-mpr); fcl and specialised come later")
+      ->type_name("NAME")
+      ->group(query);
   app.add_flag("--no-quick-verdicts", words.no_quick_verdicts, "Do not let the circumscribed and inscribed balls decide")->group(query);
   app.add_flag("--cross-check", words.cross_check, "Ask every backend about every pose and list each disagreement")->group(query);
 
   const std::string meshes = "Meshes";
-  app.add_option("--convex-tolerance", words.convex_tolerance, "How far from convex a mesh may be, relative to its size (default 1e-6)")->group(meshes);
+  app.add_option("--convex-tolerance", words.convex_tolerance,
+                 "How far from convex a mesh may be, relative to its size (default 1e-6)")
+      ->type_name("X")
+      ->group(meshes);
 
   const std::string output = "Output";
   app.add_option("--json", words.json, "Write one JSON document; - is standard output, where then nothing else is printed")
       ->type_name("FILE")->group(output);
-  app.add_option("--max-z", words.max_z, "Exit with 4 where Monte Carlo and formula differ by more standard errors (default 6)")->group(output);
+  app.add_option("--max-z", words.max_z,
+                 "Exit with 4 where Monte Carlo and formula differ by more standard errors (default 6)")
+      ->type_name("Z")
+      ->group(output);
   app.add_flag("--quiet", words.quiet, "Print no report and draw no progress bar")->group(output);
 
   const std::string later = "Not built yet";
   app.add_flag("--hull", words.hull, "Take the convex hull of whatever the file holds")->group(later);
   app.add_flag("--unit-volume", words.unit_volume, "Scale every body to V = 1")->group(later);
-  app.add_option("--scale", words.scale, "Scale every body")->group(later);
+  app.add_option("--scale", words.scale, "Scale every body")->type_name("X")->group(later);
   app.add_flag("--dump-vertices", words.dump_vertices, "Print a polytope's vertices")->group(later);
   app.add_flag("--verify", words.verify, "Prove every verdict again")->group(later);
-  app.add_option("--isa", words.isa, "Instruction set of the kernels")->group(later);
-  app.add_option("--checkpoint", words.checkpoint, "Save the run's state")->group(later);
-  app.add_option("--resume", words.resume, "Continue a saved run")->group(later);
+  app.add_option("--isa", words.isa, "Instruction set of the kernels")->type_name("NAME")->group(later);
+  app.add_option("--checkpoint", words.checkpoint, "Save the run's state")->type_name("FILE")->group(later);
+  app.add_option("--resume", words.resume, "Continue a saved run")->type_name("FILE")->group(later);
 
   std::string bodies = "Named bodies: ";
   for (const NamedShape& shape : named_shapes()) {

@@ -46,7 +46,7 @@ Json estimate_json(const MeshRun& run) {
   json["domain"] = name_of(run.domain.kind);
   json["quick_verdicts"] = run.options.quick_verdicts && !run.options.backend.is_peer;
   json["seconds"] = run.record.seconds;
-  json["trials_per_second"] = static_cast<double>(tally.n_trials) / run.record.seconds;
+  json["trials_per_second"] = number_or_null(static_cast<double>(tally.n_trials) / run.record.seconds);
   json["stopped_by"] = name_of(run.record.stopped_by);
   for (const DecidedBy by : kAllDecidedBy) {
     json["decided_by"][std::string(name_of(by))] = tally.n_decided_by[static_cast<std::size_t>(by)];
