@@ -45,9 +45,7 @@ ConvexMesh measured(const PolygonSurface& surface, const Triangles& triangles, c
   const Measures measures{solid.volume, surface_area(triangles), integrated_mean_curvature(triangles)};
   const double widest_inradius = inscribed_radius(triangles, solid.centroid);
   const Vec3d centre = rounded_centre(solid.centroid, widest_inradius, report.size);
-  const Vec3d base = solid.centroid.base;
   const double inradius = inscribed_radius(triangles, {centre, {}});
-  static_cast<void>(base);
   return {Polytope(surface.vertices, centre, inradius), measures, std::move(report)};
 }
 
@@ -78,8 +76,7 @@ ConvexMesh convex_mesh_from(const PolygonSoup& soup, const MeshOptions& options)
   mates = {};
   report.n_triangles = triangles.size();
 
-  const std::optional<HullInstead> hull =
-      checked_convexity(triangles, solid, report.size, options.convex_tolerance);
+  const std::optional<HullInstead> hull = checked_convexity(triangles, solid, report.size, options.convex_tolerance);
   if (!hull) {
     return measured(surface, triangles, solid, std::move(report));
   }

@@ -26,13 +26,13 @@ struct MeshReport {
   std::size_t n_welded_vertices = 0;  // vertices of the file that another one's place already had
   double reflex_depth = 0.0;          // fraction of the size; 0 where the mesh is convex as it is
   double size = 0.0;                  // the diagonal of the bounding box
-  bool hull_used = false;             // the measures are the hull's, because the mesh is convex only within the tolerance
-  double hull_added_volume = 0.0;     // the hull's volume less the mesh's
-  std::vector<std::string> notes;     // for the user to read
+  bool hull_used = false;          // the measures are the hull's, because the mesh is convex only within the tolerance
+  double hull_added_volume = 0.0;  // the hull's volume less the mesh's
+  std::vector<std::string> notes;  // for the user to read
 };
 
-/// A body that is the convex hull of the mesh's vertices, exactly: floats promoted to double, in lexicographic order, so
-/// that the same floats give the same body from any file. V, S and M are within 1e-12 of the exact polyhedron's.
+/// A body that is the convex hull of the mesh's vertices, exactly: floats promoted to double, in lexicographic order,
+/// so that the same floats give the same body from any file. V, S and M are within 1e-12 of the exact polyhedron's.
 struct ConvexMesh {
   Polytope body;
   Measures measures;

@@ -28,12 +28,14 @@ std::string depth_text(double depth, double size, double tolerance) {
   refuse("it winds " + std::to_string(winding_number) + " times about its centroid, a convex one winds once");
 }
 
-/// The hull's own triangulation must be convex far below any tolerance that means something: what Qhull's rounding left.
+/// The hull's own triangulation must be convex far below any tolerance that means something: what Qhull's rounding
+/// left.
 HullInstead hull_of(const Triangles& mesh) {
   std::optional<Triangles> triangles = paired_triangles(mesh.vertices, convex_hull_triangles(mesh.vertices));
   if (!triangles || triangles->size() == 0) {
     throw InputError(
-        "no closed convex hull could be made of the vertices (rounding left gaps) - the body is too thin or its vertices "
+        "no closed convex hull could be made of the vertices (rounding left gaps) - the body is too thin or its "
+        "vertices "
         "too close together for its size: mend the mesh");
   }
   HullInstead hull{std::move(*triangles), {}, 0.0};
@@ -63,6 +65,13 @@ std::optional<HullInstead> checked_convexity(const Triangles& mesh, const Volume
            point_text(mesh.corner(t, 2)) + " has no area or does not face outward; tolerance 0");
   }
   HullInstead hull = hull_of(mesh);
+  const double hull_area = surface_area(hull.triangles);
+  const double thickness = 2.0 * hull.solid.volume / hull_area;  // of a plate; then everything is near the hull
+  if (!(thickness > 4.0 * tolerated)) {
+    throw InputError("the body is too thin to be convex only within the tolerance (it is about " +
+                     number_text(thickness) + " thick, the tolerance " + number_text(tolerance) + " of its size is " +
+                     number_text(tolerated) + ") - lower --convex-tolerance, or use plate: or disc:");
+  }
   const HullDepth deepest = depth_below_hull(mesh, hull.triangles, hull.solid.centroid, tolerated);
   if (deepest.depth > tolerated) {
     refuse("the surface lies below its convex hull at " + point_text(deepest.where) + ", " +
@@ -72,7 +81,6 @@ std::optional<HullInstead> checked_convexity(const Triangles& mesh, const Volume
     refuse_winding(census.winding_number);
   }
   // The region between a surface at most `tolerated` deep and its hull, and what its area can differ by (Steiner).
-  const double hull_area = surface_area(hull.triangles);
   const double hull_curvature = integrated_mean_curvature(hull.triangles);
   const double area = surface_area(mesh);
   if (!(std::fabs(hull.solid.volume - solid.volume) <= tolerated * hull_area)) {

@@ -44,8 +44,8 @@ class HullFromInside {
         break;
       }
       if (++n_steps_ > kStepsPerFacet * (hull_.size() + kFewFacets)) {
-        throw InputError("the mesh is too irregular to be compared with its convex hull (" +
-                         std::to_string(n_steps_) + " steps) - mend the mesh, or use --hull, which takes the hull");
+        throw InputError("the mesh is too irregular to be compared with its convex hull (" + std::to_string(n_steps_) +
+                         " steps) - mend the mesh, or use --hull, which takes the hull");
       }
       came_from = facet;
       facet = hull_.mates[across] / 3;

@@ -36,7 +36,7 @@ struct Limits {
 
 Limits limits_for(std::uintmax_t file_size) {
   const std::uint64_t size = std::min<std::uint64_t>(file_size, std::uint64_t{1} << 50U);
-  return {60 + size / kMiB, std::min(4 * kGiB + 100 * size, machine_memory() / 4 * 3)};
+  return {10 + size / kMiB, std::min(kGiB + 100 * size, machine_memory() / 4 * 3)};
 }
 
 enum class Outcome : std::uint64_t { soup, input_error, out_of_memory };
@@ -72,7 +72,7 @@ void write_array(int descriptor, const std::vector<T>& array) {
 }
 
 void limit(decltype(RLIMIT_CPU) resource, std::uint64_t most) {
-  struct rlimit now{};
+  struct rlimit now {};
   if (::getrlimit(resource, &now) == 0 && (now.rlim_cur == RLIM_INFINITY || now.rlim_cur > most)) {
     now.rlim_cur = most;
     ::setrlimit(resource, &now);
@@ -151,7 +151,8 @@ class Child {
   std::size_t read(void* data, std::size_t size) const {
     std::size_t n_read = 0;
     while (n_read < size) {
-      const ssize_t n = ::read(descriptor_, static_cast<char*>(data) + n_read, std::min<std::size_t>(size - n_read, kGiB));
+      const ssize_t n =
+          ::read(descriptor_, static_cast<char*>(data) + n_read, std::min<std::size_t>(size - n_read, kGiB));
       if (n > 0) {
         n_read += static_cast<std::size_t>(n);
       } else if (n == 0 || errno != EINTR) {

@@ -1,7 +1,8 @@
 // Reads a mesh file in a process of its own.
 //
 // Readers of some dozens of formats are a large surface: a damaged file can make one crash, loop, or ask for memory
-// without bound. Here that ends the other process, whose time and memory are limited, and the caller gets an InputError.
+// without bound. Here that ends the other process, whose time and memory are limited, and the caller gets an
+// InputError.
 #pragma once
 
 #include <filesystem>

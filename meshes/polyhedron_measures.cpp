@@ -103,7 +103,7 @@ double inscribed_radius(const Triangles& triangles, const LocalPoint& centre) {
 }
 
 Vec3d rounded_centre(const LocalPoint& centroid, double inradius, double size) {
-  const double scale = inradius > 0.0 ? inradius / 256.0 : size * 0x1p-40;
+  const double scale = inradius > 0.0 ? inradius * 0x1p-20 : size * 0x1p-40;
   const double grid = std::ldexp(1.0, std::ilogb(scale));
   // Twice: what rounding left of a sum that should be a whole number of half grids must not choose the side.
   const auto rounded = [grid](double base, double step) {

@@ -49,8 +49,9 @@ double bounding_diagonal(std::span<const Vec3d> vertices);
 /// centre contains the ball, convex or not: no point of a triangle is nearer than its plane.
 double inscribed_radius(const Triangles& triangles, const LocalPoint& centre);
 
-/// A point near `centroid` that does not depend on how the faces are cut or ordered: its coordinates are rounded to a
-/// power of two between 1/256 and 1/512 of `inradius`, the distance from there to the nearest plane.
+/// A point near `centroid` that is the same bits however the faces are cut and ordered, which moves the centroid's own
+/// last bits: its coordinates are multiples of a power of two, about a millionth of `inradius`, the distance from the
+/// centroid to the nearest plane (where that is 0, of a fraction of `size`).
 Vec3d rounded_centre(const LocalPoint& centroid, double inradius, double size);
 
 }  // namespace vex

@@ -1,22 +1,22 @@
 #include "meshes/reader.h"
 
+#include <assimp/config.h>
+#include <assimp/mesh.h>
+#include <assimp/scene.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <assimp/config.h>
-#include <assimp/mesh.h>
-#include <assimp/scene.h>
+#include <algorithm>
+#include <array>
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
-
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,7 +39,7 @@ File open_regular(const char* path, std::uintmax_t* size) {
   if (descriptor < 0) {
     return nullptr;
   }
-  struct stat status{};
+  struct stat status {};
   if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
     const int reason = S_ISDIR(status.st_mode) ? EISDIR : EINVAL;
     ::close(descriptor);
@@ -54,8 +54,15 @@ class RegularFileStream : public Assimp::IOStream {
  public:
   RegularFileStream(File file, std::uintmax_t size) : file_(std::move(file)), size_(static_cast<std::size_t>(size)) {}
 
+  /// assimp's PLY reader asks for ever for the rest of a file that ends within a line: an exception, which assimp
+  /// catches, ends that.
   std::size_t Read(void* buffer, std::size_t size, std::size_t count) override {
-    return size == 0 ? 0 : std::fread(buffer, size, count, file_.get());
+    const std::size_t n_read = size == 0 ? 0 : std::fread(buffer, size, count, file_.get());
+    n_empty_reads_ = n_read > 0 ? 0 : n_empty_reads_ + 1;
+    if (n_empty_reads_ > kMostEmptyReads) {
+      throw std::runtime_error("the file ends too early");
+    }
+    return n_read;
   }
   std::size_t Write(const void*, std::size_t, std::size_t) override { return 0; }
   aiReturn Seek(std::size_t offset, aiOrigin origin) override {
@@ -67,8 +74,11 @@ class RegularFileStream : public Assimp::IOStream {
   void Flush() override {}
 
  private:
+  static constexpr int kMostEmptyReads = 1000;
+
   File file_;
   std::size_t size_;
+  int n_empty_reads_ = 0;
 };
 
 /// Shows assimp one file, and for .gltf the .bin buffers in its folder or below: a material library or a texture that a
@@ -234,6 +244,7 @@ PolygonSoup read_polygon_soup(const std::filesystem::path& path) {
   }
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_MD5_NO_ANIM_AUTOLOAD, true);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);  // the file's coordinates, not turned
   // No post-processing: neither triangles made of polygons nor vertices joined within a tolerance are what was read.
   const aiScene* scene = importer.ReadFile(path.string(), 0);
   if (scene == nullptr) {

@@ -197,17 +197,17 @@ std::vector<std::uint32_t> checked_half_edges(const PolygonSurface& surface) {
                      hull_advice("close the holes and remove inner or doubled faces"));
   }
   if (census.n_one_way > 0) {
-    throw InputError("the faces are not consistently oriented (" + std::to_string(census.n_one_way) + " of " +
-                     n_edges + " edges run the same way in both their faces; one is " + census.first_one_way + ")" +
+    throw InputError("the faces are not consistently oriented (" + std::to_string(census.n_one_way) + " of " + n_edges +
+                     " edges run the same way in both their faces; one is " + census.first_one_way + ")" +
                      hull_advice("make all faces counter-clockwise seen from outside"));
   }
-  const auto characteristic = static_cast<long long>(surface.vertices.size()) -
-                              static_cast<long long>(census.n_edges) + static_cast<long long>(surface.n_faces());
+  const auto characteristic = static_cast<long long>(surface.vertices.size()) - static_cast<long long>(census.n_edges) +
+                              static_cast<long long>(surface.n_faces());
   if (characteristic != 2) {
     throw InputError("the surface is not of the kind of a sphere (its Euler characteristic is " +
                      std::to_string(surface.vertices.size()) + " vertices - " + n_edges + " edges + " +
-                     std::to_string(surface.n_faces()) + " faces = " + std::to_string(characteristic) +
-                     ", not 2)" + hull_advice("close its handles and part what touches at a vertex"));
+                     std::to_string(surface.n_faces()) + " faces = " + std::to_string(characteristic) + ", not 2)" +
+                     hull_advice("close its handles and part what touches at a vertex"));
   }
   return mates;
 }

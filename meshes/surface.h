@@ -12,8 +12,8 @@ namespace vex {
 
 /// Polygons over shared vertices, in flat arrays. A half-edge is named by the corner that it starts at.
 struct PolygonSurface {
-  std::vector<Vec3d> vertices;             // in lexicographic order of their coordinates
-  std::vector<std::uint32_t> corners;      // of all faces, one after another: indices into `vertices`
+  std::vector<Vec3d> vertices;               // in lexicographic order of their coordinates
+  std::vector<std::uint32_t> corners;        // of all faces, one after another: indices into `vertices`
   std::vector<std::uint32_t> face_begin{0};  // face f has the corners face_begin[f] .. face_begin[f + 1] - 1
 
   std::size_t n_faces() const { return face_begin.size() - 1; }

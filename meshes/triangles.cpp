@@ -3,7 +3,33 @@
 #include <algorithm>
 #include <utility>
 
+#include "meshes/determinant.h"
+
 namespace vex {
+namespace {
+
+bool has_area(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  return norm(cross(exact_difference(b, a), exact_difference(c, a))) > 0.0;
+}
+
+/// Where in the face the fan starts: 0 where every choice leaves a triangle without area.
+std::uint32_t fan_start(std::span<const Vec3d> vertices, std::span<const std::uint32_t> face) {
+  constexpr std::uint32_t kTries = 16;
+  const auto size = static_cast<std::uint32_t>(face.size());
+  for (std::uint32_t start = 0; size > 3 && start < std::min(size, kTries); ++start) {
+    const auto corner = [&](std::uint32_t i) { return vertices[face[(start + i) % size]]; };
+    bool all_have_area = true;
+    for (std::uint32_t i = 1; i + 1 < size && all_have_area; ++i) {
+      all_have_area = has_area(corner(0), corner(i), corner(i + 1));
+    }
+    if (all_have_area) {
+      return start;
+    }
+  }
+  return 0;
+}
+
+}  // namespace
 
 Triangles fan_triangles(const PolygonSurface& surface, std::span<const std::uint32_t> mates) {
   Triangles result;
@@ -17,17 +43,19 @@ Triangles fan_triangles(const PolygonSurface& surface, std::span<const std::uint
     const std::uint32_t begin = surface.face_begin[f];
     const auto size = static_cast<std::uint32_t>(face.size());
     const auto first = static_cast<std::uint32_t>(3 * result.corners.size());
-    half_edge_of_corner[begin] = first;
+    const std::uint32_t start = fan_start(surface.vertices, face);
+    const auto at = [start, size](std::uint32_t i) { return (start + i) % size; };
+    half_edge_of_corner[begin + start] = first;
     for (std::uint32_t i = 1; i + 1 < size; ++i) {
       const std::uint32_t triangle = first + 3 * (i - 1);  // its first half-edge
-      result.corners.push_back({face[0], face[i], face[i + 1]});
-      half_edge_of_corner[begin + i] = triangle + 1;
+      result.corners.push_back({face[start], face[at(i)], face[at(i + 1)]});
+      half_edge_of_corner[begin + at(i)] = triangle + 1;
       if (i + 2 < size) {  // the diagonal to the next triangle of the fan
         result.mates[triangle + 2] = triangle + 3;
         result.mates[triangle + 3] = triangle + 2;
       }
     }
-    half_edge_of_corner[begin + size - 1] = first + 3 * (size - 3) + 2;
+    half_edge_of_corner[begin + at(size - 1)] = first + 3 * (size - 3) + 2;
   }
   for (std::size_t corner = 0; corner < mates.size(); ++corner) {
     result.mates[half_edge_of_corner[corner]] = half_edge_of_corner[mates[corner]];

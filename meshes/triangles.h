@@ -13,7 +13,8 @@
 
 namespace vex {
 
-/// Triangles over vertices that somebody else keeps. Half-edge 3 t + k runs from corner k of triangle t to corner k + 1.
+/// Triangles over vertices that somebody else keeps. Half-edge 3 t + k runs from corner k of triangle t to corner k
+/// + 1.
 struct Triangles {
   std::span<const Vec3d> vertices;
   std::vector<std::array<std::uint32_t, 3>> corners;
@@ -29,12 +30,13 @@ struct Triangles {
   std::uint32_t opposite(std::uint32_t half_edge) const { return corners[half_edge / 3][(half_edge + 2) % 3]; }
 };
 
-/// Each face cut into triangles that fan out from its first corner. Diagonals are paired within their own face, so two
+/// Each face cut into triangles that fan out from its first corner, or from the first one of a few for which no
+/// triangle is without area (a corner may lie on a straight side). Diagonals are paired within their own face, so two
 /// faces that share more than an edge stay apart. `mates` is what checked_half_edges returned.
 Triangles fan_triangles(const PolygonSurface& surface, std::span<const std::uint32_t> mates);
 
-/// Triangles given by their corners, over vertices of which some may be unused. Nothing where they do not form a closed,
-/// consistently oriented surface.
+/// Triangles given by their corners, over vertices of which some may be unused. Nothing where they do not form a
+/// closed, consistently oriented surface.
 std::optional<Triangles> paired_triangles(std::span<const Vec3d> vertices,
                                           std::vector<std::array<std::uint32_t, 3>> corners);
 

@@ -10,13 +10,13 @@ namespace vex {
 
 struct WeldedSurface {
   PolygonSurface surface;
-  std::size_t n_welded_vertices = 0;   // points that faces use, less the vertices they became
-  std::size_t n_collapsed_faces = 0;   // had fewer than three different consecutive corners left
+  std::size_t n_welded_vertices = 0;  // points that faces use, less the vertices they became
+  std::size_t n_collapsed_faces = 0;  // had fewer than three different consecutive corners left
 };
 
-/// Joins the points whose coordinates are equal (-0 and +0 are), drops points that no face uses and faces that collapse,
-/// and orders what is left (PolygonSurface): the same floats give the same surface from any file format, bit for bit.
-/// Throws InputError where a coordinate is not finite or a face names a point that is not there.
+/// Joins the points whose coordinates are equal (-0 and +0 are), drops points that no face uses and faces that
+/// collapse, and orders what is left (PolygonSurface): the same floats give the same surface from any file format, bit
+/// for bit. Throws InputError where a coordinate is not finite or a face names a point that is not there.
 WeldedSurface weld(const PolygonSoup& soup);
 
 }  // namespace vex

@@ -1,24 +1,34 @@
-#include "mesh_files.h"
+#include "meshes/data/mesh_writers.h"
 
-#include <unistd.h>
-
+#include <algorithm>
 #include <array>
+#include <cctype>
+#include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <stdexcept>
+#include <map>
+#include <utility>
+#include <vector>
 
-#include "soups.h"
-
-namespace vex::tests {
+namespace vex {
 namespace {
 
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  std::array<char, 400> line{};
-  std::snprintf(line.data(), line.size(), format, values...);
-  return line.data();
+std::string piece(const std::string& part) { return part; }
+std::string piece(std::uint64_t number) { return std::to_string(number); }
+std::string piece(std::uint32_t number) { return std::to_string(number); }
+std::string piece(float number) {
+  std::array<char, 40> digits{};
+  std::snprintf(digits.data(), digits.size(), "%.9g", double{number});  // enough to tell floats apart
+  return digits.data();
+}
+std::string piece(const SoupPoint& p) { return piece(p.x) + " " + piece(p.y) + " " + piece(p.z); }
+
+/// Strings, whole numbers, floats and points, one after another.
+template <class... Parts>
+std::string text(const Parts&... parts) {
+  std::string all;
+  (all.append(piece(parts)), ...);
+  return all;
 }
 
 template <class T>
@@ -38,7 +48,7 @@ void put_point(const SoupPoint& p, std::string* bytes) {
 std::string point_lines(const PolygonSoup& soup, const char* prefix) {
   std::string lines;
   for (const SoupPoint& p : soup.points) {
-    lines += text("%s%.9g %.9g %.9g\n", prefix, double{p.x}, double{p.y}, double{p.z});
+    lines += text(prefix, p, "\n");
   }
   return lines;
 }
@@ -48,9 +58,9 @@ std::string face_lines(const PolygonSoup& soup, const char* prefix, bool with_si
   std::string lines;
   std::size_t next = 0;
   for (const std::uint32_t size : soup.face_sizes) {
-    lines += with_size ? text("%s%u", prefix, size) : text("%s", prefix);
+    lines += with_size ? text(prefix, size) : prefix;
     for (const std::size_t end = next + size; next < end; ++next) {
-      lines += text(" %u", soup.corners[next] + first_index);
+      lines += text(" ", soup.corners[next] + first_index);
     }
     lines += "\n";
   }
@@ -58,9 +68,9 @@ std::string face_lines(const PolygonSoup& soup, const char* prefix, bool with_si
 }
 
 std::string ply_header(const PolygonSoup& soup, const char* format) {
-  return text("ply\nformat %s 1.0\nelement vertex %zu\nproperty float x\nproperty float y\nproperty float z\n"
-              "element face %zu\nproperty list uchar int vertex_indices\nend_header\n",
-              format, soup.points.size(), soup.face_sizes.size());
+  return text("ply\nformat ", format, " 1.0\nelement vertex ", soup.points.size(),
+              "\nproperty float x\nproperty float y\nproperty float z\nelement face ", soup.face_sizes.size(),
+              "\nproperty list uchar int vertex_indices\nend_header\n");
 }
 
 std::string base64(const std::string& bytes) {
@@ -79,31 +89,98 @@ std::string base64(const std::string& bytes) {
   return result;
 }
 
+std::string threemf_model(const PolygonSoup& soup) {
+  std::string xml =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"millimeter\" "
+      "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n<resources><object id=\"1\" "
+      "type=\"model\"><mesh><vertices>\n";
+  for (const SoupPoint& p : soup.points) {
+    xml += text("<vertex x=\"", p.x, "\" y=\"", p.y, "\" z=\"", p.z, "\"/>\n");
+  }
+  xml += "</vertices><triangles>\n";
+  const PolygonSoup triangles = triangulated(soup);
+  for (std::size_t i = 0; i < triangles.corners.size(); i += 3) {
+    xml += text("<triangle v1=\"", triangles.corners[i], "\" v2=\"", triangles.corners[i + 1], "\" v3=\"",
+                triangles.corners[i + 2], "\"/>\n");
+  }
+  return xml + "</triangles></mesh></object></resources><build><item objectid=\"1\"/></build></model>\n";
+}
+
+std::uint32_t crc_32(const std::string& bytes) {
+  std::uint32_t crc = ~0U;
+  for (const char byte : bytes) {
+    crc ^= static_cast<unsigned char>(byte);
+    for (int bit = 0; bit < 8; ++bit) {
+      crc = (crc >> 1U) ^ ((crc & 1U) != 0U ? 0xEDB88320U : 0U);
+    }
+  }
+  return ~crc;
+}
+
+/// The least zip archive there is, nothing compressed: what a .3mf file is packed in.
+std::string zip_of(const std::vector<std::pair<std::string, std::string>>& files) {
+  std::string bytes;
+  std::string directory;
+  for (const auto& [name, contents] : files) {
+    std::string common;                                      // of the local header and of the directory's entry
+    for (const int field : {20, 0, 0, 0, 0x21}) {  // version, flags, stored, time, date
+      put(static_cast<std::uint16_t>(field), &common);
+    }
+    put(crc_32(contents), &common);
+    put(static_cast<std::uint32_t>(contents.size()), &common);
+    put(static_cast<std::uint32_t>(contents.size()), &common);
+    put(static_cast<std::uint16_t>(name.size()), &common);
+    put(std::uint16_t{0}, &common);
+    put(std::uint32_t{0x02014B50}, &directory);
+    put(std::uint16_t{20}, &directory);
+    directory += common + std::string(10, '\0');
+    put(static_cast<std::uint32_t>(bytes.size()), &directory);
+    directory += name;
+    put(std::uint32_t{0x04034B50}, &bytes);
+    bytes += common + name + contents;
+  }
+  std::string end;
+  put(std::uint32_t{0x06054B50}, &end);
+  put(std::uint32_t{0}, &end);
+  put(static_cast<std::uint16_t>(files.size()), &end);
+  put(static_cast<std::uint16_t>(files.size()), &end);
+  put(static_cast<std::uint32_t>(directory.size()), &end);
+  put(static_cast<std::uint32_t>(bytes.size()), &end);
+  put(std::uint16_t{0}, &end);
+  return bytes + directory + end;
+}
+
 }  // namespace
 
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "vex-meshes-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) {
-    throw std::runtime_error("cannot make a temporary folder");
+PolygonSoup triangulated(const PolygonSoup& soup) {
+  PolygonSoup result;
+  result.points = soup.points;
+  result.n_parts = soup.n_parts;
+  std::size_t begin = 0;
+  for (const std::uint32_t size : soup.face_sizes) {
+    for (std::size_t i = 1; i + 1 < size; ++i) {
+      result.add_face({soup.corners[begin], soup.corners[begin + i], soup.corners[begin + i + 1]});
+    }
+    begin += size;
   }
-  path_ = name;
+  return result;
 }
 
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-std::filesystem::path TemporaryFolder::file(const std::string& name, const std::string& bytes) const {
-  const std::filesystem::path path = path_ / name;
-  std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  return path;
+PolygonSoup with_own_corners(const PolygonSoup& soup) {
+  PolygonSoup result;
+  result.n_parts = soup.n_parts;
+  result.face_sizes = soup.face_sizes;
+  for (const std::uint32_t corner : soup.corners) {
+    result.corners.push_back(static_cast<std::uint32_t>(result.points.size()));
+    result.points.push_back(soup.points[corner]);
+  }
+  return result;
 }
 
 std::string obj_text(const PolygonSoup& soup) { return point_lines(soup, "v ") + face_lines(soup, "f", false, 1); }
 
 std::string off_text(const PolygonSoup& soup) {
-  return text("OFF\n%zu %zu 0\n", soup.points.size(), soup.face_sizes.size()) + point_lines(soup, "") +
+  return text("OFF\n", soup.points.size(), " ", soup.face_sizes.size(), " 0\n") + point_lines(soup, "") +
          face_lines(soup, "", true, 0);
 }
 
@@ -132,7 +209,7 @@ std::string stl_text(const PolygonSoup& soup) {
   for (std::size_t i = 0; i < flat.points.size(); ++i) {
     const SoupPoint& p = flat.points[i];
     lines += i % 3 == 0 ? "facet normal 0 0 0\nouter loop\n" : "";
-    lines += text("vertex %.9g %.9g %.9g\n", double{p.x}, double{p.y}, double{p.z});
+    lines += text("vertex ", p, "\n");
     lines += i % 3 == 2 ? "endloop\nendfacet\n" : "";
   }
   return lines + "endsolid body\n";
@@ -174,17 +251,16 @@ std::string gltf_text(const PolygonSoup& soup, const std::string& buffer_uri, co
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
-  std::string json = "{\"asset\": {\"version\": \"2.0\"}, \"scene\": 0, \"scenes\": [{\"nodes\": [0]}],\n\"nodes\": " +
-                     nodes +
-                     ",\n\"meshes\": [{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1}]}],\n";
-  json += text(
-      "\"accessors\": [{\"bufferView\": 0, \"componentType\": 5126, \"count\": %zu, \"type\": \"VEC3\", "
-      "\"min\": [%.9g, %.9g, %.9g], \"max\": [%.9g, %.9g, %.9g]},\n",
-      soup.points.size(), double{low.x}, double{low.y}, double{low.z}, double{high.x}, double{high.y}, double{high.z});
-  json += text("{\"bufferView\": 1, \"componentType\": 5125, \"count\": %zu, \"type\": \"SCALAR\"}],\n", n_corners);
-  json += text("\"bufferViews\": [{\"buffer\": 0, \"byteOffset\": 0, \"byteLength\": %zu}, ", n_point_bytes);
-  json += text("{\"buffer\": 0, \"byteOffset\": %zu, \"byteLength\": %zu}],\n", n_point_bytes, 4 * n_corners);
-  json += text("\"buffers\": [{\"byteLength\": %zu", n_point_bytes + 4 * n_corners);
+  std::string json =
+      "{\"asset\": {\"version\": \"2.0\"}, \"scene\": 0, \"scenes\": [{\"nodes\": [0]}],\n\"nodes\": " + nodes +
+      ",\n\"meshes\": [{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1}]}],\n";
+  const auto list = [](const SoupPoint& p) { return text(p.x, ", ", p.y, ", ", p.z); };
+  json += text("\"accessors\": [{\"bufferView\": 0, \"componentType\": 5126, \"count\": ", soup.points.size(),
+               ", \"type\": \"VEC3\", \"min\": [", list(low), "], \"max\": [", list(high), "]},\n");
+  json += text("{\"bufferView\": 1, \"componentType\": 5125, \"count\": ", n_corners, ", \"type\": \"SCALAR\"}],\n");
+  json += text("\"bufferViews\": [{\"buffer\": 0, \"byteOffset\": 0, \"byteLength\": ", n_point_bytes, "}, ");
+  json += text("{\"buffer\": 0, \"byteOffset\": ", n_point_bytes, ", \"byteLength\": ", 4 * n_corners, "}],\n");
+  json += text("\"buffers\": [{\"byteLength\": ", n_point_bytes + 4 * n_corners);
   return json + (buffer_uri.empty() ? "" : ", \"uri\": \"" + buffer_uri + "\"") + "}]}\n";
 }
 
@@ -211,71 +287,54 @@ std::string glb(const PolygonSoup& soup) {
 std::string dae_text(const PolygonSoup& soup) {
   std::string sizes;
   for (const std::uint32_t size : soup.face_sizes) {
-    sizes += text("%u ", size);
+    sizes += text(size, " ");
   }
   std::string corners;
   for (const std::uint32_t corner : soup.corners) {
-    corners += text("%u ", corner);
+    corners += text(corner, " ");
   }
-  return text("<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<COLLADA "
-              "xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" version=\"1.4.1\">\n"
-              "<asset><up_axis>Z_UP</up_axis></asset>\n<library_geometries><geometry id=\"g\"><mesh>\n"
-              "<source id=\"p\"><float_array id=\"a\" count=\"%zu\">\n",
-              3 * soup.points.size()) +
+  return text(
+             "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<COLLADA "
+             "xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" version=\"1.4.1\">\n"
+             "<asset><up_axis>Z_UP</up_axis></asset>\n<library_geometries><geometry id=\"g\"><mesh>\n"
+             "<source id=\"p\"><float_array id=\"a\" count=\"",
+             3 * soup.points.size(), "\">\n") +
          point_lines(soup, "") +
-         text("</float_array><technique_common><accessor source=\"#a\" count=\"%zu\" stride=\"3\">"
+         text("</float_array><technique_common><accessor source=\"#a\" count=\"", soup.points.size(),
+              "\" stride=\"3\">"
               "<param name=\"X\" type=\"float\"/><param name=\"Y\" type=\"float\"/><param name=\"Z\" type=\"float\"/>"
-              "</accessor></technique_common></source>\n",
-              soup.points.size()) +
-         text("<vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices>\n<polylist count=\"%zu\">"
-              "<input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/>\n<vcount>",
-              soup.face_sizes.size()) +
+              "</accessor></technique_common></source>\n") +
+         text("<vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices>\n<polylist count=\"",
+              soup.face_sizes.size(), "\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/>\n<vcount>") +
          sizes + "</vcount><p>" + corners +
          "</p></polylist></mesh></geometry></library_geometries>\n<library_visual_scenes><visual_scene id=\"s\">"
          "<node id=\"n\"><instance_geometry url=\"#g\"/></node></visual_scene></library_visual_scenes>\n"
          "<scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>\n";
 }
 
-std::string threemf_model_text(const PolygonSoup& soup) {
-  std::string xml =
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"millimeter\" "
-      "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n<resources><object id=\"1\" "
-      "type=\"model\"><mesh><vertices>\n";
-  for (const SoupPoint& p : soup.points) {
-    xml += text("<vertex x=\"%.9g\" y=\"%.9g\" z=\"%.9g\"/>\n", double{p.x}, double{p.y}, double{p.z});
-  }
-  xml += "</vertices><triangles>\n";
-  const PolygonSoup triangles = triangulated(soup);
-  for (std::size_t i = 0; i < triangles.corners.size(); i += 3) {
-    xml += text("<triangle v1=\"%u\" v2=\"%u\" v3=\"%u\"/>\n", triangles.corners[i], triangles.corners[i + 1],
-                triangles.corners[i + 2]);
-  }
-  return xml + "</triangles></mesh></object></resources><build><item objectid=\"1\"/></build></model>\n";
+std::string threemf(const PolygonSoup& soup) {
+  const std::string ns = "http://schemas.openxmlformats.org/package/2006/";
+  return zip_of({{"[Content_Types].xml", "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Types xmlns=\"" + ns +
+                                             "content-types\"><Default Extension=\"rels\" ContentType=\"application/"
+                                             "vnd.openxmlformats-package.relationships+xml\"/><Default "
+                                             "Extension=\"model\" ContentType=\"application/"
+                                             "vnd.ms-package.3dmanufacturing-3dmodel+xml\"/></Types>\n"},
+                 {"_rels/.rels", "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Relationships xmlns=\"" + ns +
+                                     "relationships\"><Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
+                                     "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>"
+                                     "</Relationships>\n"},
+                 {"3D/3dmodel.model", threemf_model(soup)}});
 }
 
 std::string mesh_bytes(const PolygonSoup& soup, const std::string& extension) {
-  if (extension == ".obj") {
-    return obj_text(soup);
-  }
-  if (extension == ".off") {
-    return off_text(soup);
-  }
-  if (extension == ".ply") {
-    return ply_binary(soup);
-  }
-  if (extension == ".stl") {
-    return stl_binary(soup);
-  }
-  if (extension == ".gltf") {
-    return gltf_embedded(soup);
-  }
-  if (extension == ".glb") {
-    return glb(soup);
-  }
-  if (extension == ".dae") {
-    return dae_text(soup);
-  }
-  throw std::logic_error("no writer for " + extension);
+  using Writer = std::string (*)(const PolygonSoup&);
+  static const std::map<std::string, Writer> kWriters{
+      {".obj", obj_text},       {".off", off_text}, {".ply", ply_binary}, {".stl", stl_binary},
+      {".gltf", gltf_embedded}, {".glb", glb},      {".dae", dae_text},   {".3mf", threemf}};
+  std::string lower = extension;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return kWriters.at(lower)(soup);
 }
 
-}  // namespace vex::tests
+}  // namespace vex

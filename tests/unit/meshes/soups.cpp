@@ -198,8 +198,8 @@ PolygonSoup sphere_soup(int n, const std::function<Vec3d(const Vec3d&)>& place) 
         } else if (i == count) {
           row.push_back(edge_point(face[1], face[2], j));
         } else {
-          row.push_back(add_point((1.0 - i * step) * p[face[0]] +
-                                  (((i - j) * step) * p[face[1]] + (j * step) * p[face[2]])));
+          row.push_back(
+              add_point((1.0 - i * step) * p[face[0]] + (((i - j) * step) * p[face[1]] + (j * step) * p[face[2]])));
         }
       }
       rows.push_back(row);
@@ -309,9 +309,29 @@ PolygonSoup joined(PolygonSoup a, const PolygonSoup& b) {
 }
 
 PolygonSoup face_turned(PolygonSoup soup, std::size_t f) {
-  const auto begin =
-      soup.corners.begin() + std::accumulate(soup.face_sizes.begin(), soup.face_sizes.begin() + static_cast<std::ptrdiff_t>(f), std::ptrdiff_t{0});
+  const auto begin = soup.corners.begin() + std::accumulate(soup.face_sizes.begin(),
+                                                            soup.face_sizes.begin() + static_cast<std::ptrdiff_t>(f),
+                                                            std::ptrdiff_t{0});
   std::reverse(begin, begin + soup.face_sizes[f]);
+  return soup;
+}
+
+PolygonSoup corner_added(PolygonSoup soup, std::size_t f, std::size_t k, std::uint32_t vertex) {
+  std::size_t at = k;
+  for (std::size_t g = 0; g < f; ++g) {
+    at += soup.face_sizes[g];
+  }
+  std::vector<std::uint32_t> corners;
+  for (std::size_t i = 0; i <= soup.corners.size(); ++i) {
+    if (i == at) {
+      corners.push_back(vertex);
+    }
+    if (i < soup.corners.size()) {
+      corners.push_back(soup.corners[i]);
+    }
+  }
+  soup.corners = corners;
+  ++soup.face_sizes[f];
   return soup;
 }
 
@@ -360,29 +380,6 @@ PolygonSoup shuffled(const PolygonSoup& soup, std::uint64_t seed) {
   shuffle(&faces);
   for (const Face& face : faces) {
     add(face, &result);
-  }
-  return result;
-}
-
-PolygonSoup triangulated(const PolygonSoup& soup) {
-  PolygonSoup result;
-  result.points = soup.points;
-  result.n_parts = soup.n_parts;
-  for_each_face(soup, [&](const Face& face) {
-    for (std::size_t i = 1; i + 1 < face.size(); ++i) {
-      result.add_face({face[0], face[i], face[i + 1]});
-    }
-  });
-  return result;
-}
-
-PolygonSoup with_own_corners(const PolygonSoup& soup) {
-  PolygonSoup result;
-  result.n_parts = soup.n_parts;
-  result.face_sizes = soup.face_sizes;
-  for (const std::uint32_t corner : soup.corners) {
-    result.corners.push_back(static_cast<std::uint32_t>(result.points.size()));
-    result.points.push_back(soup.points[corner]);
   }
   return result;
 }

@@ -22,7 +22,8 @@ PolygonSoup octahedron_soup();
 PolygonSoup dodecahedron_soup();  // pentagons, planar to rounding
 PolygonSoup icosahedron_soup();
 
-/// A regular icosahedron's faces cut into `n` x `n` triangles, each vertex moved to the unit sphere and then by `place`.
+/// A regular icosahedron's faces cut into `n` x `n` triangles, each vertex moved to the unit sphere and then by
+/// `place`.
 PolygonSoup sphere_soup(int n, const std::function<Vec3d(const Vec3d&)>& place);
 /// A capsule about the z axis, `n` points around: caps of radius 1, `n_rings` rings of the straight part of length 2.
 PolygonSoup capsule_soup(int n, int n_rings);
@@ -37,11 +38,11 @@ PolygonSoup l_prism_soup();  // two concave hexagons and six quads
 
 PolygonSoup moved(PolygonSoup soup, const std::function<Vec3d(const Vec3d&)>& place);
 PolygonSoup joined(PolygonSoup a, const PolygonSoup& b);
-PolygonSoup turned(PolygonSoup soup);                // every face reversed
+PolygonSoup turned(PolygonSoup soup);  // every face reversed
 PolygonSoup face_turned(PolygonSoup soup, std::size_t f);
+/// Face f with `vertex` put in before its corner k.
+PolygonSoup corner_added(PolygonSoup soup, std::size_t f, std::size_t k, std::uint32_t vertex);
 PolygonSoup face_removed(PolygonSoup soup, std::size_t f);
 PolygonSoup shuffled(const PolygonSoup& soup, std::uint64_t seed);  // points, faces and first corners in another order
-PolygonSoup triangulated(const PolygonSoup& soup);   // fans
-PolygonSoup with_own_corners(const PolygonSoup& soup);  // every corner a point of its own, as in STL
 
 }  // namespace vex::tests

@@ -1,0 +1,136 @@
+// Mutated mesh files: whatever is in a file, loading it ends in a body or an InputError, and soon.
+//
+// Deterministic and bounded, so that it is a test and not a campaign: VEX_FUZZ_FILES=100000 in the environment makes it
+// one, VEX_FUZZ_SEED another. A file that fails is kept and named.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "engine/numeric/errors.h"
+#include "meshes/convex_mesh.h"
+#include "meshes/data/mesh_writers.h"
+#include "soups.h"
+#include "temporary_folder.h"
+
+namespace vex::tests {
+namespace {
+
+std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
+  const char* text = std::getenv(name);
+  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
+}
+
+/// Changes a file in one to four places, each in a way that readers are known to mind.
+class Mutator {
+ public:
+  explicit Mutator(std::uint64_t seed) : random_(seed) {}
+
+  std::string mutated(std::string bytes) {
+    for (std::size_t n = 1 + below(4); n > 0 && !bytes.empty(); --n) {
+      mutate(&bytes);
+    }
+    return bytes;
+  }
+
+ private:
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_() % std::max<std::size_t>(n, 1)); }
+  char byte() { return static_cast<char>(static_cast<unsigned char>(random_() & 0xFFU)); }
+
+  void mutate(std::string* bytes) {
+    const std::size_t at = below(bytes->size());
+    switch (below(8)) {
+      case 0:  // one bit
+        (*bytes)[at] = static_cast<char>((*bytes)[at] ^ static_cast<char>(1U << below(8)));
+        break;
+      case 1:  // one byte
+        (*bytes)[at] = byte();
+        break;
+      case 2:  // cut short
+        bytes->resize(at);
+        break;
+      case 3:  // a piece out
+        bytes->erase(at, 1 + below(40));
+        break;
+      case 4:  // a piece twice
+        bytes->insert(at, bytes->substr(below(bytes->size()), 1 + below(200)));
+        break;
+      case 5:  // four bytes of a large or a special number
+        for (std::size_t i = 0; i < 4 && at + i < bytes->size(); ++i) {
+          (*bytes)[at + i] = static_cast<char>(below(2) == 0 ? 0xFF : 0x7F);
+        }
+        break;
+      case 6:  // another number where there is one
+        replace_number(at, bytes);
+        break;
+      default:  // a run of one byte
+        bytes->insert(at, std::string(below(300), byte()));
+    }
+  }
+
+  void replace_number(std::size_t from, std::string* bytes) {
+    static const std::vector<std::string> kNumbers{"0",     "-1",   "4294967295", "4294967296", "99999999999999999999",
+                                                   "1e400", "nan",  "-inf",       "1e-400",     "2147483648",
+                                                   "65536", "1.5e", "",           "0x10",       "1,5"};
+    const std::size_t begin = bytes->find_first_of("0123456789", from);
+    if (begin != std::string::npos) {
+      const std::size_t end = bytes->find_first_not_of("0123456789.eE+-", begin);
+      bytes->replace(begin, (end == std::string::npos ? bytes->size() : end) - begin, kNumbers[below(kNumbers.size())]);
+    }
+  }
+
+  std::mt19937_64 random_;
+};
+
+class MeshFileFuzz : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(MeshFileFuzz, EndsInABodyOrAnInputErrorWithinTime) {
+  const std::string extension = GetParam();
+  const TemporaryFolder folder;
+  Mutator mutator(from_environment("VEX_FUZZ_SEED", 1) * 1000003 + std::hash<std::string>{}(extension));
+  const std::uint64_t n_files = from_environment("VEX_FUZZ_FILES", 300);
+  const std::vector<PolygonSoup> soups{icosahedron_soup(), box_soup({-1, -1, -1}, {1, 2, 3}), capsule_soup(8, 3)};
+  std::size_t n_bodies = 0;
+  std::size_t n_refused = 0;
+  for (std::uint64_t i = 0; i < n_files; ++i) {
+    const std::string bytes = mutator.mutated(mesh_bytes(soups[i % soups.size()], extension));
+    const auto path = folder.file("fuzz" + extension, bytes);
+    const auto start = std::chrono::steady_clock::now();
+    bool fine = true;
+    try {
+      const ConvexMesh mesh = load_convex_mesh(path);
+      ++n_bodies;
+      fine = mesh.measures.volume > 0.0 && std::isfinite(mesh.measures.volume) && mesh.measures.surface_area > 0.0 &&
+             mesh.measures.integrated_mean_curvature > 0.0 && mesh.body.inradius() >= 0.0 &&
+             mesh.body.circumradius() > 0.0;
+    } catch (const InputError& error) {
+      ++n_refused;
+      fine = std::string(error.what()).find(" - ") != std::string::npos;  // problem - what to do
+    } catch (const std::exception& error) {
+      fine = false;
+      ADD_FAILURE() << error.what();
+    }
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    if (!fine || taken.count() > 30.0) {
+      const auto kept = std::filesystem::temp_directory_path() / ("vex-fuzz-" + std::to_string(i) + extension);
+      std::filesystem::copy_file(path, kept, std::filesystem::copy_options::overwrite_existing);
+      ADD_FAILURE() << "file " << i << " kept as " << kept << ", " << taken.count() << " s";
+    }
+  }
+  std::printf("%s: %zu bodies, %zu refused\n", extension.c_str(), n_bodies, n_refused);
+  EXPECT_GT(n_refused, n_files / 10);  // or the mutations are no test
+  EXPECT_GT(n_bodies, n_files / 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(AllFormats, MeshFileFuzz,
+                         ::testing::Values(".obj", ".stl", ".ply", ".off", ".gltf", ".glb", ".dae", ".3mf"),
+                         [](const auto& test) { return std::string(test.param + 1); });
+
+}  // namespace
+}  // namespace vex::tests

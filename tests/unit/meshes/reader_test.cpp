@@ -1,0 +1,185 @@
+#include "meshes/reader.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <string>
+
+#include "meshes/convex_mesh.h"
+#include "meshes/data/mesh_writers.h"
+#include "refusal.h"
+#include "soups.h"
+#include "temporary_folder.h"
+
+namespace vex::tests {
+namespace {
+
+std::string file_refusal(const std::filesystem::path& path) {
+  return refusal_of([&] { static_cast<void>(load_convex_mesh(path)); });
+}
+
+/// Binary fractions of few digits: every text reader finds the same floats.
+PolygonSoup simple_body() {
+  return moved(box_soup({-1, -2, -4}, {1, 2, 4}), [](const Vec3d& p) {
+    return Vec3d{p.x + 0.25 * p.y, p.y, p.z + 0.5 * p.x};
+  });
+}
+
+class EveryFormat : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(EveryFormat, GivesTheSameBodyToTheLastBit) {
+  const TemporaryFolder folder;
+  const ConvexMesh expected = convex_mesh_from(triangulated(simple_body()));
+  const ConvexMesh mesh = load_convex_mesh(
+      folder.file(std::string("body") + GetParam(), mesh_bytes(triangulated(simple_body()), GetParam())));
+  EXPECT_EQ(mesh.measures.volume, expected.measures.volume);
+  EXPECT_EQ(mesh.measures.surface_area, expected.measures.surface_area);
+  EXPECT_EQ(mesh.measures.integrated_mean_curvature, expected.measures.integrated_mean_curvature);
+  EXPECT_EQ(mesh.body.inradius(), expected.body.inradius());
+  ASSERT_EQ(mesh.body.n_vertices(), expected.body.n_vertices());
+  for (std::size_t i = 0; i < mesh.body.n_vertices(); ++i) {
+    EXPECT_EQ(norm(mesh.body.vertex(i) - expected.body.vertex(i)), 0.0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Reader, EveryFormat,
+                         ::testing::Values(".obj", ".stl", ".ply", ".off", ".gltf", ".glb", ".dae", ".3mf", ".OBJ",
+                                           ".Stl"),
+                         [](const auto& test) { return std::string(test.param + 1) + std::to_string(test.index); });
+
+TEST(Reader, KeepsPolygonsAsPolygons) {
+  const TemporaryFolder folder;
+  for (const char* extension : {".obj", ".ply", ".off", ".dae"}) {
+    const PolygonSoup soup =
+        read_polygon_soup(folder.file(std::string("d") + extension, mesh_bytes(dodecahedron_soup(), extension)));
+    EXPECT_EQ(soup.face_sizes, std::vector<std::uint32_t>(12, 5)) << extension;
+  }
+}
+
+TEST(Reader, ReadsTextPlyAndTextStl) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(load_convex_mesh(folder.file("a.ply", ply_text(simple_body()))).measures.volume, 64.0);
+  EXPECT_EQ(load_convex_mesh(folder.file("a.stl", stl_text(simple_body()))).measures.volume, 64.0);
+}
+
+TEST(Reader, AppliesNodeTransformsOfAllParents) {
+  const TemporaryFolder folder;
+  const PolygonSoup box = box_soup({0, 0, 0}, {1, 2, 4});
+  // Scale by 2, 1, 0.5, turn by a quarter about x, shift; nested in a node that scales all by 2 and shifts.
+  const std::string nodes = R"([{"scale": [2, 2, 2], "translation": [10, 0, 0], "children": [1]},)"
+                            R"({"scale": [2, 1, 0.5], "rotation": [0.70710678118654752, 0, 0, 0.70710678118654752],)"
+                            R"( "translation": [0, 5, 0], "children": [2]}, {"mesh": 0}])";
+  folder.file("b.bin", gltf_buffer(box));
+  const ConvexMesh mesh =
+      load_convex_mesh(folder.file("b.gltf", gltf_text(box, "b.bin", nodes)), {.convex_tolerance = 1e-6});
+  EXPECT_NEAR(mesh.measures.volume, 8.0 * 8.0, 1e-4);
+  // x: 10 + 2 (2 x); y: 2 (5 - z / 2); z: 2 y
+  EXPECT_NEAR(mesh.body.centre().x, 12.0, 1e-2);
+  EXPECT_NEAR(mesh.body.centre().y, 8.0, 1e-2);
+  EXPECT_NEAR(mesh.body.centre().z, 2.0, 1e-2);
+}
+
+TEST(Reader, WeldsSeveralPartsThatAreOneBody) {
+  const TemporaryFolder folder;
+  // A half box, shown twice: the second time turned half round about z, so the open sides meet at x = 0.
+  PolygonSoup half = face_removed(box_soup({0, -1, -1}, {1, 1, 1}), 0);
+  const std::string nodes =
+      R"([{"children": [1, 2]}, {"mesh": 0}, {"mesh": 0, "matrix": [-1,0,0,0, 0,-1,0,0, 0,0,1,0, 0,0,0,1]}])";
+  folder.file("h.bin", gltf_buffer(half));
+  const ConvexMesh mesh = load_convex_mesh(folder.file("h.gltf", gltf_text(half, "h.bin", nodes)));
+  EXPECT_EQ(mesh.report.n_parts, 2U);
+  EXPECT_EQ(mesh.measures.volume, 8.0);
+  EXPECT_EQ(mesh.report.n_vertices, 12U);
+  EXPECT_EQ(mesh.report.n_welded_vertices, 4U);
+}
+
+TEST(Reader, RefusesWhatIsNotAFile) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(contains(file_refusal(folder.path() / "absent.obj"), "No such file"));
+  std::filesystem::create_directory(folder.path() / "folder.obj");
+  EXPECT_TRUE(contains(file_refusal(folder.path() / "folder.obj"), "it is a folder"));
+  EXPECT_TRUE(contains(file_refusal(folder.file("empty.obj", "")), "is empty (0 bytes)"));
+  ASSERT_EQ(::mkfifo((folder.path() / "pipe.obj").c_str(), 0600), 0);
+  EXPECT_TRUE(contains(file_refusal(folder.path() / "pipe.obj"), "a pipe, a device or a socket"));  // and does not wait
+  EXPECT_TRUE(contains(file_refusal("/dev/zero"), "a pipe, a device or a socket"));
+  EXPECT_TRUE(contains(file_refusal(""), "No such file"));
+}
+
+TEST(Reader, RefusesAnUnknownExtensionAndSaysWhatIsRead) {
+  const TemporaryFolder folder;
+  for (const char* name : {"body.txt", "body", "body.obj.bak"}) {
+    const std::string message = file_refusal(folder.file(name, obj_text(simple_body())));
+    EXPECT_TRUE(contains(message, "names no format that is read"));
+    EXPECT_TRUE(contains(message, ".obj .stl .ply .off .gltf .glb .dae .3mf"));
+  }
+}
+
+TEST(Reader, RefusesAFileWithoutFaces) {
+  const TemporaryFolder folder;
+  EXPECT_FALSE(file_refusal(folder.file("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n")).empty());
+  EXPECT_FALSE(file_refusal(folder.file("comment.obj", "# nothing\n")).empty());
+  EXPECT_FALSE(file_refusal(folder.file("lines.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\n")).empty());
+}
+
+TEST(Reader, IgnoresPointsAndLinesBesideFacesWithANote) {
+  const TemporaryFolder folder;
+  const ConvexMesh mesh = load_convex_mesh(folder.file("a.obj", obj_text(simple_body()) + "l 1 2\nl 3 4\n"));
+  EXPECT_EQ(mesh.measures.volume, 64.0);
+  ASSERT_EQ(mesh.report.notes.size(), 1U);
+  EXPECT_TRUE(contains(mesh.report.notes[0], "points or lines of the file were ignored"));
+}
+
+TEST(Reader, RefusesCoordinatesThatAreNotFinite) {
+  const TemporaryFolder folder;
+  for (const char* bad : {"nan", "inf", "-inf", "1e400", "3.5e38"}) {
+    std::string text = obj_text(simple_body());
+    text.replace(text.find("v ") + 2, text.find(' ', 2) - 2, bad);
+    EXPECT_TRUE(contains(file_refusal(folder.file("bad.obj", text)), "(")) << bad;
+  }
+  PolygonSoup soup = simple_body();
+  soup.points[3].z = std::nanf("");
+  EXPECT_TRUE(contains(file_refusal(folder.file("bad.ply", ply_binary(soup))), "vertex 3 of 8"));
+  // A transform that takes finite floats beyond them.
+  soup = simple_body();
+  folder.file("b.bin", gltf_buffer(soup));
+  const std::string nodes = R"([{"scale": [3e38, 3e38, 3e38], "mesh": 0}])";
+  EXPECT_TRUE(contains(file_refusal(folder.file("b.gltf", gltf_text(soup, "b.bin", nodes))), "not finite"));
+}
+
+TEST(Reader, NeverOpensWhatAMeshNamesBesideItsGeometry) {
+  const TemporaryFolder folder;
+  // A pipe that nobody writes to: opening it would wait for ever.
+  ASSERT_EQ(::mkfifo((folder.path() / "a.mtl").c_str(), 0600), 0);
+  const auto path = folder.file("a.obj", "mtllib a.mtl\nusemtl red\n" + obj_text(simple_body()));
+  EXPECT_EQ(load_convex_mesh(path).measures.volume, 64.0);
+}
+
+TEST(Reader, RefusesAGltfWhoseBufferIsMissingOrOutsideItsFolder) {
+  const TemporaryFolder folder;
+  EXPECT_FALSE(file_refusal(folder.file("a.gltf", gltf_text(simple_body(), "missing.bin"))).empty());
+  std::filesystem::create_directory(folder.path() / "inner");
+  folder.file("outside.bin", gltf_buffer(simple_body()));
+  EXPECT_FALSE(file_refusal(folder.file("inner/a.gltf", gltf_text(simple_body(), "../outside.bin"))).empty());
+  folder.file("a.dat", gltf_buffer(simple_body()));
+  EXPECT_FALSE(file_refusal(folder.file("a.gltf", gltf_text(simple_body(), "a.dat"))).empty());
+}
+
+TEST(Reader, ReadsInThisProcessWhenAskedTo) {
+  const TemporaryFolder folder;
+  const auto path = folder.file("a.stl", stl_binary(simple_body()));
+  EXPECT_EQ(load_convex_mesh(path, {.isolated_reader = false}).measures.volume, 64.0);
+}
+
+TEST(Reader, TurnsABodyThatIsInsideOutAndSaysSo) {
+  const TemporaryFolder folder;
+  const ConvexMesh mesh = load_convex_mesh(folder.file("a.off", off_text(turned(simple_body()))));
+  EXPECT_EQ(mesh.measures.volume, 64.0);
+  ASSERT_EQ(mesh.report.notes.size(), 1U);
+  EXPECT_TRUE(contains(mesh.report.notes[0], "inside out"));
+}
+
+}  // namespace
+}  // namespace vex::tests
