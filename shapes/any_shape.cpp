@@ -31,20 +31,22 @@ struct Entry {
 
 // The list: a new body is one line here.
 constexpr std::array kShapes = {
-    Entry{{"sphere", "R", "radius"}, 1,
-          [](std::string_view kind, Sizes s) { return measured(kind, Sphere(s[0])); }},
-    Entry{{"box", "A,B,C", "full edges along x, y, z"}, 3,
+    Entry{{"sphere", "R", "radius"}, 1, [](std::string_view kind, Sizes s) { return measured(kind, Sphere(s[0])); }},
+    Entry{{"box", "A,B,C", "full edges along x, y, z"},
+          3,
           [](std::string_view kind, Sizes s) { return measured(kind, Box(s[0], s[1], s[2])); }},
-    Entry{{"ellipsoid", "A,B,C", "semi-axes along x, y, z"}, 3,
+    Entry{{"ellipsoid", "A,B,C", "semi-axes along x, y, z"},
+          3,
           [](std::string_view kind, Sizes s) { return measured(kind, Ellipsoid(s[0], s[1], s[2])); }},
-    Entry{{"capsule", "L,R", "length of the straight part along z, radius"}, 2,
+    Entry{{"capsule", "L,R", "length of the straight part along z, radius"},
+          2,
           [](std::string_view kind, Sizes s) { return measured(kind, Capsule(s[0], s[1])); }},
 };
 
 // Named in the documentation, and coming.
-constexpr std::array<std::string_view, 12> kPlanned = {"cylinder",    "cone",       "frustum",      "hemisphere",
-                                                       "disc",        "plate",      "needle",       "tetrahedron",
-                                                       "octahedron",  "dodecahedron", "icosahedron", "rounded"};
+constexpr std::array<std::string_view, 12> kPlanned = {"cylinder",   "cone",         "frustum",     "hemisphere",
+                                                       "disc",       "plate",        "needle",      "tetrahedron",
+                                                       "octahedron", "dodecahedron", "icosahedron", "rounded"};
 
 std::string_view name_part(std::string_view text) { return text.substr(0, text.find(':')); }
 

@@ -27,7 +27,8 @@ class Ellipsoid {
   double circumradius() const { return std::max({axes_.x, axes_.y, axes_.z}); }
   double inradius() const { return std::min({axes_.x, axes_.y, axes_.z}); }
 
-  /// S = 4 pi R_G(a^2 b^2, a^2 c^2, b^2 c^2) and M = 4 pi R_G(a^2, b^2, c^2), Carlson's symmetric integral (DLMF 19.33).
+  /// S = 4 pi R_G(a^2 b^2, a^2 c^2, b^2 c^2) and M = 4 pi R_G(a^2, b^2, c^2), Carlson's symmetric integral
+  /// (DLMF 19.33).
   Measures measures() const;
 
  private:

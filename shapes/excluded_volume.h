@@ -8,8 +8,9 @@
 
 namespace vex {
 
-/// <V_ex> = V_A + V_B + (M_A S_B + M_B S_A) / 4 pi, in length^3: the isotropic average of the volume that A forbids to B's
-/// centre. Isihara (J. Chem. Phys. 18, 1446, 1950), Hadwiger (1951), Kihara (1953). Eight volumes for two equal spheres.
+/// <V_ex> = V_A + V_B + (M_A S_B + M_B S_A) / 4 pi, in length^3: the isotropic average of the volume that A forbids to
+/// B's centre. Isihara (J. Chem. Phys. 18, 1446, 1950), Hadwiger (1951), Kihara (1953). Eight volumes for two equal
+/// spheres.
 inline double average_excluded_volume(const Measures& a, const Measures& b) {
   return a.volume + b.volume + a.mean_radius() * b.surface_area + b.mean_radius() * a.surface_area;
 }

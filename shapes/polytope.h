@@ -10,8 +10,8 @@ namespace vex {
 
 /// A convex polytope given by its vertices; what every mesh becomes.
 ///
-/// The vertices are the body exactly: no vertex is moved, and a support point is one of them, bit for bit. They are kept
-/// by coordinate, so that a packet scans them without shuffling. Of vertices that tie, the first one answers.
+/// The vertices are the body exactly: no vertex is moved, and a support point is one of them, bit for bit. They are
+/// kept by coordinate, so that a packet scans them without shuffling. Of vertices that tie, the first one answers.
 class Polytope {
  public:
   /// `vertices`: at least one, all finite. `centre`: a point of the body. `inradius`: a ball of this radius about the

@@ -7,9 +7,10 @@
 namespace vex {
 namespace {
 
-// Left alone, libccd's GJK never ends on about one of 10^6 random pairs of cubes, and its portal refinement, which takes
-// no cap at all, where its tolerance is below the bodies' rounding. After this many support calls each body answers with a
-// point behind the origin, which every loop of libccd takes for a separating direction; the query then counts as given up.
+// Left alone, libccd's GJK never ends on about one of 10^6 random pairs of cubes, and its portal refinement, which
+// takes no cap at all, where its tolerance is below the bodies' rounding. After this many support calls each body
+// answers with a point behind the origin, which every loop of libccd takes for a separating direction; the query then
+// counts as given up.
 constexpr unsigned long kMaxSupportCalls = 2000;
 
 struct PlacedBody {
@@ -77,9 +78,8 @@ class CcdBackend final : public OverlapBackend {
 };
 
 BackendKind kind(const char* name, CcdBackend::Query query) {
-  return {name, true, [query](const ConvexBody& a, const ConvexBody& b) {
-            return std::make_unique<CcdBackend>(a, b, query);
-          }};
+  return {name, true,
+          [query](const ConvexBody& a, const ConvexBody& b) { return std::make_unique<CcdBackend>(a, b, query); }};
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // sincospi and cbrt from + - * / and square root alone, over lanes.
 //
-// A trial's pose must be the same bits on every machine, compiler and register width, or the same seed would not give the
-// same hits; the C library's functions promise no such thing. Errors are proven in docs/derivations.md: at most 4 u for
-// sincospi (E3) and 2 u for cbrt (E4), both below 2^-50 relative.
+// A trial's pose must be the same bits on every machine, compiler and register width, or the same seed would not give
+// the same hits; the C library's functions promise no such thing. Errors are proven in docs/derivations.md: at most 4 u
+// for sincospi (E3) and 2 u for cbrt (E4), both below 2^-50 relative.
 #pragma once
 
 #include "engine/numeric/expect.h"
@@ -18,7 +18,8 @@ struct SinCos {
 
 /// sin(pi x) and cos(pi x) for 0 <= x <= 2, each within 4 u of its true value, relative (E3).
 ///
-/// The argument is reduced exactly: x = q/2 + r with |r| <= 1/4, and the truncated series of sin(pi r) and cos(pi r) follow.
+/// The argument is reduced exactly: x = q/2 + r with |r| <= 1/4, and the truncated series of sin(pi r) and cos(pi r)
+/// follow.
 template <class L>
 SinCos<L> sincospi(L x) {
   const L q = nearest_whole(x + x);
@@ -55,8 +56,8 @@ SinCos<L> sincospi(L x) {
 
 /// The cube root of a normal x > 0, within 2 u relative (E4).
 ///
-/// A third of the exponent field is a guess within 5 % (Kahan; FreeBSD's s_cbrt.c); each of three Halley steps cubes the
-/// error, and the last is written as a small correction, so that only its final addition rounds at full size.
+/// A third of the exponent field is a guess within 5 % (Kahan; FreeBSD's s_cbrt.c); each of three Halley steps cubes
+/// the error, and the last is written as a small correction, so that only its final addition rounds at full size.
 template <class L>
 L cube_root(L x) {
   // floor(high / 3) for a 32-bit high word: 0xAAAAAAAB / 2^33 exceeds 1/3 by less than 2^-33 / 3 (E4).

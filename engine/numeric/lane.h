@@ -1,8 +1,8 @@
 // The lane type: what an algorithm is written over, so that one source serves one trial or a register full of them.
 //
 // An algorithm of the engine is a template over a lane type L. `double` is the one-lane case and is defined here; a
-// packet of W doubles is another, which provides the same names (tests/referees/array_lanes.h is a plain one, and a test
-// demands of it bit for bit what `double` gives). A lane type has
+// packet of W doubles is another, which provides the same names (tests/referees/array_lanes.h is a plain one, and a
+// test demands of it bit for bit what `double` gives). A lane type has
 //   + - * / and unary minus, each one IEEE operation on each lane, never fused;
 //   < <= > >= ==, which give a MaskOf<L>, one truth value a lane;
 //   construction from double, which fills every lane;

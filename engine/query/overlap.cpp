@@ -13,9 +13,10 @@ namespace {
 constexpr int kMaxSupportCalls = 512;
 
 // The searches start from these points of K, offsets from the difference of the centres in units of the sum of inradii.
-// They are arbitrary but for having no symmetry: started at the centres themselves, the origin would lie on an edge or a
-// face of the simplex in every symmetric placement (always, for two balls), where nothing can be proven. The first is close
-// to the centres, which costs fewest support calls; the others are for placements that are degenerate seen from the first.
+// They are arbitrary but for having no symmetry: started at the centres themselves, the origin would lie on an edge or
+// a face of the simplex in every symmetric placement (always, for two balls), where nothing can be proven. The first is
+// close to the centres, which costs fewest support calls; the others are for placements that are degenerate seen from
+// the first.
 constexpr std::array<Vec3d, 3> kInnerPoints = {
     {{0.01173, 0.02311, 0.03137}, {0.1173, 0.2311, -0.3137}, {-0.2719, 0.1531, -0.0917}}};
 

@@ -12,9 +12,9 @@ namespace vex {
 
 /// What re-proves a verdict of `overlap`, in A's frame, lengths in the bodies' units.
 struct OverlapCertificate {
-  Vec3d separating_dir;                // of a disjoint verdict: every point of A is behind every point of B along it
-  std::array<Vec3d, 4> simplex;        // of an overlap verdict: points of A - B, up to rounding, around the origin
-  int n_support_calls = 0;             // support mappings of A - B evaluated, for any verdict
+  Vec3d separating_dir;          // of a disjoint verdict: every point of A is behind every point of B along it
+  std::array<Vec3d, 4> simplex;  // of an overlap verdict: points of A - B, up to rounding, around the origin
+  int n_support_calls = 0;       // support mappings of A - B evaluated, for any verdict
 };
 
 /// Decides whether A and B, placed by `a_from_b`, share a point; never guesses. No quick verdicts before it.

@@ -6,9 +6,9 @@
 #include <span>
 #include <string>
 
+#include "engine/numeric/transform.h"
 #include "engine/query/verdict.h"
 #include "engine/support/convex_body.h"
-#include "engine/numeric/transform.h"
 
 namespace vex {
 

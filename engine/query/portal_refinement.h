@@ -1,15 +1,16 @@
-// GJK overlap by portal refinement (XenoCollide: G. Snethen, Game Programming Gems 7, 2008), made to answer only by proof.
+// GJK overlap by portal refinement (XenoCollide: G. Snethen, Game Programming Gems 7, 2008), made to answer only by
+// proof.
 //
-// Let K = A - B; the bodies share a point exactly where K contains the origin. From a point v0 of K the search follows the
-// ray through the origin: it finds a triangle of support points (v1, v2, v3), the portal, that the ray passes, and pushes
-// it outwards one support point at a time. It needs the fewest support calls of all boolean queries measured
+// Let K = A - B; the bodies share a point exactly where K contains the origin. From a point v0 of K the search follows
+// the ray through the origin: it finds a triangle of support points (v1, v2, v3), the portal, that the ray passes, and
+// pushes it outwards one support point at a time. It needs the fewest support calls of all boolean queries measured
 // (docs/decisions/0002-portal-refinement.md).
 //
 // There are two ways out that answer, and both are proofs in the presence of rounding:
 //   - a support point w in a direction d with d . w below minus its rounding bound: d separates the bodies;
 //   - the four determinants of (v0, v1, v2, v3) above their rounding bound: the simplex contains the origin.
-// How the search chooses its next direction is not proven and need not be. Where it makes no progress beyond rounding, or
-// runs into the cap, it says so and answers nothing.
+// How the search chooses its next direction is not proven and need not be. Where it makes no progress beyond rounding,
+// or runs into the cap, it says so and answers nothing.
 //
 // Written over lanes: every round makes one support call for the whole packet, whatever phase its lanes are in.
 #pragma once
@@ -25,15 +26,15 @@ struct PortalResult {
   MaskOf<L> disjoint{false};
   MaskOf<L> overlap{false};
   MaskOf<L> capped{false};
-  Vec3<L> separating_dir;     // where disjoint
-  Vec3<L> v0, v1, v2, v3;     // where overlap: a simplex of points of K, up to QueryError::support, around the origin
-  int n_support_calls = 0;    // of the packet
+  Vec3<L> separating_dir;   // where disjoint
+  Vec3<L> v0, v1, v2, v3;   // where overlap: a simplex of points of K, up to QueryError::support, around the origin
+  int n_support_calls = 0;  // of the packet
 };
 
 namespace detail {
 
-/// An oriented triangle's plane: (b - a) x (c - a), from the two shorter edges. Of a sliver the long edges are nearly parallel,
-/// and their product would drown in its rounding.
+/// An oriented triangle's plane: (b - a) x (c - a), from the two shorter edges. Of a sliver the long edges are nearly
+/// parallel, and their product would drown in its rounding.
 template <class L>
 struct Face {
   Vec3<L> normal;
@@ -49,12 +50,13 @@ Face<L> face_of(const Vec3<L>& a, const Vec3<L>& b, const Vec3<L>& c) {
   // ab x bc = bc x ca = ca x ab
   const Vec3<L> e = select<L>(omits_ab, bc, select<L>(omits_bc, ca, ab));
   const Vec3<L> f = select<L>(omits_ab, ca, select<L>(omits_bc, ab, bc));
-  const L product = select(omits_ab, length_bc * length_ca, select(omits_bc, length_ca * length_ab, length_ab * length_bc));
+  const L product =
+      select(omits_ab, length_bc * length_ca, select(omits_bc, length_ca * length_ab, length_ab * length_bc));
   return {cross(e, f), product};
 }
 
-/// The plane of the face passes the origin at more than the points' own error, with the origin behind it (E7); `point` is
-/// any of its corners.
+/// The plane of the face passes the origin at more than the points' own error, with the origin behind it (E7); `point`
+/// is any of its corners.
 template <class L>
 MaskOf<L> has_origin_behind(const Face<L>& face, const Vec3<L>& point, const QueryError<L>& error) {
   const L rounding = L(8.0 * kUnitRoundoff) * (face.edge_product * norm_1(point));
@@ -64,10 +66,9 @@ MaskOf<L> has_origin_behind(const Face<L>& face, const Vec3<L>& point, const Que
 
 /// The simplex contains the origin, proven: every face has it behind by more than the points' own error.
 template <class L>
-MaskOf<L> proves_overlap(const Vec3<L>& v0, const Vec3<L>& v1, const Vec3<L>& v2, const Vec3<L>& v3, const Face<L>& portal,
-                         const QueryError<L>& error) {
-  const MaskOf<L> first =
-      both(has_origin_behind(portal, v1, error), has_origin_behind(face_of(v0, v3, v2), v2, error));
+MaskOf<L> proves_overlap(const Vec3<L>& v0, const Vec3<L>& v1, const Vec3<L>& v2, const Vec3<L>& v3,
+                         const Face<L>& portal, const QueryError<L>& error) {
+  const MaskOf<L> first = both(has_origin_behind(portal, v1, error), has_origin_behind(face_of(v0, v3, v2), v2, error));
   if (!any(first)) return first;
   return both(first, both(has_origin_behind(face_of(v0, v1, v3), v3, error),
                           has_origin_behind(face_of(v0, v2, v1), v1, error)));
@@ -75,7 +76,8 @@ MaskOf<L> proves_overlap(const Vec3<L>& v0, const Vec3<L>& v1, const Vec3<L>& v2
 
 }  // namespace detail
 
-/// Searches K = `difference` for the origin. `v0`: a point of K, better deep inside. `max_support_calls`: where to give up.
+/// Searches K = `difference` for the origin. `v0`: a point of K, better deep inside. `max_support_calls`: where to give
+/// up.
 template <class L, class Difference>
 PortalResult<L> refine_portal(const Difference& difference, const Vec3<L>& v0, const QueryError<L>& error,
                               int max_support_calls) {
@@ -129,8 +131,8 @@ PortalResult<L> refine_portal(const Difference& difference, const Vec3<L>& v0, c
       v3 = select<L>(both(got_v4, replaces_3), w, v3);
     }
     if (any(got_v3)) {
-      // Does the ray pass between the half planes (v0; v1, v3) and (v0; v3, v2)? If not, v3 takes the place of the vertex
-      // on the far side, and the wedge turns.
+      // Does the ray pass between the half planes (v0; v1, v3) and (v0; v3, v2)? If not, v3 takes the place of the
+      // vertex on the far side, and the wedge turns.
       v3 = select<L>(got_v3, w, v3);
       const Mask outside_13 = both(got_v3, dot(cross(v1, v3), v0) < L(0.0));
       const Mask outside_32 = but_not(both(got_v3, dot(cross(v3, v2), v0) < L(0.0)), outside_13);

@@ -28,8 +28,7 @@ VolumeEstimate hit_or_miss_estimate(const Tally& tally, double domain_volume) {
 
   double std_error = std::sqrt(p * (1.0 - p) / n);
   if (tally.n_hits == 0 || tally.n_misses() == 0) {
-    const Interval95 one_sigma =
-        wilson_interval(tally.n_hits + tally.n_undecided / 2, tally.n_trials, 1.0);
+    const Interval95 one_sigma = wilson_interval(tally.n_hits + tally.n_undecided / 2, tally.n_trials, 1.0);
     std_error = std::max(std_error, 0.5 * (one_sigma.upper - one_sigma.lower));
   }
   std_error = std::hypot(std_error, 0.5 * undecided);

@@ -73,8 +73,8 @@ bool hits_by_construction(const ConvexBody& a, const ConvexBody& b, const Domain
 
 /// Draws trials 0, 1, 2, ... of (seed, Stream::pose) until the stop rule ends the run, and counts.
 ///
-/// The tally depends on the bodies, seed, law, domain, backend and number of trials only; never on threads. Exceptions of
-/// a backend end the run and are thrown again here.
+/// The tally depends on the bodies, seed, law, domain, backend and number of trials only; never on threads. Exceptions
+/// of a backend end the run and are thrown again here.
 RunRecord run_hit_or_miss(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings);
 
 /// The pose of one trial, as the driver draws it: for replaying an undecided or disputed one.

@@ -62,7 +62,8 @@ template <class L>
 Vec3<L> position_in(const Domain& domain, const L& u, const L& v, const L& w) {
   const Vec3<L> middle = broadcast<L>(domain.middle);
   if (domain.kind == Domain::Kind::ball) return middle + L(domain.radius) * uniform_in_unit_ball(u, v, w);
-  return {middle.x + L(domain.half_extent.x) * ((u + u) - L(1.0)), middle.y + L(domain.half_extent.y) * ((v + v) - L(1.0)),
+  return {middle.x + L(domain.half_extent.x) * ((u + u) - L(1.0)),
+          middle.y + L(domain.half_extent.y) * ((v + v) - L(1.0)),
           middle.z + L(domain.half_extent.z) * ((w + w) - L(1.0))};
 }
 

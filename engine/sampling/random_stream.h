@@ -1,7 +1,7 @@
 // Named random streams: a trial's random numbers are a function of (seed, stream, trial index) and of nothing else.
 //
-// Philox4x32-10 (Salmon, Moraes, Dror, Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC11), through Random123. No
-// state, so nothing depends on which thread, rank or lane draws, or in what order.
+// Philox4x32-10 (Salmon, Moraes, Dror, Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC11), through Random123.
+// No state, so nothing depends on which thread, rank or lane draws, or in what order.
 #pragma once
 
 #include <array>

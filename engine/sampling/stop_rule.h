@@ -40,15 +40,16 @@ constexpr std::string_view name_of(StopReason reason) {
 /// Hits and misses without which a relative error is not trusted: its own estimate would be too rough.
 inline constexpr std::uint64_t kMinHitsAndMisses = 100;
 
-/// The trial counts at which the relative error is looked at: a fixed sequence that grows by a sixteenth, so that the end of
-/// a run depends on nothing but its hits, and overshoots by at most 6 %.
+/// The trial counts at which the relative error is looked at: a fixed sequence that grows by a sixteenth, so that the
+/// end of a run depends on nothing but its hits, and overshoots by at most 6 %.
 constexpr std::uint64_t next_evaluation(std::uint64_t n_trials) {
   constexpr std::uint64_t kStep = 4096;
   const std::uint64_t growth = n_trials / (16 * kStep) * kStep;
   return n_trials + (growth > kStep ? growth : kStep);
 }
 
-/// Whether the relative error asked for is reached. `certain`: every trial hits by construction, so no miss is waited for.
+/// Whether the relative error asked for is reached. `certain`: every trial hits by construction, so no miss is waited
+/// for.
 inline bool reaches(double relative_error, const Tally& tally, bool certain) {
   if (tally.n_hits < kMinHitsAndMisses) return false;
   if (!certain && tally.n_misses() < kMinHitsAndMisses) return false;

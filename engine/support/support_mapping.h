@@ -19,10 +19,11 @@ concept SupportMappingOver = requires(const S& body, const Vec3<L>& dir) {
 
 /// What every body tells of itself, in its own frame. Lengths in the body's units.
 ///
-/// `support_error()`: e >= 0 such that the computed p = s(d) lies within e of the body, and h(d) <= d . p + e |d| for the
+/// `support_error()`: e >= 0 such that the computed p = s(d) lies within e of the body, and h(d) <= d . p + e |d| for
+/// the
 ///   true h. It bounds the body's own roundings; what poses and differences add is counted by the query (E1).
-/// `centre()`: a point of the body, up to e. `circumradius()`: the body lies in the ball of this radius about the centre.
-/// `inradius()`: the ball of this radius about the centre lies in the body; 0 claims nothing.
+/// `centre()`: a point of the body, up to e. `circumradius()`: the body lies in the ball of this radius about the
+/// centre. `inradius()`: the ball of this radius about the centre lies in the body; 0 claims nothing.
 template <class S>
 concept SupportMapping = SupportMappingOver<S, double> && requires(const S& body) {
   { body.support_error() } -> std::convertible_to<double>;

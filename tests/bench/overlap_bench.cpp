@@ -82,13 +82,13 @@ int main(int argc, char** argv) {
   benchmark::AddCustomContext("compiler", std::string("g++ ") + __VERSION__);
   for (const Subject& subject : subjects()) {
     for (const BackendKind& kind : {gjk_backend(), ccd_gjk_backend(), ccd_mpr_backend()}) {
-      benchmark::RegisterBenchmark((subject.name + "/" + kind.name).c_str(), [subject, kind](benchmark::State& state) {
-        time_query(state, subject.body, kind);
-      });
+      benchmark::RegisterBenchmark((subject.name + "/" + kind.name).c_str(),
+                                   [subject, kind](benchmark::State& state) { time_query(state, subject.body, kind); });
     }
-    benchmark::RegisterBenchmark((subject.name + "/trial").c_str(), [subject](benchmark::State& state) {
-      time_trial(state, subject.body);
-    })->UseRealTime()->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark((subject.name + "/trial").c_str(),
+                                 [subject](benchmark::State& state) { time_trial(state, subject.body); })
+        ->UseRealTime()
+        ->Unit(benchmark::kMillisecond);
   }
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

@@ -1,4 +1,5 @@
-// libccd beside the engine on the same poses. Where they differ, exact arithmetic is the referee, and sides with the engine.
+// libccd beside the engine on the same poses. Where they differ, exact arithmetic is the referee, and sides with the
+// engine.
 #include "apps/peers/ccd_backend.h"
 
 #include <gtest/gtest.h>
@@ -24,11 +25,13 @@ TEST_P(PeersOnPairs, AgreeOnNearlyEveryRandomPose) {
   const RunRecord record = run_hit_or_miss(a, b, settings);
   EXPECT_EQ(record.tally.n_undecided, 0u);
   EXPECT_GT(record.tally.n_hits, 100u);
-  // Their known error rates are below 2.5e-5 (curved bodies); a fault of ours or in the adapter would show on far more poses.
+  // Their known error rates are below 2.5e-5 (curved bodies); a fault of ours or in the adapter would show on far more
+  // poses.
   EXPECT_LE(record.disagreements.n_all, 4u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Pairs, PeersOnPairs, testing::Combine(testing::ValuesIn(kTestBodies), testing::ValuesIn(kTestBodies)));
+INSTANTIATE_TEST_SUITE_P(Pairs, PeersOnPairs,
+                         testing::Combine(testing::ValuesIn(kTestBodies), testing::ValuesIn(kTestBodies)));
 
 TEST(CcdBackend, WhereItContradictsTheEngineExactArithmeticSidesWithTheEngine) {
   // Cubes a hair apart or overlapping: libccd's GJK calls most of the separated ones overlapping.
@@ -52,7 +55,8 @@ TEST(CcdBackend, WhereItContradictsTheEngineExactArithmeticSidesWithTheEngine) {
 }
 
 TEST(CcdBackend, NeverHangs) {
-  // Bodies so large that libccd's tolerance of 1e-12 is far below their rounding: alone, its portal refinement has no way out.
+  // Bodies so large that libccd's tolerance of 1e-12 is far below their rounding: alone, its portal refinement has no
+  // way out.
   std::mt19937_64 random(43);
   for (const BackendKind& kind : {ccd_gjk_backend(), ccd_mpr_backend()}) {
     for (const char* text : {"ellipsoid:1e9,3e9,2e9", "box:1e9,1e9,1e9", "capsule:1e12,1e9", "sphere:1e-9"}) {

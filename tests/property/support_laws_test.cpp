@@ -52,8 +52,8 @@ TEST_P(SupportLaws, TheBodyLiesBetweenItsBalls) {
 }
 
 TEST_P(SupportLaws, TheMeanOfTheSupportFunctionIsTheMeanRadius) {
-  // M / 4 pi is the mean of h over the sphere: the measures are of the very body that the engine sees. Midpoint rule in the
-  // polar angle and the azimuth, bands weighted by their true area: the error falls with the square of the step.
+  // M / 4 pi is the mean of h over the sphere: the measures are of the very body that the engine sees. Midpoint rule in
+  // the polar angle and the azimuth, bands weighted by their true area: the error falls with the square of the step.
   constexpr int n = 400;
   double sum = 0.0;
   for (int i = 0; i < n; ++i) {
@@ -78,7 +78,8 @@ TEST_P(SupportLaws, TheMeasuresObeyTheIsoperimetricInequalities) {
   // Minkowski's: S^2 >= 3 V M, M^2 >= 4 pi S; equality for balls only.
   const Measures& m = shape_.measures;
   EXPECT_GE(m.surface_area * m.surface_area, 3.0 * m.volume * m.integrated_mean_curvature * (1 - 1e-14));
-  EXPECT_GE(m.integrated_mean_curvature * m.integrated_mean_curvature, 4.0 * std::numbers::pi * m.surface_area * (1 - 1e-14));
+  EXPECT_GE(m.integrated_mean_curvature * m.integrated_mean_curvature,
+            4.0 * std::numbers::pi * m.surface_area * (1 - 1e-14));
 }
 
 INSTANTIATE_TEST_SUITE_P(Bodies, SupportLaws, testing::ValuesIn(kTestBodies));

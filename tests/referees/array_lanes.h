@@ -44,11 +44,11 @@ R each(F f) {
 }
 }  // namespace array_lanes_detail
 
-#define VEX_LANE_BINARY(op)                                                               \
-  template <int W>                                                                        \
-  ArrayLanes<W> operator op(const ArrayLanes<W>& a, const ArrayLanes<W>& b) {             \
-    return array_lanes_detail::each<ArrayLanes<W>, W>(                                    \
-        [&](auto& r, std::size_t k) { r.lane[k] = a.lane[k] op b.lane[k]; });             \
+#define VEX_LANE_BINARY(op)                                                   \
+  template <int W>                                                            \
+  ArrayLanes<W> operator op(const ArrayLanes<W>& a, const ArrayLanes<W>& b) { \
+    return array_lanes_detail::each<ArrayLanes<W>, W>(                        \
+        [&](auto& r, std::size_t k) { r.lane[k] = a.lane[k] op b.lane[k]; }); \
   }
 VEX_LANE_BINARY(+)
 VEX_LANE_BINARY(-)
@@ -56,11 +56,11 @@ VEX_LANE_BINARY(*)
 VEX_LANE_BINARY(/)
 #undef VEX_LANE_BINARY
 
-#define VEX_LANE_COMPARE(op)                                                              \
-  template <int W>                                                                        \
-  ArrayMask<W> operator op(const ArrayLanes<W>& a, const ArrayLanes<W>& b) {              \
-    return array_lanes_detail::each<ArrayMask<W>, W>(                                     \
-        [&](auto& r, std::size_t k) { r.on[k] = a.lane[k] op b.lane[k]; });               \
+#define VEX_LANE_COMPARE(op)                                                 \
+  template <int W>                                                           \
+  ArrayMask<W> operator op(const ArrayLanes<W>& a, const ArrayLanes<W>& b) { \
+    return array_lanes_detail::each<ArrayMask<W>, W>(                        \
+        [&](auto& r, std::size_t k) { r.on[k] = a.lane[k] op b.lane[k]; });  \
   }
 VEX_LANE_COMPARE(<)
 VEX_LANE_COMPARE(<=)
@@ -74,11 +74,10 @@ ArrayLanes<W> operator-(const ArrayLanes<W>& a) {
   return array_lanes_detail::each<ArrayLanes<W>, W>([&](auto& r, std::size_t k) { r.lane[k] = -a.lane[k]; });
 }
 
-#define VEX_MASK_FUNCTION(name, expression)                                               \
-  template <int W>                                                                        \
-  ArrayMask<W> name(const ArrayMask<W>& a, const ArrayMask<W>& b) {                       \
-    return array_lanes_detail::each<ArrayMask<W>, W>(                                     \
-        [&](auto& r, std::size_t k) { r.on[k] = expression; });                           \
+#define VEX_MASK_FUNCTION(name, expression)                                                                  \
+  template <int W>                                                                                           \
+  ArrayMask<W> name(const ArrayMask<W>& a, const ArrayMask<W>& b) {                                          \
+    return array_lanes_detail::each<ArrayMask<W>, W>([&](auto& r, std::size_t k) { r.on[k] = expression; }); \
   }
 VEX_MASK_FUNCTION(both, a.on[k] && b.on[k])
 VEX_MASK_FUNCTION(either, a.on[k] || b.on[k])

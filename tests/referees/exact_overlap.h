@@ -2,8 +2,8 @@
 //
 // The distance from the origin to the convex hull of the differences p_i - q_j, by Gilbert's and Wolfe's descent over
 // simplices: keep the simplex that carries the nearest point, add the vertex deepest in its direction, find the nearest
-// point of the enlarged simplex by trying every face of it. In exact arithmetic the distance falls in every step and the
-// simplices are finitely many, so it ends, with the truth.
+// point of the enlarged simplex by trying every face of it. In exact arithmetic the distance falls in every step and
+// the simplices are finitely many, so it ends, with the truth.
 #pragma once
 
 #include <array>
@@ -111,8 +111,8 @@ inline bool overlap(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b) {
       if (inner(candidate, v) > inner(*q, v)) q = &candidate;
     }
     const Point w = minus(*p, *q);
-    if (inner(w, v) > 0) return false;     // v separates
-    simplex.push_back(w);                  // inner(w, v) <= 0 < |v|^2: the distance falls
+    if (inner(w, v) > 0) return false;  // v separates
+    simplex.push_back(w);               // inner(w, v) <= 0 < |v|^2: the distance falls
   }
 }
 

@@ -33,7 +33,8 @@ inline TestPolytope test_hull(std::vector<Vec3d> vertices, const Vec3d& centre, 
 }
 
 inline TestPolytope test_tetrahedron(double scale) {
-  const std::vector<Vec3d> v = {{scale, scale, scale}, {scale, -scale, -scale}, {-scale, scale, -scale}, {-scale, -scale, scale}};
+  const std::vector<Vec3d> v = {
+      {scale, scale, scale}, {scale, -scale, -scale}, {-scale, scale, -scale}, {-scale, -scale, scale}};
   return test_hull(v, {}, scale * 0.577);  // 1/sqrt(3) rounded down
 }
 

@@ -1,9 +1,10 @@
 // Found 2026-11 while building the portal refinement: two balls in the ball domain without quick verdicts left 4 of
 // 4 million trials undecided, a millionth of the radius inside contact, and needed 56 support calls a pair.
 //
-// Cause, twice. The search started at the difference of the centres, whose support point for two balls lies exactly behind
-// the origin: the origin was on an edge of every simplex until that point was dropped. And the bound of the simplex test was
-// taken from the largest possible face, W^2, so that small portals close to the surface could not prove what they showed.
+// Cause, twice. The search started at the difference of the centres, whose support point for two balls lies exactly
+// behind the origin: the origin was on an edge of every simplex until that point was dropped. And the bound of the
+// simplex test was taken from the largest possible face, W^2, so that small portals close to the surface could not
+// prove what they showed.
 #include <gtest/gtest.h>
 
 #include "engine/query/overlap.h"

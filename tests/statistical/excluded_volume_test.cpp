@@ -1,5 +1,8 @@
-// Monte Carlo against true values. Every seed is fixed, so a test either passes always or never; its limit of 4 standard
-// errors would fail one of 16 000 right estimators, and the biased ones at the end show that it does fail wrong ones.
+// Monte Carlo against true values. Every seed is fixed, so a test either passes always or never; its limit of 4
+// standard errors would fail one of 16 000 right estimators, and the biased ones at the end show that it does fail
+// wrong ones.
+#include "shapes/excluded_volume.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +10,6 @@
 
 #include "engine/sampling/monte_carlo.h"
 #include "shapes/any_shape.h"
-#include "shapes/excluded_volume.h"
 #include "tests/referees/bodies.h"
 
 namespace vex {
@@ -62,7 +64,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"CubeAndSphere", "box:1,1,1", "sphere:0.62035049089940009", 9.349084841933458},
                     Case{"Ellipsoid", "ellipsoid:1,2,3", "ellipsoid:1,2,3", 10.173618525 * 8 * std::numbers::pi},
                     Case{"BoxOfRatioEight", box_text(4, 0.5, 0.5), box_text(4, 0.5, 0.5), 23.25},
-                    Case{"BoxOfRatioATenth", box_text(1, 10, 10), box_text(1, 10, 10), 100 * (2 * (1 + 21 * 240 / 400.0))}),
+                    Case{"BoxOfRatioATenth", box_text(1, 10, 10), box_text(1, 10, 10),
+                         100 * (2 * (1 + 21 * 240 / 400.0))}),
     [](const auto& test_case) { return test_case.param.name; });
 
 TEST(TrueValuesOfBalls, AreExactInTheBallDomainAndRightInTheBox) {
@@ -96,7 +99,8 @@ TEST_P(EveryPair, AgreesWithTheFormula) {
   EXPECT_LE(std::fabs(z_of(found, average_excluded_volume(a.measures, b.measures))), 4.5);
 }
 
-INSTANTIATE_TEST_SUITE_P(Pairs, EveryPair, testing::Combine(testing::ValuesIn(kTestBodies), testing::ValuesIn(kTestBodies)));
+INSTANTIATE_TEST_SUITE_P(Pairs, EveryPair,
+                         testing::Combine(testing::ValuesIn(kTestBodies), testing::ValuesIn(kTestBodies)));
 
 TEST(Coverage, OverManySeedsTheIntervalsHoldTheTruth) {
   // 400 runs: the 95 % interval holds the truth 95 % of the time, and z has mean 0 and variance 1.
@@ -141,7 +145,9 @@ TEST(BiasedEstimators, AreCaught) {
   const ConvexBody cube = parse_shape("box:1,1,1").body;
   MonteCarloSettings settings = to_relative_error(ball_domain(cube, cube), 1e-3);
   // Distances taken 0.2 % too short: a bias of 0.6 %.
-  settings.backend = {"biased", true, [](const ConvexBody& a, const ConvexBody& b) { return std::make_unique<ShrunkDistances>(a, b, 0.998); }};
+  settings.backend = {"biased", true, [](const ConvexBody& a, const ConvexBody& b) {
+                        return std::make_unique<ShrunkDistances>(a, b, 0.998);
+                      }};
   EXPECT_GT(z_of(estimate(cube, cube, settings), 11.0), 4.0);
   // And the formula with M taken for the mean radius M / 4 pi.
   const Measures m = parse_shape("box:1,1,1").measures;

@@ -1,4 +1,5 @@
-// The direction of includes (README, "Where things live"): a room sees only the rooms below it, and each third party has one place.
+// The direction of includes (README, "Where things live"): a room sees only the rooms below it, and each third party
+// has one place.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -27,7 +28,8 @@ std::vector<Include> includes_below(const std::string& room) {
     std::ifstream file(entry.path());
     std::smatch match;
     for (std::string line; std::getline(file, line);) {
-      if (std::regex_search(line, match, pattern)) found.push_back({fs::relative(entry.path(), VEX_SOURCE_DIR), match[1]});
+      if (std::regex_search(line, match, pattern))
+        found.push_back({fs::relative(entry.path(), VEX_SOURCE_DIR), match[1]});
     }
   }
   return found;

@@ -14,14 +14,16 @@ TEST(ParseCount, ReadsWholeNumbersInBothNotations) {
   EXPECT_EQ(parse_count("1e7", "--n"), 10000000u);
   EXPECT_EQ(parse_count("2.5e3", "--n"), 2500u);
   EXPECT_EQ(parse_count("18446744073709551615", "--n"), ~0ull);
-  for (const char* text : {"", "-1", "1.5", "1e-1", "abc", "1e20", "18446744073709551616", "inf", "nan", "1 ", " 1", "0x10", "1e7x", "+1"}) {
+  for (const char* text : {"", "-1", "1.5", "1e-1", "abc", "1e20", "18446744073709551616", "inf", "nan", "1 ", " 1",
+                           "0x10", "1e7x", "+1"}) {
     EXPECT_THROW(parse_count(text, "--n"), UsageError) << text;
   }
 }
 
 TEST(ParseNumber, ReadsFiniteNumbers) {
   EXPECT_EQ(parse_number("1e-3", "--x"), 1e-3);
-  for (const char* text : {"", "abc", "1,5", "inf", "nan", "1e999", "1 "}) EXPECT_THROW(parse_number(text, "--x"), UsageError) << text;
+  for (const char* text : {"", "abc", "1,5", "inf", "nan", "1e999", "1 "})
+    EXPECT_THROW(parse_number(text, "--x"), UsageError) << text;
 }
 
 TEST(WithError, ShowsTwoDigitsOfTheError) {

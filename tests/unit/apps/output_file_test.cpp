@@ -15,7 +15,10 @@ namespace fs = std::filesystem;
 
 class OutputFileTest : public testing::Test {
  protected:
-  OutputFileTest() : folder_(fs::temp_directory_path() / ("vex_output_file_test_" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) + "_" + testing::UnitTest::GetInstance()->current_test_info()->name())) {
+  OutputFileTest()
+      : folder_(fs::temp_directory_path() /
+                ("vex_output_file_test_" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) + "_" +
+                 testing::UnitTest::GetInstance()->current_test_info()->name())) {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }

@@ -25,7 +25,7 @@ std::vector<double> arguments_up_to(double largest) {
   std::vector<double> xs;
   for (int k = 0; k < 20000; ++k) xs.push_back(largest * static_cast<double>(random() >> 11) * 0x1p-53);
   for (int k = 1; k < 60; ++k) xs.push_back(std::ldexp(largest, -k));  // small ones
-  for (int q = 0; q <= 8; ++q) {  // both sides of every boundary of the reduction
+  for (int q = 0; q <= 8; ++q) {                                       // both sides of every boundary of the reduction
     const double edge = largest * q / 8.0;
     for (const double x : {std::nextafter(edge, -1.0), edge, std::nextafter(edge, 9.0)}) {
       if (x > 0x1p-1000 && x <= largest) xs.push_back(x);  // normal numbers: the bounds are relative
@@ -40,7 +40,8 @@ TEST(SinCosPi, IsWithinFourRoundoffsOfTheTruth) {
   for (const double x : arguments_up_to(2.0)) {
     const SinCos<double> found = sincospi(x);
     // sin(pi x) by the reduction 2 - x and 1 - x, exact here, so that the referee itself is right near its zeros.
-    const Wide s = x > 1.0 ? -sin(pi * (Wide(2) - Wide(x))) : (x > 0.5 ? sin(pi * (Wide(1) - Wide(x))) : sin(pi * Wide(x)));
+    const Wide s =
+        x > 1.0 ? -sin(pi * (Wide(2) - Wide(x))) : (x > 0.5 ? sin(pi * (Wide(1) - Wide(x))) : sin(pi * Wide(x)));
     const Wide c = x > 1.0 ? sin(pi * (Wide(x) - Wide(1.5))) : sin(pi * (Wide(0.5) - Wide(x)));
     worst = std::max({worst, error_in_u(found.sin, s), error_in_u(found.cos, c)});
   }
@@ -67,7 +68,8 @@ TEST(CubeRoot, IsWithinTwoRoundoffsOfTheTruth) {
   for (int e = -1000; e <= 1000; e += 7) xs.push_back(std::ldexp(1.2345, e));
   for (const double x : xs) {
     const double found = cube_root(x);
-    // The root r of x has relative error (found^3 - x) / (3 x), to first order; found is within 1e-15, so second order is 1e-30.
+    // The root r of x has relative error (found^3 - x) / (3 x), to first order; found is within 1e-15, so second order
+    // is 1e-30.
     const Wide cube = Wide(found) * Wide(found) * Wide(found);
     worst = std::max(worst, static_cast<double>(abs((cube - Wide(x)) / (3 * Wide(x)))) / kUnitRoundoff);
   }

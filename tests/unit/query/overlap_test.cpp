@@ -84,15 +84,18 @@ TEST(Overlap, OfSymmetricPlacementsIsDecided) {
   // Edges, faces and axes in line: the portal's edges pass through the ray. Every gap here is far above rounding.
   const TestPolytope cube = test_box(1, 1, 1);
   for (const double x : {0.0, 0.25, 0.5, 0.75, 0.999, 1.001, 1.5, 2.0}) {
-    for (const Vec3d& dir : {Vec3d{1, 0, 0}, Vec3d{0, -1, 0}, Vec3d{0, 0, 1}, Vec3d{1, 1, 0}, Vec3d{1, 0, -1}, Vec3d{1, 1, 1}}) {
+    for (const Vec3d& dir :
+         {Vec3d{1, 0, 0}, Vec3d{0, -1, 0}, Vec3d{0, 0, 1}, Vec3d{1, 1, 0}, Vec3d{1, 0, -1}, Vec3d{1, 1, 1}}) {
       const Transformd pose = shifted(x * dir.x, x * dir.y, x * dir.z);
       const Verdict verdict = overlap(cube.body, cube.body, pose);
-      EXPECT_EQ(verdict.outcome, x < 1.0 ? Outcome::overlap : Outcome::disjoint) << x << " along " << dir.x << dir.y << dir.z;
+      EXPECT_EQ(verdict.outcome, x < 1.0 ? Outcome::overlap : Outcome::disjoint)
+          << x << " along " << dir.x << dir.y << dir.z;
     }
   }
   // A quarter and an eighth of a turn about z.
   const double h = std::sqrt(0.5);
-  for (const Transformd& turn : {Transformd{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}, {}}, Transformd{{h, -h, 0}, {h, h, 0}, {0, 0, 1}, {}}}) {
+  for (const Transformd& turn :
+       {Transformd{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}, {}}, Transformd{{h, -h, 0}, {h, h, 0}, {0, 0, 1}, {}}}) {
     for (const double x : {0.0, 0.5, 0.9}) {
       Transformd pose = turn;
       pose.translation = {x, 0, 0};
@@ -125,7 +128,8 @@ TEST(Overlap, OfBallsIsTheirCentreDistance) {
 }
 
 TEST(Overlap, OfCapsulesIsTheDistanceOfTheirAxes) {
-  // Distance of two segments by brute force over one parameter and projection on the other: convex, so a fine ternary search.
+  // Distance of two segments by brute force over one parameter and projection on the other: convex, so a fine ternary
+  // search.
   std::mt19937_64 random(14);
   const double length = 2.0, radius = 0.5;
   const ConvexBody capsule = Capsule(length, radius);
@@ -142,7 +146,8 @@ TEST(Overlap, OfCapsulesIsTheDistanceOfTheirAxes) {
     double low = -length / 2, high = length / 2;
     for (int step = 0; step < 200; ++step) {
       const double third = (high - low) / 3;
-      (distance_at(low + third) < distance_at(high - third) ? high : low) = distance_at(low + third) < distance_at(high - third) ? high - third : low + third;
+      (distance_at(low + third) < distance_at(high - third) ? high : low) =
+          distance_at(low + third) < distance_at(high - third) ? high - third : low + third;
     }
     const double distance = distance_at(0.5 * (low + high));
     if (std::fabs(distance - 2 * radius) < 1e-7) continue;  // beyond what the search resolves
@@ -156,7 +161,8 @@ TEST(Overlap, OfCapsulesIsTheDistanceOfTheirAxes) {
 }
 
 TEST(Overlap, OfTouchingBodiesIsNeverGuessed) {
-  // Face on face, exactly: the closed cubes share points. Without exact arithmetic that cannot be proven, and is not claimed.
+  // Face on face, exactly: the closed cubes share points. Without exact arithmetic that cannot be proven, and is not
+  // claimed.
   const TestPolytope cube = test_box(1, 1, 1);
   const Outcome outcome = overlap(cube.body, cube.body, shifted(1.0, 0.25, 0.125)).outcome;
   EXPECT_NE(outcome, Outcome::disjoint);

@@ -11,7 +11,8 @@
 namespace vex {
 namespace {
 
-// One source, any width: four lanes, each with a pose of its own and ending in another round, must end as four single ones.
+// One source, any width: four lanes, each with a pose of its own and ending in another round, must end as four single
+// ones.
 template <class A, class B>
 void expect_lanes_to_agree(const A& a, const B& b, std::uint64_t seed) {
   constexpr int W = 4;
@@ -38,7 +39,8 @@ void expect_lanes_to_agree(const A& a, const B& b, std::uint64_t seed) {
       put(inner, Vec3d{0.01, 0.02, 0.03} - poses[k].translation);
     }
     const Posed<B, L> placed(b, pose);
-    const PortalResult<L> wide = refine_portal(MinkowskiDifference(a, placed), inner, query_error(body_a, body_b, pose), 200);
+    const PortalResult<L> wide =
+        refine_portal(MinkowskiDifference(a, placed), inner, query_error(body_a, body_b, pose), 200);
     for (std::size_t k = 0; k < W; ++k) {
       const Posed<B, double> one_placed(b, poses[k]);
       const PortalResult<double> one =
@@ -62,8 +64,12 @@ void expect_lanes_to_agree(const A& a, const B& b, std::uint64_t seed) {
 }
 
 TEST(PortalRefinement, LanesAgreeWithOneLaneOnBoxes) { expect_lanes_to_agree(Box(1, 1, 1), Box(1, 1, 1), 1); }
-TEST(PortalRefinement, LanesAgreeWithOneLaneOnEllipsoids) { expect_lanes_to_agree(Ellipsoid(2, 1, 1), Ellipsoid(1, 2, 1.5), 2); }
-TEST(PortalRefinement, LanesAgreeWithOneLaneOnACapsuleAndABox) { expect_lanes_to_agree(Capsule(1, 0.5), Box(1, 2, 1), 3); }
+TEST(PortalRefinement, LanesAgreeWithOneLaneOnEllipsoids) {
+  expect_lanes_to_agree(Ellipsoid(2, 1, 1), Ellipsoid(1, 2, 1.5), 2);
+}
+TEST(PortalRefinement, LanesAgreeWithOneLaneOnACapsuleAndABox) {
+  expect_lanes_to_agree(Capsule(1, 0.5), Box(1, 2, 1), 3);
+}
 
 // A body that answers every direction with a point just in front of the last portal, so that no search can end.
 struct Elusive {

@@ -44,10 +44,11 @@ TEST(Domain, OutsideNothingOverlaps) {
           Transformd pose = random_pose(random, domain, b);
           // Pushed out along x until it is just outside.
           const Vec3d from_middle = pose.translation - domain.middle;
-          const double reach = domain.kind == Domain::Kind::ball
-                                   ? std::sqrt(std::max(0.0, domain.radius * domain.radius - from_middle.y * from_middle.y -
-                                                                 from_middle.z * from_middle.z))
-                                   : domain.half_extent.x;
+          const double reach =
+              domain.kind == Domain::Kind::ball
+                  ? std::sqrt(std::max(0.0, domain.radius * domain.radius - from_middle.y * from_middle.y -
+                                                from_middle.z * from_middle.z))
+                  : domain.half_extent.x;
           pose.translation.x = domain.middle.x + std::copysign(reach * (1 + 1e-12) + 1e-12, from_middle.x);
           ASSERT_NE(overlap(a, b, pose).outcome, Outcome::overlap);
         }

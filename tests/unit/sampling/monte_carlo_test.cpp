@@ -177,8 +177,8 @@ TEST(MonteCarlo, CrossCheckFindsALiar) {
     ASSERT_EQ(found.outcomes.size(), 2u);
     EXPECT_EQ(found.outcomes[0], Outcome::overlap);
     EXPECT_EQ(found.outcomes[1], Outcome::disjoint);
-    EXPECT_EQ(found.a_from_b.translation.x,
-              trial_pose(1, found.index, settings.law, settings.domain, a).translation.x) << "the pose can be replayed";
+    EXPECT_EQ(found.a_from_b.translation.x, trial_pose(1, found.index, settings.law, settings.domain, a).translation.x)
+        << "the pose can be replayed";
   }
   settings.cross_check.clear();
   EXPECT_EQ(run_hit_or_miss(a, a, settings).tally, record.tally) << "a check changes nothing";
@@ -225,7 +225,8 @@ TEST(MonteCarlo, PassesOnWhatABackendThrows) {
   const ConvexBody a = Box(1, 1, 1);
   MonteCarloSettings settings = settings_for(a, a, 100000);
   settings.n_threads = 3;
-  settings.backend = scripted("broken", [](const Transformd&) -> Verdict { throw std::runtime_error("broken backend"); });
+  settings.backend =
+      scripted("broken", [](const Transformd&) -> Verdict { throw std::runtime_error("broken backend"); });
   EXPECT_THROW(run_hit_or_miss(a, a, settings), std::runtime_error);
 }
 

@@ -26,7 +26,8 @@ TEST(UniformRotation, IsARotationToWithinItsBound) {
     Wide deviation_sq = 0;  // Frobenius norm of R R^T - I
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) {
-        const Wide entry = Wide(rows[i].x) * rows[j].x + Wide(rows[i].y) * rows[j].y + Wide(rows[i].z) * rows[j].z - (i == j ? 1 : 0);
+        const Wide entry =
+            Wide(rows[i].x) * rows[j].x + Wide(rows[i].y) * rows[j].y + Wide(rows[i].z) * rows[j].z - (i == j ? 1 : 0);
         deviation_sq += entry * entry;
       }
     }
@@ -47,7 +48,8 @@ TEST(UniformRotation, IsUniform) {
   double trace_sq = 0.0;
   for (int k = 0; k < n; ++k) {
     const Transformd r = random_rotation(random);
-    const std::array<double, 9> e = {r.row_x.x, r.row_x.y, r.row_x.z, r.row_y.x, r.row_y.y, r.row_y.z, r.row_z.x, r.row_z.y, r.row_z.z};
+    const std::array<double, 9> e = {r.row_x.x, r.row_x.y, r.row_x.z, r.row_y.x, r.row_y.y,
+                                     r.row_y.z, r.row_z.x, r.row_z.y, r.row_z.z};
     for (std::size_t i = 0; i < 9; ++i) {
       first[i] += e[i];
       second[i] += e[i] * e[i];
@@ -79,13 +81,15 @@ TEST(UniformInUnitBall, IsUniform) {
   }
   EXPECT_NEAR(r3 / n, 0.5, 4.5 * std::sqrt(1.0 / 12 / n));
   for (const double m : {mean.x, mean.y, mean.z}) EXPECT_NEAR(m / n, 0.0, 4.5 * std::sqrt(0.2 / n));
-  for (const double s : {squares.x, squares.y, squares.z}) EXPECT_NEAR(s / n, 0.2, 4.5 * std::sqrt((3.0 / 35 - 0.04) / n));
+  for (const double s : {squares.x, squares.y, squares.z})
+    EXPECT_NEAR(s / n, 0.2, 4.5 * std::sqrt((3.0 / 35 - 0.04) / n));
 }
 
 TEST(PoseMap, PutsBsCentreWhereTheDomainSays) {
   std::mt19937_64 random(4);
   const ConvexBody a = Box(1, 2, 3);
-  const ConvexBody b = Polytope(std::vector<Vec3d>{{10, 0, 0}, {11, 0, 0}, {10, 1, 0}, {10, 0, 1}}, {10.25, 0.25, 0.25}, 0.1);
+  const ConvexBody b =
+      Polytope(std::vector<Vec3d>{{10, 0, 0}, {11, 0, 0}, {10, 1, 0}, {10, 0, 1}}, {10.25, 0.25, 0.25}, 0.1);
   for (const Domain& domain : {ball_domain(a, b), box_domain(a, b)}) {
     for (int k = 0; k < 1000; ++k) {
       const Vec3d c = random_pose(random, domain, b)(b.centre());
@@ -137,7 +141,8 @@ TEST(PoseMap, LanesGiveTheBitsOfOneLane) {
 }
 
 TEST(PoseMap, OfThisStreamVersionIsTheseBits) {
-  // A compiler, a flag or an edit that changes the draw must raise kStreamVersion: then, and only then, change this test.
+  // A compiler, a flag or an edit that changes the draw must raise kStreamVersion: then, and only then, change this
+  // test.
   ASSERT_EQ(kStreamVersion, 1);
   const ConvexBody cube = Box(1, 1, 1);
   const Transformd pose = trial_pose(1, 1000000007, OrientationLaw::isotropic, ball_domain(cube, cube), cube);

@@ -1,8 +1,8 @@
 #include "engine/sampling/random_stream.h"
 
+#include <Random123/philox.h>
 #include <gtest/gtest.h>
 
-#include <Random123/philox.h>
 #include <cmath>
 #include <set>
 #include <vector>

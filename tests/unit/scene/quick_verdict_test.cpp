@@ -12,8 +12,8 @@ namespace {
 
 TEST(QuickVerdict, NeverContradictsTheQuery) {
   std::mt19937_64 random(1);
-  const std::vector<ConvexBody> bodies = {Sphere(1.0), Box(1, 2, 3), Ellipsoid(3, 1, 2), test_point_hull(40, {2, 1, 1}, 2).body,
-                                          test_tetrahedron(1.0).body};
+  const std::vector<ConvexBody> bodies = {Sphere(1.0), Box(1, 2, 3), Ellipsoid(3, 1, 2),
+                                          test_point_hull(40, {2, 1, 1}, 2).body, test_tetrahedron(1.0).body};
   int n_outer = 0, n_inner = 0;
   for (const ConvexBody& a : bodies) {
     for (const ConvexBody& b : bodies) {
@@ -53,7 +53,8 @@ TEST(QuickVerdict, LeavesWhatTouchesToTheQuery) {
 
 TEST(QuickVerdict, CountsTheRoundingOfAFarAwayCentre) {
   // Two unit balls a hair apart, but at 10^9 from their origins, where the distance itself is only known to 1e-7.
-  const std::vector<Vec3d> far = {{1e9 - 1, 0, 0}, {1e9 + 1, 0, 0}, {1e9, 1, 0}, {1e9, -1, 0}, {1e9, 0, 1}, {1e9, 0, -1}};
+  const std::vector<Vec3d> far = {{1e9 - 1, 0, 0}, {1e9 + 1, 0, 0}, {1e9, 1, 0},
+                                  {1e9, -1, 0},    {1e9, 0, 1},     {1e9, 0, -1}};
   const ConvexBody a = Polytope(far, {1e9, 0, 0}, 0.57);
   const QuickVerdict quick(a, a, kDrawnRotationError);
   Transformd pose;

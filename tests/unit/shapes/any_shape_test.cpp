@@ -18,8 +18,11 @@ std::string message_of(const std::string& text) {
 }
 
 TEST(ParseShape, MakesEveryBodyOfTheList) {
-  for (const auto& [text, kind] : std::initializer_list<std::pair<const char*, const char*>>{
-           {"sphere:1", "sphere"}, {"box:1,2,3", "box"}, {"ellipsoid:1,2,3", "ellipsoid"}, {"capsule:1,2", "capsule"}}) {
+  for (const auto& [text, kind] :
+       std::initializer_list<std::pair<const char*, const char*>>{{"sphere:1", "sphere"},
+                                                                  {"box:1,2,3", "box"},
+                                                                  {"ellipsoid:1,2,3", "ellipsoid"},
+                                                                  {"capsule:1,2", "capsule"}}) {
     EXPECT_EQ(parse_shape(text).kind, kind);
     EXPECT_TRUE(names_a_shape(text));
   }
@@ -33,8 +36,8 @@ TEST(ParseShape, ReadsSizesInEveryUsualNotation) {
 }
 
 TEST(ParseShape, RefusesSizesWithoutMeaning) {
-  for (const char* text : {"sphere:0", "sphere:-1", "box:1,0,1", "sphere:inf", "sphere:nan", "ellipsoid:1,1,-0", "sphere:1e-400",
-                           "sphere:1e400", "sphere:1e60", "box:1e-60,1,1", "capsule:1,1e46"}) {
+  for (const char* text : {"sphere:0", "sphere:-1", "box:1,0,1", "sphere:inf", "sphere:nan", "ellipsoid:1,1,-0",
+                           "sphere:1e-400", "sphere:1e400", "sphere:1e60", "box:1e-60,1,1", "capsule:1,1e46"}) {
     EXPECT_NE(message_of<InputError>(text), "") << text;
   }
 }

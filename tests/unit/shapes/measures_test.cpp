@@ -55,7 +55,8 @@ TEST(Measures, DoNotDependOnTheOrderOfAxesAndScaleAsTheyShould) {
   }
   const Measures large = parse_shape("ellipsoid:1e30,2e30,3e30").measures;
   EXPECT_NEAR(large.surface_area, 1e60 * one.surface_area, 1e48 * one.surface_area);
-  EXPECT_NEAR(large.integrated_mean_curvature, 1e30 * one.integrated_mean_curvature, 1e18 * one.integrated_mean_curvature);
+  EXPECT_NEAR(large.integrated_mean_curvature, 1e30 * one.integrated_mean_curvature,
+              1e18 * one.integrated_mean_curvature);
 }
 
 TEST(AverageExcludedVolume, OfIdenticalBodiesIsTheReferenceTable) {
@@ -64,27 +65,33 @@ TEST(AverageExcludedVolume, OfIdenticalBodiesIsTheReferenceTable) {
     return average_excluded_volume(m, m) / m.volume;
   };
   const auto near = [](double value) { return 1e-9 * value; };
-  for (const auto& [text, value] : std::initializer_list<std::pair<const char*, double>>{
-           {"box:1,1,1", 11.0},
-           {"sphere:0.7", 8.0},
-           {"ellipsoid:1,2,3", 10.173618525},
-           {"ellipsoid:1,.5,.1", 21.463178620},
-           {"ellipsoid:1,1,3", 10.907497949},
-           {"ellipsoid:10,1,1", 26.382647049},
-           {"ellipsoid:1,100,1", 237.755981372},
-           {"capsule:1,.5", 9.2},
-           {"capsule:5,.5", 16.823529412},
-           {"capsule:100,.5", 206.675496689},
-           {"ellipsoid:1,32,1", 77.74058929613692},
-           {"ellipsoid:1,16,1", 40.28121631695408},
-           {"ellipsoid:8,1,1", 21.81043465534018},
-           {"ellipsoid:1,.25,.25", 12.95579781064419},
-           {"ellipsoid:.5,.5,1", 9.07697331038283}}) {
+  for (const auto& [text, value] :
+       std::initializer_list<std::pair<const char*, double>>{{"box:1,1,1", 11.0},
+                                                             {"sphere:0.7", 8.0},
+                                                             {"ellipsoid:1,2,3", 10.173618525},
+                                                             {"ellipsoid:1,.5,.1", 21.463178620},
+                                                             {"ellipsoid:1,1,3", 10.907497949},
+                                                             {"ellipsoid:10,1,1", 26.382647049},
+                                                             {"ellipsoid:1,100,1", 237.755981372},
+                                                             {"capsule:1,.5", 9.2},
+                                                             {"capsule:5,.5", 16.823529412},
+                                                             {"capsule:100,.5", 206.675496689},
+                                                             {"ellipsoid:1,32,1", 77.74058929613692},
+                                                             {"ellipsoid:1,16,1", 40.28121631695408},
+                                                             {"ellipsoid:8,1,1", 21.81043465534018},
+                                                             {"ellipsoid:1,.25,.25", 12.95579781064419},
+                                                             {"ellipsoid:.5,.5,1", 9.07697331038283}}) {
     EXPECT_NEAR(reduced(text), value, std::max(near(value), 6e-10)) << text;
   }
   // Boxes of unit volume, Table I: 2 (1 + M S / 4 pi).
-  for (const auto& [k, value] : std::initializer_list<std::pair<double, double>>{
-           {1e-6, 2000007.000002}, {0.01, 207.02}, {0.5, 12.0}, {0.8, 11.1}, {2, 12}, {8, 23.25}, {32, 71.0625}, {64, 135.03125}}) {
+  for (const auto& [k, value] : std::initializer_list<std::pair<double, double>>{{1e-6, 2000007.000002},
+                                                                                 {0.01, 207.02},
+                                                                                 {0.5, 12.0},
+                                                                                 {0.8, 11.1},
+                                                                                 {2, 12},
+                                                                                 {8, 23.25},
+                                                                                 {32, 71.0625},
+                                                                                 {64, 135.03125}}) {
     const double l2 = std::cbrt(1.0 / k);
     char text[128];
     std::snprintf(text, sizeof text, "box:%.17g,%.17g,%.17g", k * l2, l2, l2);
@@ -96,7 +103,8 @@ TEST(AverageExcludedVolume, OfDifferentBodies) {
   const double radius = std::cbrt(3.0 / (4.0 * pi));
   char sphere[64];
   std::snprintf(sphere, sizeof sphere, "sphere:%.17g", radius);
-  EXPECT_NEAR(average_excluded_volume(parse_shape(sphere).measures, parse_shape("box:1,1,1").measures), 9.34908484193, 1e-9 * 9.35);
+  EXPECT_NEAR(average_excluded_volume(parse_shape(sphere).measures, parse_shape("box:1,1,1").measures), 9.34908484193,
+              1e-9 * 9.35);
   const Measures capsule = parse_shape("capsule:1,0.25").measures;
   EXPECT_NEAR(average_excluded_volume(capsule, capsule), 2.87979326579, 1e-9 * 2.88);
 }
