@@ -31,6 +31,17 @@ bool looks_like_a_named_shape(const std::string& text) {
   throw UsageError("not a body (" + name + ") - name a mesh file or a body with its sizes");
 }
 
+// With two bodies on the command line it matters which one is refused.
+ConvexMesh load_naming_the_file(const std::string& path, const MeshOptions& mesh_options) {
+  try {
+    return load_convex_mesh(path, mesh_options);
+  } catch (const InputError& error) {
+    const std::string problem = error.what();
+    if (problem.find(path) != std::string::npos) throw;
+    throw InputError(path + ": " + problem);
+  }
+}
+
 nlohmann::ordered_json point_json(const Vec3d& p) { return {p.x, p.y, p.z}; }
 
 }  // namespace
@@ -38,7 +49,7 @@ nlohmann::ordered_json point_json(const Vec3d& p) { return {p.x, p.y, p.z}; }
 LoadedBody load_body(const std::string& text, const MeshOptions& mesh_options) {
   if (looks_like_a_named_shape(text) && text.find(':') == std::string::npos) refuse_without_sizes(text);
   if (names_a_shape(text) || looks_like_a_named_shape(text)) return {text, parse_shape(text), std::nullopt};
-  ConvexMesh mesh = load_convex_mesh(text, mesh_options);
+  ConvexMesh mesh = load_naming_the_file(text, mesh_options);
   LoadedBody loaded{text, {"polyhedron", ConvexBody(std::move(mesh.body)), mesh.measures}, std::move(mesh.report)};
   require_size_in_range(loaded.shape.body, loaded.shape.measures, text);
   return loaded;
