@@ -1,0 +1,198 @@
+#include "tests/golden/program.h"
+
+#include <fcntl.h>
+#include <pty.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+namespace vex::golden {
+namespace fs = std::filesystem;
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+void pause_briefly() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
+
+std::string content_of(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+std::vector<char*> pointers(Words& words) {
+  std::vector<char*> result;
+  for (std::string& word : words) result.push_back(word.data());
+  result.push_back(nullptr);
+  return result;
+}
+
+/// The exit code as a shell gives it, or kHung after the time limit, when the process is killed.
+int wait_for(pid_t process) {
+  const Clock::time_point start = Clock::now();
+  int status = 0;
+  while (waitpid(process, &status, WNOHANG) == 0) {
+    if (seconds_since(start) > kTimeLimit) {
+      kill(process, SIGKILL);
+      waitpid(process, &status, 0);
+      return kHung;
+    }
+    pause_briefly();
+  }
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+/// A child whose output goes into two files beside the folder it works in.
+class Child {
+ public:
+  Child(Words words, const fs::path& folder) : base_(folder.string()) {
+    std::vector<char*> arguments = pointers(words);
+    id_ = fork();
+    if (id_ != 0) return;
+    const int in = open("/dev/null", O_RDONLY);
+    const int out = open((base_ + ".out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    const int err = open((base_ + ".err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    dup2(in, STDIN_FILENO);
+    dup2(out, STDOUT_FILENO);
+    dup2(err, STDERR_FILENO);
+    for (const int extra : {in, out, err}) close(extra);
+    for (const int number : {SIGINT, SIGTERM, SIGPIPE}) signal(number, SIG_DFL);
+    if (chdir(folder.c_str()) != 0) _exit(126);
+    execv(arguments[0], arguments.data());
+    _exit(127);
+  }
+
+  pid_t id() const { return id_; }
+
+  Finished finish() const {
+    const Clock::time_point start = Clock::now();
+    Finished finished;
+    finished.exit_code = wait_for(id_);
+    finished.seconds = seconds_since(start);
+    finished.out = content_of(base_ + ".out");
+    finished.err = content_of(base_ + ".err");
+    fs::remove(base_ + ".out");
+    fs::remove(base_ + ".err");
+    return finished;
+  }
+
+ private:
+  std::string base_;
+  pid_t id_ = -1;
+};
+
+Words with_program(const Words& words) {
+  Words all = {VEX_MESH_PROGRAM};
+  all.insert(all.end(), words.begin(), words.end());
+  return all;
+}
+
+}  // namespace
+
+ProgramTest::ProgramTest() {
+  std::string name = (fs::temp_directory_path() / "vex_golden_XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder could be made");
+  folder_ = name;
+  setenv("VEX", VEX_MESH_PROGRAM, 1);
+}
+
+ProgramTest::~ProgramTest() {
+  std::error_code ignored;
+  fs::permissions(folder_, fs::perms::owner_all, ignored);
+  fs::remove_all(folder_, ignored);
+}
+
+void ProgramTest::write_file(const std::string& name, const std::string& content) const {
+  std::ofstream file(folder_ / name, std::ios::binary);
+  file << content << std::flush;
+  if (!file) throw std::runtime_error("a test's file could not be written");
+}
+
+std::string ProgramTest::read_file(const std::string& name) const { return content_of(folder_ / name); }
+
+std::vector<std::string> ProgramTest::files() const {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) names.push_back(entry.path().filename());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Finished ProgramTest::run(const Words& words) const { return Child(with_program(words), folder_).finish(); }
+
+Finished ProgramTest::run_and_signal(const Words& words, int signal, const std::function<bool(pid_t)>& ready) const {
+  const Child child(with_program(words), folder_);
+  const Clock::time_point start = Clock::now();
+  while (!ready(child.id()) && seconds_since(start) < kTimeLimit) pause_briefly();
+  kill(child.id(), signal);
+  return child.finish();
+}
+
+Finished ProgramTest::shell(const std::string& line) const { return Child({"/bin/sh", "-c", line}, folder_).finish(); }
+
+Finished ProgramTest::run_on_terminal(const Words& words, unsigned short columns) const {
+  Words all = with_program(words);
+  std::vector<char*> arguments = pointers(all);
+  struct winsize size = {};
+  size.ws_row = 24;
+  size.ws_col = columns;
+  int terminal = -1;
+  const Clock::time_point start = Clock::now();
+  const pid_t process = forkpty(&terminal, nullptr, nullptr, &size);
+  if (process == 0) {
+    if (chdir(folder_.c_str()) != 0) _exit(126);
+    execv(arguments[0], arguments.data());
+    _exit(127);
+  }
+  Finished finished;
+  char buffer[4096];
+  ssize_t n = 0;
+  while ((n = read(terminal, buffer, sizeof buffer)) > 0) finished.out.append(buffer, static_cast<std::size_t>(n));
+  close(terminal);
+  finished.exit_code = wait_for(process);
+  finished.seconds = seconds_since(start);
+  return finished;
+}
+
+nlohmann::json ProgramTest::json_of(Words words) const {
+  words.insert(words.end(), {"--json", "-"});
+  const Finished finished = run(words);
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  nlohmann::json json = nlohmann::json::parse(finished.out, nullptr, false);
+  EXPECT_TRUE(json.is_object()) << finished.out;
+  return json;
+}
+
+bool has_worker_threads(pid_t process) {
+  std::error_code error;
+  const auto threads = fs::directory_iterator("/proc/" + std::to_string(process) + "/task", error);
+  return !error && std::distance(begin(threads), end(threads)) >= 3;
+}
+
+bool catches_interrupts(pid_t process) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.rfind("SigCgt:", 0) == 0) return (std::stoull(line.substr(7), nullptr, 16) >> (SIGINT - 1) & 1U) != 0;
+  }
+  return false;
+}
+
+void expect_refusal(const Finished& finished, int exit_code, const std::string& part_of_message) {
+  EXPECT_EQ(finished.exit_code, exit_code) << finished.err;
+  EXPECT_EQ(finished.out, "");
+  EXPECT_EQ(finished.err.rfind("vex_mesh: ", 0), 0u) << finished.err;
+  EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1) << finished.err;
+  EXPECT_NE(finished.err.find(" - "), std::string::npos) << "what to do is missing: " << finished.err;
+  EXPECT_NE(finished.err.find(part_of_message), std::string::npos)
+      << "\"" << part_of_message << "\" is missing: " << finished.err;
+}
+
+}  // namespace vex::golden

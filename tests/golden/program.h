@@ -1,0 +1,68 @@
+// vex_mesh as a child process, in a folder of its own.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace vex::golden {
+
+/// What a finished program left.
+struct Finished {
+  int exit_code = -1;  // 128 + signal where a signal ended it, as shells say; kHung where it had to be killed
+  std::string out, err;
+  double seconds = 0.0;
+};
+inline constexpr int kHung = -2;
+
+using Words = std::vector<std::string>;
+
+/// Seconds after which a program counts as hung; generous, because builds with sanitizers are slow.
+inline constexpr double kTimeLimit = 120.0;
+
+/// A test in an empty folder, which is the program's working folder and is gone afterwards.
+class ProgramTest : public testing::Test {
+ protected:
+  ProgramTest();
+  ~ProgramTest() override;
+
+  const std::filesystem::path& folder() const { return folder_; }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  void write_file(const std::string& name, const std::string& content) const;
+  std::string read_file(const std::string& name) const;
+  /// The names of all files in the folder, sorted.
+  std::vector<std::string> files() const;
+
+  /// Runs vex_mesh to its end.
+  Finished run(const Words& words) const;
+
+  /// Starts vex_mesh, waits until `ready(process)`, sends the signal, and waits for the end; `seconds` counts from the
+  /// signal.
+  Finished run_and_signal(const Words& words, int signal, const std::function<bool(pid_t)>& ready) const;
+
+  /// A line of the shell, in which "$VEX" is vex_mesh.
+  Finished shell(const std::string& line) const;
+
+  /// vex_mesh on a terminal of so many columns; `out` is all that the terminal receives.
+  Finished run_on_terminal(const Words& words, unsigned short columns) const;
+
+  /// Runs `vex_mesh words --json -`, expects success, and gives the document.
+  nlohmann::json json_of(Words words) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// The program runs trials: it has threads beside its main one. (Three: the thread sanitizer has one of its own.)
+bool has_worker_threads(pid_t process);
+/// The program has set a handler of SIGINT.
+bool catches_interrupts(pid_t process);
+
+/// Exit code, an empty standard output, and one line "vex_mesh: problem (where, which value) - what to do".
+void expect_refusal(const Finished& finished, int exit_code, const std::string& part_of_message);
+
+}  // namespace vex::golden

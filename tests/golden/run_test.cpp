@@ -1,0 +1,199 @@
+// Runs: what fixes the hits, when they stop, and what the estimate is worth.
+#include <cmath>
+
+#include "tests/golden/program.h"
+#include "tests/golden/sample_files.h"
+
+namespace vex::golden {
+namespace {
+
+using nlohmann::json;
+
+class Run : public ProgramTest {
+ protected:
+  json estimate_of(const Words& words) const { return json_of(words).at("estimate"); }
+};
+
+TEST_F(Run, TheSeedFixesTheHitsForAnyNumberOfThreads) {
+  for (const Words& stop : {Words{"--trials", "30001"}, Words{"--rel-error", "1e-2"}, Words{"--max-trials", "12345"}}) {
+    Words words = {"ellipsoid:1,2,3", "box:1,1,2", "--seed", "11"};
+    words.insert(words.end(), stop.begin(), stop.end());
+    json first;
+    for (const char* threads : {"1", "2", "7"}) {
+      Words all = words;
+      all.insert(all.end(), {"--threads", threads});
+      json estimate = estimate_of(all);
+      for (const char* time : {"seconds", "trials_per_second"}) estimate.erase(time);
+      if (first.is_null()) first = estimate;
+      EXPECT_EQ(estimate, first) << threads << " threads";
+    }
+  }
+}
+
+TEST_F(Run, WhatIsPrintedDoesNotChangeTheHits) {
+  const Words words = {"box:1,1,2", "--trials", "5000"};
+  const json plain = estimate_of(words);
+  for (const Words& more : {Words{"--quiet"}, Words{"--cross-check"}, Words{"--max-z", "3"}}) {
+    Words all = words;
+    all.insert(all.end(), more.begin(), more.end());
+    EXPECT_EQ(estimate_of(all).at("hits"), plain.at("hits")) << more[0];
+  }
+  EXPECT_EQ(run({"box:1,1,2", "--trials", "5000", "--quiet", "--json", "result.json"}).out, "");
+  EXPECT_EQ(json::parse(read_file("result.json")).at("estimate").at("hits"), plain.at("hits"));
+  const Finished screen = run(words);
+  EXPECT_NE(screen.out.find(std::to_string(plain.at("hits").get<int>()) + " / 5000"), std::string::npos) << screen.out;
+}
+
+TEST_F(Run, AnotherSeedGivesOtherHits) {
+  const Words words = {"box:1,1,1", "--trials", "100000"};
+  const auto hits = [&](const char* seed) {
+    return estimate_of({"box:1,1,1", "--trials", "100000", "--seed", seed}).at("hits").get<int>();
+  };
+  EXPECT_EQ(hits("1"), estimate_of(words).at("hits")) << "the default";
+  EXPECT_NE(hits("1"), hits("2"));
+  EXPECT_NE(hits("2"), hits("18446744073709551615"));
+  EXPECT_NE(hits("0"), hits("1"));
+}
+
+// One integer for one seed, on every machine. Where these change, stream_version must.
+TEST_F(Run, StreamVersionOneGivesTheseHits) {
+  const json document = json_of({"box:1,1,1", "--trials", "1e5"});
+  ASSERT_EQ(document.at("stream_version"), 1);
+  EXPECT_EQ(document.at("estimate").at("domain"), "box");
+  EXPECT_EQ(document.at("estimate").at("hits"), 53834);
+  EXPECT_EQ(estimate_of({"ellipsoid:1,2,3", "capsule:1,0.25", "--trials", "1e5"}).at("hits"), 37972);
+  EXPECT_EQ(estimate_of({"box:1,1,1", "--orientations", "aligned", "--trials", "1e5"}).at("hits"), 39258);
+}
+
+TEST_F(Run, QuickVerdictsChangeNoVerdict) {
+  for (const Words& bodies : {Words{"box:1,1,1"}, Words{"ellipsoid:1,2,3", "capsule:1,0.25"}, Words{"sphere:1"},
+                              Words{sample("icosahedron.obj"), "box:2,2,2"}}) {
+    for (const char* domain : {"ball", "box"}) {
+      Words words = bodies;
+      words.insert(words.end(), {"--trials", "20000", "--domain", domain});
+      const json with = estimate_of(words);
+      words.push_back("--no-quick-verdicts");
+      const json without = estimate_of(words);
+      EXPECT_EQ(without.at("hits"), with.at("hits")) << bodies[0];
+      EXPECT_EQ(without.at("decided_by").at("outer_bound"), 0);
+      EXPECT_EQ(without.at("decided_by").at("inner_bound"), 0);
+      EXPECT_GT(with.at("decided_by").at("inner_bound"), 0);
+    }
+  }
+}
+
+TEST_F(Run, PeersAnswerEveryPoseThemselves) {
+  const json ours = estimate_of({"box:1,1,1", "--trials", "20000"});
+  for (const auto& [name, reported] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"gjk", "gjk"}, {"ccd-gjk", "ccd-gjk"}, {"ccd-mpr", "ccd-mpr"}, {"ccd", "ccd-mpr"}}) {
+    const json estimate = estimate_of({"box:1,1,1", "--trials", "20000", "--backend", name});
+    EXPECT_EQ(estimate.at("backend"), reported);
+    if (std::string(name) != "gjk") {
+      EXPECT_EQ(estimate.at("decided_by").at("peer").get<int>() + estimate.at("undecided").get<int>(), 20000);
+    }
+    EXPECT_NEAR(estimate.at("hits").get<double>(), ours.at("hits").get<double>(), 5.0) << "same poses, " << name;
+  }
+}
+
+TEST_F(Run, BothDomainsAgreeWithTheFormula) {
+  for (const Words& bodies : {Words{"box:1,1,1"}, Words{"ellipsoid:1,2,3"}, Words{"capsule:1,0.25"},
+                              Words{"sphere:0.6203504908994", "box:1,1,1"}, Words{sample("gem.obj")}}) {
+    for (const char* domain : {"ball", "box", "best"}) {
+      Words words = bodies;
+      words.insert(words.end(), {"--rel-error", "3e-3", "--domain", domain});
+      const json document = json_of(words);
+      EXPECT_LT(std::fabs(document.at("z").get<double>()), 4.0) << bodies[0] << " " << domain;
+      if (std::string(domain) != "best") {
+        EXPECT_EQ(document.at("estimate").at("domain"), domain);
+      }
+    }
+  }
+}
+
+TEST_F(Run, StopsAtExactlyTheTrialsAskedFor) {
+  for (const char* trials : {"1", "63", "4097", "1e4", "2.5e3"}) {
+    const json document = json_of({"box:1,1,1", "--trials", trials});
+    EXPECT_EQ(document.at("estimate").at("trials").get<double>(), std::stod(trials));
+    EXPECT_EQ(document.at("complete"), true);
+  }
+}
+
+TEST_F(Run, StopsAtTheRelativeErrorAskedFor) {
+  const json estimate = estimate_of({"box:1,1,1", "--rel-error", "1e-2"});
+  const double reached = estimate.at("std_error").get<double>() / estimate.at("excluded_volume").get<double>();
+  EXPECT_LE(reached, 1e-2);
+  EXPECT_GT(reached, 0.8e-2) << "and not much later";
+  const json by_default = estimate_of({"box:1,1,1"});
+  const double default_error =
+      by_default.at("std_error").get<double>() / by_default.at("excluded_volume").get<double>();
+  EXPECT_LE(default_error, 1e-3);
+  EXPECT_GT(default_error, 0.9e-3);
+}
+
+TEST_F(Run, DoesNotTrustARelativeErrorOfFewHitsOrFewMisses) {
+  const json rare_hits = estimate_of({"box:1,1e-3,1e-3", "--domain", "ball", "--rel-error", "1"});
+  EXPECT_GE(rare_hits.at("hits"), 100);
+  EXPECT_GT(rare_hits.at("trials"), 4096);
+  const json rare_misses = estimate_of({"ellipsoid:1,1,0.999", "--domain", "ball", "--rel-error", "1"});
+  EXPECT_GE(rare_misses.at("trials").get<int>() - rare_misses.at("hits").get<int>(), 100);
+  EXPECT_GT(rare_misses.at("trials"), 4096);
+}
+
+TEST_F(Run, StopsAfterTheTimeAskedFor) {
+  const json document = json_of({"box:1,1,1", "--seconds", "0.3"});
+  EXPECT_EQ(document.at("complete"), true);
+  EXPECT_GE(document.at("seconds"), 0.3);
+  EXPECT_LT(document.at("seconds"), 5.0);
+  EXPECT_GT(estimate_of({"box:1,1,1", "--seconds", "1e-9"}).at("trials"), 0) << "at least one block";
+}
+
+TEST_F(Run, WhicheverRuleComesFirstStopsIt) {
+  const json by_trials = json_of({"box:1,1,1", "--trials", "3000", "--rel-error", "1e-9", "--seconds", "1000"});
+  EXPECT_EQ(by_trials.at("estimate").at("trials"), 3000);
+  EXPECT_EQ(by_trials.at("estimate").at("stopped_by"), "trials");
+  const json by_error = json_of({"box:1,1,1", "--trials", "1e10", "--rel-error", "0.05", "--seconds", "1000"});
+  EXPECT_EQ(by_error.at("estimate").at("stopped_by"), "rel-error");
+  const json by_time = json_of({"box:1,1,1", "--trials", "1e11", "--rel-error", "1e-9", "--seconds", "0.1"});
+  EXPECT_EQ(by_time.at("estimate").at("stopped_by"), "seconds");
+  for (const json& document : {by_trials, by_error, by_time}) EXPECT_EQ(document.at("complete"), true);
+}
+
+TEST_F(Run, MaxTrialsEndsItIncomplete) {
+  for (const Words& rule :
+       {Words{"--rel-error", "1e-9"}, Words{"--trials", "1e6"}, Words{"--seconds", "1000"}, Words{}}) {
+    Words words = {"box:1,1,1", "--max-trials", "5000"};
+    words.insert(words.end(), rule.begin(), rule.end());
+    const json document = json_of(words);
+    EXPECT_EQ(document.at("estimate").at("trials"), 5000);
+    EXPECT_EQ(document.at("complete"), false);
+  }
+  EXPECT_EQ(json_of({"box:1,1,1", "--max-trials", "5000", "--trials", "5000"}).at("complete"), true);
+  EXPECT_NE(run({"box:1,1,1", "--max-trials", "5000"}).out.find("incomplete"), std::string::npos);
+}
+
+TEST_F(Run, ADisagreementExitsWithFourAndStillReports) {
+  const Finished finished = run({"box:1,1,1", "--trials", "20000", "--max-z", "1e-9", "--json", "result.json"});
+  EXPECT_EQ(finished.exit_code, 4) << finished.err;
+  EXPECT_NE(finished.out.find("DISAGREE"), std::string::npos) << finished.out;
+  EXPECT_EQ(json::parse(read_file("result.json")).at("estimate").at("trials"), 20000);
+  const Finished document = run({"box:1,1,1", "--trials", "20000", "--max-z", "1e-9", "--json", "-"});
+  EXPECT_EQ(document.exit_code, 4);
+  EXPECT_TRUE(json::accept(document.out));
+  // A backend that is wrong is found out: libccd on bodies smaller than its tolerances.
+  EXPECT_EQ(run({"box:1e-9,1e-9,1e-9", "--trials", "5000", "--backend", "ccd-mpr"}).exit_code, 4);
+  EXPECT_EQ(run({"box:1e-9,1e-9,1e-9", "--trials", "5000"}).exit_code, 0);
+}
+
+TEST_F(Run, SizesFarFromOneWork) {
+  for (const char* body : {"box:1e-40,2e-40,3e-40", "box:1e40,2e40,3e40", "ellipsoid:1e-44,1e-44,2e-44",
+                           "capsule:1e30,1e-10", "sphere:1e44"}) {
+    const json document = json_of({body, "--trials", "5000", "--domain", "ball"});
+    if (document.at("z").is_number()) {
+      EXPECT_LT(std::fabs(document.at("z").get<double>()), 5.0) << body;
+    }
+    EXPECT_GT(document.at("estimate").at("std_error"), 0.0);
+  }
+}
+
+}  // namespace
+}  // namespace vex::golden

@@ -1,0 +1,182 @@
+// Wrong usage: exit code 2 and one line that says what is wrong and what to do.
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "tests/golden/program.h"
+#include "tests/golden/sample_files.h"
+
+namespace vex::golden {
+namespace {
+
+class Usage : public ProgramTest {
+ protected:
+  void expect_wrong(const Words& words, const std::string& part_of_message) const {
+    SCOPED_TRACE(testing::PrintToString(words));
+    expect_refusal(run(words), 2, part_of_message);
+  }
+};
+
+TEST_F(Usage, ABodyIsNeeded) {
+  expect_wrong({}, "nothing is given for A");
+  expect_wrong({"--trials", "10"}, "nothing is given for A");
+  expect_wrong({""}, "empty");
+  expect_wrong({"box:1,1,1", ""}, "empty");
+  expect_wrong({"box:1,1,1", "box:1,1,1", "third"}, "not understood (third)");
+}
+
+TEST_F(Usage, AnUnknownOptionIsNamedWithWhatWasMeant) {
+  expect_wrong({"box:1,1,1", "--trails", "10"}, "did you mean --trials?");
+  expect_wrong({"box:1,1,1", "-trials", "10"}, "did you mean --trials?");
+  expect_wrong({"box:1,1,1", "--rel-eror=1e-2"}, "did you mean --rel-error?");
+  expect_wrong({"box:1,1,1", "--bananas"}, "not understood (--bananas) - vex_mesh --help");
+  expect_wrong({"box:1,1,1", "-q"}, "-q");
+}
+
+TEST_F(Usage, AValueThatIsMissingOrEmpty) {
+  for (const char* option :
+       {"--trials", "--rel-error", "--seconds", "--max-trials", "--orientations", "--estimator", "--sequence",
+        "--domain", "--seed", "--threads", "--backend", "--convex-tolerance", "--json", "--max-z"}) {
+    expect_wrong({"box:1,1,1", option}, std::string("a value is missing (after ") + option);
+    expect_wrong({"box:1,1,1", option, ""}, "empty");
+    expect_wrong({"box:1,1,1", std::string(option) + "="}, "missing");
+  }
+  expect_wrong({"box:1,1,1", "--json"}, "--json FILE");
+  expect_wrong({"box:1,1,1", "--trials", "10", "--json", "--quiet"}, "--quiet");
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Usage, AnOptionGivenTwice) {
+  expect_wrong({"box:1,1,1", "--trials", "10", "--trials", "20"}, "more than once (--trials)");
+  expect_wrong({"box:1,1,1", "--seed=1", "--seed=1"}, "more than once (--seed)");
+  expect_wrong({"box:1,1,1", "--json", "a", "--json", "b"}, "more than once (--json)");
+}
+
+TEST_F(Usage, AFlagWithAValue) {
+  expect_wrong({"box:1,1,1", "--quiet=no"}, "takes no value (--quiet)");
+  expect_wrong({"box:1,1,1", "--no-quick-verdicts=false"}, "takes no value (--no-quick-verdicts)");
+}
+
+TEST_F(Usage, ACountThatIsNone) {
+  for (const char* option : {"--trials", "--max-trials", "--threads"}) {
+    for (const char* word :
+         {"0", "-1", "1.5", "1e-3", "many", "1e400", "nan", "inf", "-0.0", "1e20", "1,000", "0x10"}) {
+      expect_wrong({"box:1,1,1", option, word}, std::string("\"") + word + "\" for " + option);
+    }
+  }
+  for (const char* word : {"-1", "1.5", "x", "1e400", "18446744073709551616"}) {
+    expect_wrong({"box:1,1,1", "--seed", word}, "not a count");
+  }
+  expect_wrong({"box:1,1,1", "--threads", "1000000"}, "too many threads");
+}
+
+TEST_F(Usage, ANumberThatIsNone) {
+  for (const char* option : {"--rel-error", "--seconds", "--max-z"}) {
+    for (const char* word : {"0", "-1", "little", "nan", "inf", "1e400", "1,5", "1e-3x"}) {
+      expect_wrong({"box:1,1,1", option, word}, std::string("\"") + word + "\" for " + option);
+    }
+  }
+  for (const char* word : {"-1e-9", "0.2", "nan", "tight"}) {
+    expect_wrong({"box:1,1,1", "--convex-tolerance", word}, "--convex-tolerance");
+  }
+}
+
+TEST_F(Usage, WhatIsNotBuiltYetSaysSo) {
+  const std::vector<Words> planned = {{"--hull"},
+                                      {"--unit-volume"},
+                                      {"--scale", "2"},
+                                      {"--dump-vertices"},
+                                      {"--verify"},
+                                      {"--isa", "avx2"},
+                                      {"--isa", "best"},
+                                      {"--checkpoint", "run.state"},
+                                      {"--resume", "run.state"},
+                                      {"--estimator", "hit-or-miss-fitted"},
+                                      {"--estimator", "stratified"},
+                                      {"--estimator", "radial"},
+                                      {"--estimator", "mixed-volume"},
+                                      {"--estimator", "mean-width"},
+                                      {"--sequence", "sobol"},
+                                      {"--backend", "fcl"},
+                                      {"--backend", "specialised"},
+                                      {"--orientations", "fixed:1,0,0,0"},
+                                      {"--orientations", "cone:30"},
+                                      {"--orientations", "onsager:2"}};
+  for (const Words& words : planned) {
+    Words all = {"box:1,1,1"};
+    all.insert(all.end(), words.begin(), words.end());
+    expect_wrong(all, "not built yet (" + words[0]);
+  }
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Usage, AChoiceThatDoesNotExist) {
+  for (const auto& [option, known] :
+       std::initializer_list<std::pair<const char*, const char*>>{{"--estimator", "hit-or-miss"},
+                                                                  {"--sequence", "random"},
+                                                                  {"--domain", "ball, box, best"},
+                                                                  {"--backend", "gjk, ccd-gjk, ccd-mpr, ccd"},
+                                                                  {"--orientations", "isotropic, aligned"}}) {
+    expect_wrong({"box:1,1,1", option, "wild"}, std::string("(\"wild\" for ") + option + ") - there are " + known);
+  }
+  expect_wrong({"box:1,1,1", "--orientations", "aligned:30"}, "not a choice");
+  expect_wrong({"box:1,1,1", "--domain", "Box"}, "not a choice");
+}
+
+TEST_F(Usage, ABodyThatDoesNotExist) {
+  for (const char* body :
+       {"cylinder:1,1", "cone:1,1", "frustum:1,2,1", "hemisphere:1", "disc:1", "plate:1,1", "needle:1", "tetrahedron:1",
+        "octahedron:1", "dodecahedron:1", "icosahedron:1", "rounded:0.1,box:1,1,1", "cylinder", "needle"}) {
+    expect_wrong({body}, "not built yet");
+    expect_wrong({"box:1,1,1", body}, "not built yet");
+  }
+  for (const char* body : {"spher:1", "cube:1", "Sphere:1", "BOX:1,1,1"}) expect_wrong({body}, "sphere:R");
+  expect_wrong({"sphere"}, "sphere:R (radius)");
+  expect_wrong({"box:"}, "not a number");
+  expect_wrong({"box:1,2"}, "wrong number of sizes (2 in box:1,2) - write box:A,B,C");
+  expect_wrong({"box:1,2,3,4"}, "wrong number of sizes (4");
+  expect_wrong({"sphere:1,2"}, "wrong number of sizes");
+  expect_wrong({"capsule:1"}, "wrong number of sizes");
+  expect_wrong({"ellipsoid:1"}, "wrong number of sizes");
+  for (const char* body : {"sphere:one", "sphere:1 ", "box:1,,1", "box:1;1;1", "sphere:1m"}) {
+    expect_wrong({body}, "not a number");
+  }
+}
+
+TEST_F(Usage, AnOutputThatWouldCostAFile) {
+  write_file("cube.obj", cube_obj());
+  write_file("body.mesh.json", "kept");
+  const auto expect_refused = [&](const std::string& body, const std::string& output, const std::string& part) {
+    expect_wrong({body, "--trials", "10", "--json", output}, part);
+  };
+  expect_refused("cube.obj", "cube.obj", "extension of a mesh");
+  for (const char* extension : {".obj", ".stl", ".ply", ".off", ".gltf", ".glb", ".dae", ".3mf", ".OBJ", ".Stl"}) {
+    expect_refused("cube.obj", std::string("result") + extension, "extension of a mesh");
+  }
+  expect_refused("body.mesh.json", "body.mesh.json", "is an input");
+  expect_refused("body.mesh.json", "./body.mesh.json", "is an input");
+  expect_refused("body.mesh.json", path("body.mesh.json"), "is an input");
+  std::filesystem::create_symlink("body.mesh.json", folder() / "alias.json");
+  expect_refused("body.mesh.json", "alias.json", "is an input");
+  std::filesystem::create_hard_link(folder() / "body.mesh.json", folder() / "twin.json");
+  expect_refused("body.mesh.json", "twin.json", "is an input");
+  expect_wrong({"box:1,1,1", "body.mesh.json", "--json", "body.mesh.json"}, "is an input");
+  expect_refused("cube.obj", ".", "is a folder");
+  expect_refused("cube.obj", "/", "is a folder");
+  expect_refused("cube.obj", "no/such/folder/result.json", "folder does not exist");
+  expect_refused("cube.obj", "cube.obj/result.json", "folder does not exist");
+  EXPECT_EQ(read_file("cube.obj"), cube_obj());
+  EXPECT_EQ(read_file("body.mesh.json"), "kept");
+  EXPECT_EQ(files(), (std::vector<std::string>{"alias.json", "body.mesh.json", "cube.obj", "twin.json"}));
+}
+
+TEST_F(Usage, AWriteProtectedOutputIsRefusedBeforeTheRun) {
+  if (geteuid() == 0) GTEST_SKIP() << "nothing is protected from root";
+  write_file("result.json", "kept");
+  chmod(path("result.json").c_str(), 0444);
+  expect_wrong({"box:1,1,1", "--json", "result.json"}, "write-protected");
+  chmod(folder().c_str(), 0555);
+  expect_wrong({"box:1,1,1", "--json", "other.json"}, "cannot be written");
+}
+
+}  // namespace
+}  // namespace vex::golden
