@@ -98,6 +98,9 @@ Words with_program(const Words& words) {
 
 }  // namespace
 
+const std::string kWithoutOverride =
+    geteuid() == 0 ? "exec setpriv --bounding-set -dac_override,-dac_read_search " : "";
+
 ProgramTest::ProgramTest() {
   std::string name = (fs::temp_directory_path() / "vex_golden_XXXXXX").string();
   if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder could be made");

@@ -57,6 +57,9 @@ class ProgramTest : public testing::Test {
   std::filesystem::path folder_;
 };
 
+/// Before a line of the shell: root is then held to the permissions of its own files, as everybody else is.
+extern const std::string kWithoutOverride;
+
 /// The program runs trials: it has threads beside its main one. (Three: the thread sanitizer has one of its own.)
 bool has_worker_threads(pid_t process);
 /// The program has set a handler of SIGINT.
