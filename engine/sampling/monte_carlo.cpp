@@ -6,8 +6,11 @@
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <system_error>
 #include <thread>
 
+#include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
 #include "engine/sampling/random_stream.h"
 #include "engine/scene/quick_verdict.h"
@@ -142,8 +145,17 @@ class Run {
 
   RunRecord go() {
     std::vector<std::jthread> threads;
-    for (int k = 0; k < settings_.n_threads; ++k) threads.emplace_back([this] { work(); });
-    wait_and_report();
+    try {
+      threads.reserve(static_cast<std::size_t>(settings_.n_threads));
+      for (int k = 0; k < settings_.n_threads; ++k) threads.emplace_back([this] { work(); });
+      wait_and_report();
+    } catch (const std::system_error&) {
+      fail(std::make_exception_ptr(UsageError("this system starts no more than " + std::to_string(threads.size()) +
+                                              " threads (" + std::to_string(settings_.n_threads) +
+                                              " asked for) - use fewer threads")));
+    } catch (...) {
+      fail(std::current_exception());  // of on_progress; the threads must be told before they are joined
+    }
     threads.clear();
     if (failure_) std::rethrow_exception(failure_);
     record_.seconds = seconds_since(start_);
@@ -183,6 +195,7 @@ class Run {
     record_.stopped_by = reason;
     record_.complete = reason != StopReason::interrupted && reason != StopReason::max_trials;
     changed_.notify_all();
+    ended_.notify_all();
   }
 
   // Called with the lock held, when all trials up to round_end_ are done.
@@ -223,10 +236,14 @@ class Run {
         take_home(std::move(done));
       }
     } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
-      stop(StopReason::interrupted);
+      fail(std::current_exception());
     }
+  }
+
+  void fail(const std::exception_ptr& failure) {
+    const std::lock_guard lock(mutex_);
+    if (!failure_) failure_ = failure;
+    stop(StopReason::interrupted);
   }
 
   // Called with the lock held.
@@ -243,7 +260,7 @@ class Run {
   void wait_and_report() {
     std::unique_lock lock(mutex_);
     while (!stopped_) {
-      changed_.wait_for(lock, kProgressInterval);
+      ended_.wait_for(lock, kProgressInterval);
       if (stopped_) break;
       if (interrupted()) stop(StopReason::interrupted);
       if (settings_.on_progress) {
@@ -262,7 +279,8 @@ class Run {
   const Clock::time_point start_ = Clock::now();
 
   std::mutex mutex_;  // guards all below; taken once a block, not once a trial
-  std::condition_variable changed_;
+  std::condition_variable changed_;  // for threads that wait for the next round
+  std::condition_variable ended_;    // for the caller, which would only be disturbed by every round
   std::uint64_t next_ = 0;       // the first trial that no thread has taken
   std::uint64_t round_end_ = 0;  // where the stop rule is looked at next
   bool stopped_ = false;

@@ -230,5 +230,14 @@ TEST(MonteCarlo, PassesOnWhatABackendThrows) {
   EXPECT_THROW(run_hit_or_miss(a, a, settings), std::runtime_error);
 }
 
+TEST(MonteCarlo, PassesOnWhatTheProgressCallThrows) {
+  // As with a thread that cannot be started: those that run must be stopped, or joining them never ends.
+  const ConvexBody a = Box(1, 1, 1);
+  MonteCarloSettings settings = settings_for(a, a, 1ull << 40);
+  settings.n_threads = 2;
+  settings.on_progress = [](const Progress&) { throw std::runtime_error("no more"); };
+  EXPECT_THROW(run_hit_or_miss(a, a, settings), std::runtime_error);
+}
+
 }  // namespace
 }  // namespace vex
