@@ -1,5 +1,6 @@
 #include "meshes/reader.h"
 
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/config.h>
 #include <assimp/mesh.h>
 #include <assimp/scene.h>
@@ -81,6 +82,27 @@ class RegularFileStream : public Assimp::IOStream {
   int n_empty_reads_ = 0;
 };
 
+/// The whole file, with a 0 put before every word that starts like ".5". assimp's OBJ reader takes only words that
+/// start with a digit or a sign for numbers, and silently drops the vertex that has another.
+std::string with_leading_zeros(std::FILE* file) {
+  std::string text;
+  char previous = ' ';
+  bool at_point = false;  // the last character is a point that starts a word
+  std::array<char, 1U << 16U> chunk{};
+  while (const std::size_t n = std::fread(chunk.data(), 1, chunk.size(), file)) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const char c = chunk[k];
+      if (at_point && c >= '0' && c <= '9') {
+        text.insert(text.size() - 1, 1, '0');
+      }
+      at_point = c == '.' && (previous == ' ' || previous == '\t');
+      text.push_back(c);
+      previous = c;
+    }
+  }
+  return text;
+}
+
 /// Shows assimp one file, and for .gltf the .bin buffers in its folder or below: a material library or a texture that a
 /// mesh names is never opened, wherever it points.
 class GeometryFiles : public Assimp::IOSystem {
@@ -98,7 +120,16 @@ class GeometryFiles : public Assimp::IOSystem {
     }
     std::uintmax_t size = 0;
     File file = open_regular(path, &size);
-    return file ? new RegularFileStream(std::move(file), size) : nullptr;
+    if (!file) {
+      return nullptr;
+    }
+    if (lower_extension(mesh_) == ".obj") {
+      const std::string text = with_leading_zeros(file.get());
+      auto* const bytes = new std::uint8_t[text.size()];  // the stream deletes it
+      std::copy(text.begin(), text.end(), bytes);
+      return new Assimp::MemoryIOStream(bytes, text.size(), true);
+    }
+    return new RegularFileStream(std::move(file), size);
   }
   void Close(Assimp::IOStream* stream) override { delete stream; }
 
@@ -140,6 +171,17 @@ Affine operator*(const Affine& left, const Affine& right) {
     product[row + 3] += left[row + 3];
   }
   return product;
+}
+
+/// What assimp says of a file, which may quote any part of it: one printable line that is not too long.
+std::string short_line(std::string text) {
+  constexpr std::size_t kMost = 200;
+  if (text.size() > kMost) {
+    text = text.substr(0, kMost) + " ...";
+  }
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return text;
 }
 
 SoupPoint placed(const Affine& world_from_mesh, const aiVector3D& p) {
@@ -248,7 +290,7 @@ PolygonSoup read_polygon_soup(const std::filesystem::path& path) {
   // No post-processing: neither triangles made of polygons nor vertices joined within a tolerance are what was read.
   const aiScene* scene = importer.ReadFile(path.string(), 0);
   if (scene == nullptr) {
-    throw InputError("cannot read the mesh file " + path.string() + " (" + importer.GetErrorString() +
+    throw InputError("cannot read the mesh file " + path.string() + " (" + short_line(importer.GetErrorString()) +
                      ") - check that it is complete and that its extension names its format");
   }
   return soup_of(*scene);

@@ -132,6 +132,28 @@ TEST(Reader, IgnoresPointsAndLinesBesideFacesWithANote) {
   EXPECT_TRUE(contains(mesh.report.notes[0], "points or lines of the file were ignored"));
 }
 
+TEST(Reader, ReadsCoordinatesWithoutALeadingZero) {
+  // assimp 5.2 drops the vertices of an .obj file that hold a word like ".5": the ones after it then move up unnoticed.
+  const TemporaryFolder folder;
+  const std::string faces_of_obj = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  for (const char* vertices :
+       {"v 0 0 0\nv .5 0 0\nv 0 .5 0\nv 0 0 .5\n", "v 0 0 0\nv +.5 0 0\nv 0\t.5 0\r\nv 0 0 .50\n",
+        "v -.0 0 0\nv .5 0. 0\nv 0 5.e-1 0\nv 0 0  .5e0\n"}) {
+    // The vertex that no face uses would hide a dropped one.
+    const std::string text = std::string(vertices) + "v 9 9 9\n" + faces_of_obj;
+    EXPECT_NEAR(load_convex_mesh(folder.file("tetrahedron.obj", text)).measures.volume, 0.125 / 6, 1e-15) << vertices;
+  }
+  const std::string rows = "0 0 0\n.5 0 0\n0 .5 0\n0 0 .5\n", faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+  EXPECT_NEAR(load_convex_mesh(folder.file("a.off", "OFF\n4 4 6\n" + rows + faces)).measures.volume, 0.125 / 6, 1e-15);
+  EXPECT_NEAR(load_convex_mesh(folder.file("a.ply",
+                                           "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty "
+                                           "float y\nproperty float z\nelement face 4\nproperty list uchar int "
+                                           "vertex_indices\nend_header\n" +
+                                               rows + faces))
+                  .measures.volume,
+              0.125 / 6, 1e-15);
+}
+
 TEST(Reader, RefusesCoordinatesThatAreNotFinite) {
   const TemporaryFolder folder;
   for (const char* bad : {"nan", "inf", "-inf", "1e400", "3.5e38"}) {
