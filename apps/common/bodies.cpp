@@ -104,7 +104,8 @@ std::string body_text(const LoadedBody& loaded, const std::string& label) {
   line("integrated mean curvature M", shape.measures.integrated_mean_curvature,
        "   (mean radius M/4pi = " + short_number(shape.measures.mean_radius(), 12) + ")");
   line("circumradius", shape.body.circumradius(),
-       "   about (" + short_number(centre.x, 6) + ", " + short_number(centre.y, 6) + ", " + short_number(centre.z, 6) + ")");
+       "   about (" + short_number(centre.x, 6) + ", " + short_number(centre.y, 6) + ", " + short_number(centre.z, 6) +
+           ")");
   line("inradius", shape.body.inradius());
   if (loaded.mesh) {
     for (const std::string& note : loaded.mesh->notes) text += "\n   note: " + printable(note);

@@ -1,10 +1,9 @@
 // The bodies that a command line names: mesh files and named shapes.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-
-#include <nlohmann/json.hpp>
 
 #include "meshes/convex_mesh.h"
 #include "shapes/any_shape.h"

@@ -76,17 +76,15 @@ std::string with_error(double value, double std_error) {
   const bool scientific = place > 0 || value_exponent < -4;
   const int exponent = scientific ? std::max(value_exponent, place + 1) : 0;
   const double error_digits = std::round(std_error / std::pow(10.0, place));
-  std::string text = fixed(std::max(0, exponent - place), value / std::pow(10.0, exponent)) + "(" +
-                     fixed(0, error_digits) + ")";
+  std::string text =
+      fixed(std::max(0, exponent - place), value / std::pow(10.0, exponent)) + "(" + fixed(0, error_digits) + ")";
   if (scientific) text += "e" + std::to_string(exponent);
   return text;
 }
 
 std::string short_number(double value, int digits) { return tidy_exponent(general(digits, value)); }
 
-std::string short_count(double value) {
-  return value < 1e5 ? fixed(0, value) : tidy_exponent(general(3, value));
-}
+std::string short_count(double value) { return value < 1e5 ? fixed(0, value) : tidy_exponent(general(3, value)); }
 
 std::string hex_number(double value) {
   char text[64];

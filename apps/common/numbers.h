@@ -7,8 +7,8 @@
 
 namespace vex {
 
-/// A whole number, also written like 1e7 or 2.5e6; throws UsageError where it is not whole, negative, or above 2^64 - 1.
-/// `option` names it in the message.
+/// A whole number, also written like 1e7 or 2.5e6; throws UsageError where it is not whole, negative, or above 2^64
+/// - 1. `option` names it in the message.
 std::uint64_t parse_count(std::string_view text, std::string_view option);
 
 /// A finite number; throws UsageError.

@@ -17,11 +17,12 @@ namespace fs = std::filesystem;
 namespace {
 
 // What users are most likely to have meant as an input; overwriting it would cost them their mesh.
-constexpr std::array<std::string_view, 14> kMeshExtensions = {
-    ".obj", ".stl", ".ply", ".off", ".gltf", ".glb", ".dae", ".3mf", ".fbx", ".3ds", ".x3d", ".blend", ".dxf", ".stp"};
+constexpr std::array<std::string_view, 14> kMeshExtensions = {".obj", ".stl", ".ply", ".off", ".gltf",  ".glb", ".dae",
+                                                              ".3mf", ".fbx", ".3ds", ".x3d", ".blend", ".dxf", ".stp"};
 
 std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  std::ranges::transform(text, text.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   return text;
 }
 
@@ -40,10 +41,12 @@ OutputFile::OutputFile(std::string path, std::span<const std::string> inputs) : 
   }
   std::error_code error;
   for (const std::string& input : inputs) {
-    if (path_ == input || fs::equivalent(path_, input, error)) refuse("the output file is an input", "choose another name");
+    if (path_ == input || fs::equivalent(path_, input, error))
+      refuse("the output file is an input", "choose another name");
   }
   if (fs::is_directory(path_, error)) refuse("the output file is a folder", "give the path of a file");
-  if (fs::exists(path_, error) && !fs::is_regular_file(path_, error)) return;  // /dev/null and pipes are written directly
+  if (fs::exists(path_, error) && !fs::is_regular_file(path_, error))
+    return;  // /dev/null and pipes are written directly
   if (fs::exists(path_, error) && access(path_.c_str(), W_OK) != 0) {
     refuse("the output file is write-protected", "choose another name");
   }

@@ -46,7 +46,8 @@ double fraction_done(const Progress& progress, const StopRule& stop) {
   return std::clamp(fraction, 0.0, 1.0);
 }
 
-ProgressBar::ProgressBar(bool wanted, const StopRule& stop) : enabled_(wanted && isatty(STDERR_FILENO) != 0), stop_(stop) {}
+ProgressBar::ProgressBar(bool wanted, const StopRule& stop)
+    : enabled_(wanted && isatty(STDERR_FILENO) != 0), stop_(stop) {}
 
 ProgressBar::~ProgressBar() {
   if (drawn_) std::fputs("\r\033[K", stderr);

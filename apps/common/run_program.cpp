@@ -105,8 +105,9 @@ std::string command_line(int argc, char** argv) {
   std::string line;
   for (int k = 0; k < argc; ++k) {
     const std::string word = argv[k];
-    const bool plain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                               "0123456789_-+=.,:/@%") == std::string::npos;
+    const bool plain = !word.empty() && word.find_first_not_of(
+                                            "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                            "0123456789_-+=.,:/@%") == std::string::npos;
     if (!line.empty()) line += ' ';
     if (plain) {
       line += word;

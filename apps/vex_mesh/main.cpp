@@ -48,7 +48,8 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
   if (options.law == OrientationLaw::isotropic) {
     run.formula = formula;
   } else {
-    run.formula_reason = "the formula holds for isotropic orientations, not for " + std::string(name_of(options.law)) + " ones";
+    run.formula_reason =
+        "the formula holds for isotropic orientations, not for " + std::string(name_of(options.law)) + " ones";
   }
   run.domain = choose_domain(options.domain, a, b);
   require_finite(run.domain.volume, "the sampling volume");
@@ -82,10 +83,10 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
 }  // namespace vex
 
 int main(int argc, char** argv) {
-  CLI::App app("Average excluded volume <V_ex> of two convex bodies: by Monte Carlo, and by the formula from V, S and M.",
-               "vex_mesh");
+  CLI::App app(
+      "Average excluded volume <V_ex> of two convex bodies: by Monte Carlo, and by the formula from V, S and M.",
+      "vex_mesh");
   vex::CommandLine words;
   vex::declare_options(app, words);
-  return vex::run_program(app, argc, argv,
-                          [&] { return vex::run_vex_mesh(words, vex::command_line(argc, argv)); });
+  return vex::run_program(app, argc, argv, [&] { return vex::run_vex_mesh(words, vex::command_line(argc, argv)); });
 }

@@ -89,8 +89,11 @@ void declare_options(CLI::App& app, CommandLine& words) {
                  "gjk (default), ccd-gjk or ccd-mpr (libccd; ccd means ccd-mpr); fcl and specialised come later")
       ->type_name("NAME")
       ->group(query);
-  app.add_flag("--no-quick-verdicts", words.no_quick_verdicts, "Do not let the circumscribed and inscribed balls decide")->group(query);
-  app.add_flag("--cross-check", words.cross_check, "Ask every backend about every pose and list each disagreement")->group(query);
+  app.add_flag("--no-quick-verdicts", words.no_quick_verdicts,
+               "Do not let the circumscribed and inscribed balls decide")
+      ->group(query);
+  app.add_flag("--cross-check", words.cross_check, "Ask every backend about every pose and list each disagreement")
+      ->group(query);
 
   const std::string meshes = "Meshes";
   app.add_option("--convex-tolerance", words.convex_tolerance,
@@ -99,8 +102,10 @@ void declare_options(CLI::App& app, CommandLine& words) {
       ->group(meshes);
 
   const std::string output = "Output";
-  app.add_option("--json", words.json, "Write one JSON document; - is standard output, where then nothing else is printed")
-      ->type_name("FILE")->group(output);
+  app.add_option("--json", words.json,
+                 "Write one JSON document; - is standard output, where then nothing else is printed")
+      ->type_name("FILE")
+      ->group(output);
   app.add_option("--max-z", words.max_z,
                  "Exit with 4 where Monte Carlo and formula differ by more standard errors (default 6)")
       ->type_name("Z")
@@ -119,22 +124,25 @@ void declare_options(CLI::App& app, CommandLine& words) {
 
   std::string bodies = "Named bodies: ";
   for (const NamedShape& shape : named_shapes()) {
-    bodies += "\n  " + std::string(shape.name) + ":" + std::string(shape.parameters) + "  " + std::string(shape.meaning);
+    bodies +=
+        "\n  " + std::string(shape.name) + ":" + std::string(shape.parameters) + "  " + std::string(shape.meaning);
   }
-  app.footer(bodies + "\n\nExit codes: 0 success, 1 a fault of the program, 2 wrong usage, 3 input refused, 4 Monte Carlo and formula disagree,"
-                      "\n130 or 143 interrupted (what was done is reported).");
+  app.footer(bodies +
+             "\n\nExit codes: 0 success, 1 a fault of the program, 2 wrong usage, 3 input refused, 4 Monte Carlo and "
+             "formula disagree,"
+             "\n130 or 143 interrupted (what was done is reported).");
 }
 
 Options interpret(const CommandLine& words) {
-  for (const auto& [given, option] : std::initializer_list<std::pair<bool, const char*>>{
-           {words.hull, "--hull"},
-           {words.unit_volume, "--unit-volume"},
-           {!words.scale.empty(), "--scale"},
-           {words.dump_vertices, "--dump-vertices"},
-           {words.verify, "--verify"},
-           {!words.isa.empty(), "--isa"},
-           {!words.checkpoint.empty(), "--checkpoint"},
-           {!words.resume.empty(), "--resume"}}) {
+  for (const auto& [given, option] :
+       std::initializer_list<std::pair<bool, const char*>>{{words.hull, "--hull"},
+                                                           {words.unit_volume, "--unit-volume"},
+                                                           {!words.scale.empty(), "--scale"},
+                                                           {words.dump_vertices, "--dump-vertices"},
+                                                           {words.verify, "--verify"},
+                                                           {!words.isa.empty(), "--isa"},
+                                                           {!words.checkpoint.empty(), "--checkpoint"},
+                                                           {!words.resume.empty(), "--resume"}}) {
     if (given) not_built_yet(option);
   }
   const auto or_default = [](const std::string& word, const char* value) { return word.empty() ? value : word; };
@@ -160,7 +168,8 @@ Options interpret(const CommandLine& words) {
   if (!options.stop.trials && !options.stop.relative_error && !options.stop.seconds) options.stop.relative_error = 1e-3;
   if (!words.seed.empty()) options.seed = parse_count(words.seed, "--seed");
   if (words.threads.empty()) {
-    options.n_threads = static_cast<int>(std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, kMaxThreads));
+    options.n_threads =
+        static_cast<int>(std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, kMaxThreads));
   } else {
     const std::uint64_t n = positive_count(words.threads, "--threads");
     if (n > kMaxThreads) throw UsageError("too many threads (" + words.threads + ") - at most 1024");

@@ -1,10 +1,9 @@
 // The command line of vex_mesh.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
-
-#include <CLI/CLI.hpp>
 
 #include "engine/sampling/monte_carlo.h"
 

@@ -184,7 +184,8 @@ std::string report_text(const MeshRun& run) {
     const VolumeEstimate& estimate = *run.estimate;
     text += "   <V_ex>                            " + with_error(estimate.excluded_volume, estimate.std_error) +
             "   95 %: " + short_number(estimate.ci95.lower, 8) + " ... " + short_number(estimate.ci95.upper, 8) + "\n";
-    text += "   hits / trials                     " + std::to_string(tally.n_hits) + " / " + std::to_string(tally.n_trials);
+    text +=
+        "   hits / trials                     " + std::to_string(tally.n_hits) + " / " + std::to_string(tally.n_trials);
     if (tally.n_undecided > 0) text += ", undecided " + std::to_string(tally.n_undecided);
     text += "\n   decided by                        " + decided_by_text(tally) + "\n";
   }

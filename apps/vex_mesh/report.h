@@ -1,10 +1,9 @@
 // What vex_mesh says of a run: on the screen and in JSON.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-
-#include <nlohmann/json.hpp>
 
 #include "apps/common/bodies.h"
 #include "apps/vex_mesh/options.h"
