@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "engine/numeric/lane.h"
+#include "engine/numeric/transform.h"
 
 namespace vex {
 
@@ -156,6 +156,21 @@ ArrayBits<W> operator-(const ArrayBits<W>& a, const ArrayBits<W>& b) {
 template <int W>
 ArrayBits<W> operator+(const ArrayBits<W>& a, const ArrayBits<W>& b) {
   return array_lanes_detail::each<ArrayBits<W>, W>([&](auto& r, std::size_t k) { r.word[k] = a.word[k] + b.word[k]; });
+}
+
+/// Puts one vector, or one pose, into lane k.
+template <int W>
+void set_lane(Vec3<ArrayLanes<W>>& wide, std::size_t k, const Vec3d& one) {
+  wide.x.lane[k] = one.x;
+  wide.y.lane[k] = one.y;
+  wide.z.lane[k] = one.z;
+}
+template <int W>
+void set_lane(Transform<ArrayLanes<W>>& wide, std::size_t k, const Transformd& one) {
+  set_lane(wide.row_x, k, one.row_x);
+  set_lane(wide.row_y, k, one.row_y);
+  set_lane(wide.row_z, k, one.row_z);
+  set_lane(wide.translation, k, one.translation);
 }
 
 }  // namespace vex

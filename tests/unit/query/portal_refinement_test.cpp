@@ -27,16 +27,8 @@ void expect_lanes_to_agree(const A& a, const B& b, std::uint64_t seed) {
     Vec3<L> inner;
     for (std::size_t k = 0; k < W; ++k) {
       poses[k] = random_pose(random, domain, body_b);
-      const auto put = [&](Vec3<L>& wide, const Vec3d& one) {
-        wide.x.lane[k] = one.x;
-        wide.y.lane[k] = one.y;
-        wide.z.lane[k] = one.z;
-      };
-      put(pose.row_x, poses[k].row_x);
-      put(pose.row_y, poses[k].row_y);
-      put(pose.row_z, poses[k].row_z);
-      put(pose.translation, poses[k].translation);
-      put(inner, Vec3d{0.01, 0.02, 0.03} - poses[k].translation);
+      set_lane(pose, k, poses[k]);
+      set_lane(inner, k, Vec3d{0.01, 0.02, 0.03} - poses[k].translation);
     }
     const Posed<B, L> placed(b, pose);
     const PortalResult<L> wide =

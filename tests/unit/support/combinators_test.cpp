@@ -74,16 +74,8 @@ TEST(Combinators, LanesGiveTheBitsOfOneLane) {
       poses[k] = random_rotation(random);
       poses[k].translation = random_direction(random);
       dirs[k] = random_direction(random);
-      const auto put = [&](Vec3<L>& wide, const Vec3d& one) {
-        wide.x.lane[k] = one.x;
-        wide.y.lane[k] = one.y;
-        wide.z.lane[k] = one.z;
-      };
-      put(pose.row_x, poses[k].row_x);
-      put(pose.row_y, poses[k].row_y);
-      put(pose.row_z, poses[k].row_z);
-      put(pose.translation, poses[k].translation);
-      put(dir, dirs[k]);
+      set_lane(pose, k, poses[k]);
+      set_lane(dir, k, dirs[k]);
     }
     const Posed<Polytope, L> wide_b(polytope, pose);
     const Vec3<L> wide = MinkowskiDifference(rounded, wide_b).support(dir);
