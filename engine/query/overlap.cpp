@@ -8,10 +8,6 @@
 namespace vex {
 namespace {
 
-// Support calls after which a search from one inner point is given up. Random pairs need 3 to 5 and near-touching ones
-// of curved bodies a few dozen; what reaches the cap is reported as such, never answered.
-constexpr int kMaxSupportCalls = 512;
-
 // The searches start from these points of K, offsets from the difference of the centres in units of the sum of inradii.
 // They are arbitrary but for having no symmetry: started at the centres themselves, the origin would lie on an edge or
 // a face of the simplex in every symmetric placement (always, for two balls), where nothing can be proven. The first is
@@ -22,7 +18,8 @@ constexpr std::array<Vec3d, 3> kInnerPoints = {
 
 }  // namespace
 
-Verdict overlap(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, OverlapCertificate* certificate) {
+Verdict overlap(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, OverlapCertificate* certificate,
+                int max_support_calls) {
   const Posed<ConvexBody, double> b_in_a(b, a_from_b);
   const MinkowskiDifference difference(a, b_in_a);
   const QueryError<double> error = query_error(a, b, a_from_b);
@@ -33,7 +30,7 @@ Verdict overlap(const ConvexBody& a, const ConvexBody& b, const Transformd& a_fr
   int n_support_calls = 0;
   for (const Vec3d& offset : kInnerPoints) {
     const PortalResult<double> found =
-        refine_portal(difference, between_centres + inradii * offset, error, kMaxSupportCalls);
+        refine_portal(difference, between_centres + inradii * offset, error, max_support_calls);
     n_support_calls += found.n_support_calls;
     if (certificate != nullptr) {
       *certificate = {found.separating_dir, {found.v0, found.v1, found.v2, found.v3}, n_support_calls};

@@ -17,11 +17,16 @@ struct OverlapCertificate {
   int n_support_calls = 0;       // support mappings of A - B evaluated, for any verdict
 };
 
+/// Support calls after which a search from one inner point is given up. Random pairs need 3 to 5 and near-touching ones
+/// of curved bodies a few dozen; what reaches the cap is reported as such, never answered.
+inline constexpr int kMaxSupportCalls = 512;
+
 /// Decides whether A and B, placed by `a_from_b`, share a point; never guesses. No quick verdicts before it.
 ///
-/// R of the pose must be a rotation to within 1e-6. Coordinates between 1e-45 and 1e45 in size. `certificate`, if
-/// given, receives the proof. Undecided where the bodies touch to within rounding, about 1e-14 of their reach (E1).
+/// R of the pose must be a rotation to within 1e-6. Sizes and coordinates from 1e-45 to 1e45. `certificate`, if given,
+/// receives the proof. Undecided where the bodies touch to within rounding (E1: 40 u of the pair's reach, more where
+/// the difference of the bodies is a needle or a plate: docs/performance.md has measured widths).
 Verdict overlap(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
-                OverlapCertificate* certificate = nullptr);
+                OverlapCertificate* certificate = nullptr, int max_support_calls = kMaxSupportCalls);
 
 }  // namespace vex

@@ -95,9 +95,13 @@ PortalResult<L> refine_portal(const Difference& difference, const Vec3<L>& v0, c
       break;
     }
     ++result.n_support_calls;
-    dir = scaled_to_unit_exponent(dir);
+    L dir_length = norm_1(dir);
+    if (any(either(dir_length<L(0x1p-100), dir_length> L(0x1p100)))) {
+      dir = scaled_to_unit_exponent(dir);
+      dir_length = norm_1(dir);
+    }
     const Vec3<L> w = difference.support(dir);
-    const L slack = error.support * norm_1(dir);
+    const L slack = error.support * dir_length;
     const L value = dot(dir, w);
     const Mask separated = both(active, value < -slack);
     if (any(separated)) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "shapes/capsule.h"
 #include "shapes/ellipsoid.h"
 #include "shapes/sphere.h"
@@ -169,6 +171,119 @@ TEST(Overlap, OfTouchingBodiesIsNeverGuessed) {
   const Verdict spheres = overlap(Sphere(1.0), Sphere(1.0), shifted(2.0, 0.0, 0.0));
   EXPECT_EQ(spheres.outcome, Outcome::undecided);
   EXPECT_EQ(spheres.reason, UndecidedReason::rounding);
+}
+
+// A vertex of B above or in the top face of a box A: which of the two, the placed vertices themselves say, exactly. The
+// plane of the face is z = h, so B is apart if every placed z is above h, and meets A if its lowest vertex is in A.
+enum class OnFace { apart, meets, unknown };
+
+OnFace vertex_on_face(const std::vector<Vec3d>& placed_b, const Vec3d& half) {
+  const Vec3d* lowest = &placed_b[0];
+  for (const Vec3d& v : placed_b) {
+    if (v.z < lowest->z) lowest = &v;
+  }
+  if (lowest->z > half.z) return OnFace::apart;
+  const bool in_box = std::fabs(lowest->x) <= half.x && std::fabs(lowest->y) <= half.y && lowest->z >= -half.z;
+  return in_box ? OnFace::meets : OnFace::unknown;
+}
+
+TEST(Overlap, WithinRoundingOfContactIsNeverWrong) {
+  // 10^5 placements a few roundoffs from contact, at ratios where the bounds matter: an engine whose bounds are a
+  // hundred times too small, or that trusts its signs, answers wrong here (tried: hundreds of times).
+  std::mt19937_64 random(18);
+  struct Ratio {
+    Vec3d edges_a, edges_b;
+  };
+  const std::vector<Ratio> ratios = {{{1, 1, 1}, {1, 1, 1}},          {{1, 1, 1}, {1e9, 1, 1}},
+                                     {{1e9, 1e9, 1}, {1, 1, 1}},      {{1e6, 1e6, 1e6}, {1, 1, 1}},
+                                     {{1, 1, 1}, {1, 1e6, 1e6}},      {{1, 1, 1e-9}, {1, 1, 1}},
+                                     {{100, 100, 1}, {1e-3, 1, 1e3}}, {{1, 1, 1}, {1e-9, 1e-9, 1}}};
+  int n_decided = 0, n_undecided = 0, n_apart = 0;
+  for (const Ratio& ratio : ratios) {
+    const TestPolytope a = test_box(ratio.edges_a.x, ratio.edges_a.y, ratio.edges_a.z);
+    const TestPolytope b = test_box(ratio.edges_b.x, ratio.edges_b.y, ratio.edges_b.z);
+    const Vec3d half = 0.5 * ratio.edges_a;
+    const double reach = a.body.reach() + b.body.reach();
+    for (int k = 0; k < 12500; ++k) {
+      Transformd pose = random_rotation(random);
+      std::vector<Vec3d> turned = exact::placed(b.vertices, pose);
+      const Vec3d lowest = *std::min_element(turned.begin(), turned.end(), [](auto& p, auto& q) { return p.z < q.z; });
+      // The lowest vertex over the face; its height a random multiple of 2^-56 ... 2^-36 of the reach.
+      const double gap =
+          std::ldexp(reach * (2.0 * random_in_unit_interval(random) - 1.0), -36 - static_cast<int>(random() % 21));
+      pose.translation = {half.x * (1.8 * random_in_unit_interval(random) - 0.9) - lowest.x,
+                          half.y * (1.8 * random_in_unit_interval(random) - 0.9) - lowest.y, half.z + gap - lowest.z};
+      const OnFace truth = vertex_on_face(exact::placed(b.vertices, pose), half);
+      if (truth == OnFace::unknown) continue;
+      const Outcome outcome = overlap(a.body, b.body, pose).outcome;
+      (outcome == Outcome::undecided ? n_undecided : n_decided) += 1;
+      n_apart += truth == OnFace::apart ? 1 : 0;
+      if (outcome == Outcome::undecided) continue;
+      ASSERT_EQ(outcome, truth == OnFace::apart ? Outcome::disjoint : Outcome::overlap)
+          << "boxes " << ratio.edges_a.x << " " << ratio.edges_a.y << " and " << ratio.edges_b.x << ", placement " << k;
+    }
+  }
+  EXPECT_GT(n_decided, 20000) << "the sample must hold what can be decided";
+  EXPECT_GT(n_undecided, 5000) << "and what cannot";
+  EXPECT_GT(n_apart, 20000);
+}
+
+// Behind (-1), in (0) or in front of (+1) the plane of a, b, c, seen from where they turn counter-clockwise: exact.
+int side_of(const std::array<Vec3d, 3>& face, const Vec3d& p) {
+  const exact::Point a = exact::exactly(face[0]);
+  const exact::Point ab = exact::minus(exact::exactly(face[1]), a), ac = exact::minus(exact::exactly(face[2]), a);
+  const exact::Point ap = exact::minus(exact::exactly(p), a);
+  const exact::Rational det = ap[0] * (ab[1] * ac[2] - ab[2] * ac[1]) + ap[1] * (ab[2] * ac[0] - ab[0] * ac[2]) +
+                              ap[2] * (ab[0] * ac[1] - ab[1] * ac[0]);
+  return det > 0 ? 1 : (det < 0 ? -1 : 0);
+}
+
+TEST(Overlap, OfAVertexWithinRoundingOfATurnedFaceIsNeverWrong) {
+  // The other way round: the face is B's, so its plane and every support value along its normal are rounded. B is a
+  // tetrahedron, whose placed face is a plane exactly; on which side of it A's vertices lie is decided in rationals.
+  std::mt19937_64 random(19);
+  int n_decided = 0, n_undecided = 0, n_meets = 0, n_apart = 0;
+  for (const double stretch : {1.0, 1e3, 1e6, 1e9}) {
+    const TestPolytope a = test_box(1, 2, 3);
+    const std::vector<Vec3d> corners = {{stretch, 0, 0}, {-stretch, stretch, 0}, {-stretch, -stretch, 0}, {0, 0, -1}};
+    const TestPolytope b = test_hull(corners, {-0.25 * stretch, 0, -0.25}, 0.0);
+    const double reach = a.body.reach() + b.body.reach();
+    for (int k = 0; k < 2000; ++k) {
+      Transformd pose = random_rotation(random);
+      const Vec3d normal{pose.row_x.z, pose.row_y.z, pose.row_z.z};  // of the face z = 0 of B, outwards
+      const Vec3d vertex = a.body.support(-normal);
+      const double u = 0.2 + 0.2 * random_in_unit_interval(random), v = 0.2 + 0.2 * random_in_unit_interval(random);
+      const Vec3d inside = pose(u * corners[0] + v * corners[1] + (1.0 - u - v) * corners[2]);
+      const double gap =
+          std::ldexp(reach * (2.0 * random_in_unit_interval(random) - 1.0), -42 - static_cast<int>(random() % 14));
+      pose.translation = vertex + gap * normal - inside;
+      const std::vector<Vec3d> placed = exact::placed(corners, pose);
+      const std::array<Vec3d, 3> face = {placed[0], placed[1], placed[2]};
+      bool apart = true;
+      for (const Vec3d& p : a.vertices) apart = apart && side_of(face, p) > 0;
+      const bool meets = side_of(face, vertex) <= 0;  // then the vertex is in B: it is far from B's other faces
+      if (!apart && !meets) continue;
+      (apart ? n_apart : n_meets) += 1;
+      const Outcome outcome = overlap(a.body, b.body, pose).outcome;
+      (outcome == Outcome::undecided ? n_undecided : n_decided) += 1;
+      if (outcome == Outcome::undecided) continue;
+      ASSERT_EQ(outcome, apart ? Outcome::disjoint : Outcome::overlap) << "stretch " << stretch << ", placement " << k;
+    }
+  }
+  EXPECT_GT(n_meets, 1500);
+  EXPECT_GT(n_apart, 1500);
+  EXPECT_GT(n_decided, 800);
+  EXPECT_GT(n_undecided, 800);
+}
+
+TEST(Overlap, GivenUpIsSaidSo) {
+  // A cap too low for anything: no verdict, and the reason is the cap.
+  const TestPolytope cube = test_box(1, 1, 1);
+  OverlapCertificate proof;
+  const Verdict verdict = overlap(cube.body, cube.body, shifted(0.3, 0.2, 0.1), &proof, 2);
+  EXPECT_EQ(verdict.outcome, Outcome::undecided);
+  EXPECT_EQ(verdict.reason, UndecidedReason::iteration_cap);
+  EXPECT_EQ(proof.n_support_calls, 6) << "two from each of three starts";
 }
 
 TEST(Overlap, DoesNotDependOnTheUnitOfLength) {
