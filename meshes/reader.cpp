@@ -269,6 +269,10 @@ std::uintmax_t checked_file_size(const std::filesystem::path& path) {
   return size;
 }
 
+bool names_a_mesh_format(const std::filesystem::path& path) {
+  return path.has_extension() && Assimp::Importer().IsExtensionSupported(path.extension().string());
+}
+
 PolygonSoup read_polygon_soup(const std::filesystem::path& path) {
   checked_file_size(path);
   Assimp::Importer importer;

@@ -16,6 +16,9 @@ namespace vex {
 /// waits, whatever is there (a pipe, a device).
 std::uintmax_t checked_file_size(const std::filesystem::path& path);
 
+/// Whether the extension is that of a format that is read.
+bool names_a_mesh_format(const std::filesystem::path& path);
+
 /// The faces of all meshes of the file. Throws InputError. A broken file may crash the reading process:
 /// isolated_reader.h is the way to read what one did not write.
 PolygonSoup read_polygon_soup(const std::filesystem::path& path);

@@ -2,28 +2,32 @@
 
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 
 #include "engine/numeric/errors.h"
+#include "meshes/reader.h"
 
 namespace vex {
 namespace fs = std::filesystem;
 namespace {
 
-// What users are most likely to have meant as an input; overwriting it would cost them their mesh.
-constexpr std::array<std::string_view, 14> kMeshExtensions = {".obj", ".stl", ".ply", ".off", ".gltf",  ".glb", ".dae",
-                                                              ".3mf", ".fbx", ".3ds", ".x3d", ".blend", ".dxf", ".stp"};
-
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return text;
+// The file that a path stands for, through links that may point to each other or to nothing; none for a circle of
+// links.
+std::optional<fs::path> target_of(fs::path path) {
+  constexpr int kMostLinks = 40;  // as many as the system follows
+  std::error_code error;
+  for (int k = 0; k < kMostLinks; ++k) {
+    if (!fs::is_symlink(path, error)) return path;
+    const fs::path next = fs::read_symlink(path, error);
+    if (error) return std::nullopt;
+    path = next.is_absolute() ? next : path.parent_path() / next;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -36,7 +40,10 @@ OutputFile::OutputFile(std::string path, std::span<const std::string> inputs) : 
   if (path_.empty()) refuse("the output file has no name", "give a path, or - for standard output");
   if (path_.front() == '-')
     refuse("an option stands where the output file's name is missing", "give FILE; ./-x is a file named -x");
-  if (std::ranges::find(kMeshExtensions, lower_case(fs::path(path_).extension().string())) != kMeshExtensions.end()) {
+  const std::optional<fs::path> target = target_of(path_);
+  if (!target) refuse("the output file is a link that leads in a circle", "choose another name");
+  // What a user most likely meant as an input: overwriting it would cost the mesh.
+  if (names_a_mesh_format(path_) || names_a_mesh_format(*target)) {
     refuse("an output file would end in the extension of a mesh", "choose another name, such as result.json");
   }
   std::error_code error;
@@ -50,7 +57,7 @@ OutputFile::OutputFile(std::string path, std::span<const std::string> inputs) : 
   if (fs::exists(path_, error) && access(path_.c_str(), W_OK) != 0) {
     refuse("the output file is write-protected", "choose another name");
   }
-  const fs::path folder = fs::path(path_).has_parent_path() ? fs::path(path_).parent_path() : fs::path(".");
+  const fs::path folder = target->has_parent_path() ? target->parent_path() : fs::path(".");
   if (!fs::is_directory(folder, error)) refuse("the output file's folder does not exist", "make it first");
   if (access(folder.c_str(), W_OK) != 0) refuse("the output file's folder cannot be written", "choose another one");
 }
@@ -69,7 +76,7 @@ void OutputFile::write(std::string_view text) const {
   std::error_code error;
   const bool special = fs::exists(path_, error) && !fs::is_regular_file(path_, error);
   // Through a link, so that the file it points to is replaced, not the link.
-  const fs::path target = fs::is_symlink(path_, error) ? fs::weakly_canonical(path_, error) : fs::path(path_);
+  const fs::path target = target_of(path_).value_or(path_);
   fs::path written = target;
   if (!special) written += ".tmp" + std::to_string(getpid());
   {

@@ -40,7 +40,7 @@ TEST(CcdBackend, WhereItContradictsTheEngineExactArithmeticSidesWithTheEngine) {
   const std::unique_ptr<OverlapBackend> gjk = gjk_backend().make(cube.body, cube.body);
   const std::unique_ptr<OverlapBackend> ccd = ccd_gjk_backend().make(cube.body, cube.body);
   int n_disputed = 0;
-  for (int k = 0; k < 20; ++k) {
+  for (int k = 0; k < 8; ++k) {
     Transformd pose = random_rotation(random);
     const Vec3d dir = random_direction(random);
     pose.translation = (exact::contact_along(cube, cube, pose, dir).apart * (1 + 1e-10)) * dir;
@@ -51,7 +51,7 @@ TEST(CcdBackend, WhereItContradictsTheEngineExactArithmeticSidesWithTheEngine) {
     ASSERT_FALSE(exact::overlap(cube.vertices, exact::placed(cube.vertices, pose)));
     n_disputed += theirs.outcome == Outcome::overlap ? 1 : 0;
   }
-  EXPECT_GT(n_disputed, 10) << "the stratum must show the peer's fault, or this test shows nothing";
+  EXPECT_GE(n_disputed, 4) << "the stratum must show the peer's fault, or this test shows nothing";
 }
 
 TEST(CcdBackend, NeverHangs) {

@@ -49,6 +49,19 @@ TEST_F(OutputFileTest, ThroughALinkReplacesWhatItPointsTo) {
   EXPECT_EQ(content(path("result.json")), "new\n");
 }
 
+TEST_F(OutputFileTest, ThroughALinkToNothingMakesWhatItPointsTo) {
+  fs::create_symlink("new.json", folder_ / "link.json");
+  OutputFile(path("link.json"), {}).write("new\n");
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link.json"));
+  EXPECT_EQ(content(path("new.json")), "new\n");
+}
+
+TEST_F(OutputFileTest, RefusesLinksInACircleBeforeTheRun) {
+  fs::create_symlink("b.json", folder_ / "a.json");
+  fs::create_symlink("a.json", folder_ / "b.json");
+  EXPECT_THROW(OutputFile(path("a.json"), {}), UsageError);
+}
+
 TEST_F(OutputFileTest, RefusesWhatWouldCostTheUserAFile) {
   const std::vector<std::string> inputs = {path("body.json")};
   std::ofstream(inputs[0]) << "input";
@@ -57,6 +70,8 @@ TEST_F(OutputFileTest, RefusesWhatWouldCostTheUserAFile) {
   EXPECT_THROW(OutputFile(path("alias.json"), inputs), UsageError);
   EXPECT_THROW(OutputFile(path("other.obj"), inputs), UsageError);
   EXPECT_THROW(OutputFile(path("other.STL"), inputs), UsageError);
+  EXPECT_THROW(OutputFile(path("other.amf"), inputs), UsageError) << "whatever is read as a mesh";
+  EXPECT_THROW(OutputFile(path("other.step"), inputs), UsageError);
   EXPECT_THROW(OutputFile(folder_.string(), inputs), UsageError);
   EXPECT_THROW(OutputFile(path("no/such/folder.json"), inputs), UsageError);
   EXPECT_THROW(OutputFile("", inputs), UsageError);

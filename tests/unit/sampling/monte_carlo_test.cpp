@@ -160,6 +160,29 @@ TEST(MonteCarlo, CountsAndListsUndecidedTrialsAndNeverCallsThemHitsOrMisses) {
   }
 }
 
+TEST(MonteCarlo, ListsTrialsInTheirOrderWhateverThreadIsLast) {
+  // The thread that has the first block sleeps, so that later trials come home first.
+  const ConvexBody a = Sphere(1.0);
+  MonteCarloSettings settings = settings_for(a, a, 5000);
+  settings.n_threads = 3;
+  const double first_x = trial_pose(1, 0, settings.law, settings.domain, a).translation.x;
+  settings.backend = scripted("unsure and slow", [first_x](const Transformd& pose) {
+    if (pose.translation.x == first_x) std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    return Verdict::undecided(DecidedBy::peer, UndecidedReason::rounding);
+  });
+  settings.cross_check.push_back(scripted("sure", [](const Transformd&) { return Verdict::overlap(DecidedBy::peer); }));
+  settings.cross_check.push_back(
+      scripted("contrary", [](const Transformd&) { return Verdict::disjoint(DecidedBy::peer); }));
+  const RunRecord record = run_hit_or_miss(a, a, settings);
+  ASSERT_EQ(record.undecided.kept.size(), FirstOf<UndecidedTrial>::kKept);
+  ASSERT_EQ(record.disagreements.kept.size(), FirstOf<Disagreement>::kKept);
+  EXPECT_EQ(record.disagreements.n_all, 5000u);
+  for (std::size_t k = 0; k < FirstOf<UndecidedTrial>::kKept; ++k) {
+    ASSERT_EQ(record.undecided.kept[k].index, k);
+    ASSERT_EQ(record.disagreements.kept[k].index, k);
+  }
+}
+
 TEST(MonteCarlo, CrossCheckFindsALiar) {
   const ConvexBody a = Box(1, 1, 1);
   MonteCarloSettings settings = settings_for(a, a, 20000);
