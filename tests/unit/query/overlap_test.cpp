@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "shapes/capsule.h"
 #include "shapes/ellipsoid.h"
 #include "shapes/sphere.h"
@@ -177,13 +175,18 @@ TEST(Overlap, OfTouchingBodiesIsNeverGuessed) {
 // plane of the face is z = h, so B is apart if every placed z is above h, and meets A if its lowest vertex is in A.
 enum class OnFace { apart, meets, unknown };
 
-OnFace vertex_on_face(const std::vector<Vec3d>& placed_b, const Vec3d& half) {
-  const Vec3d* lowest = &placed_b[0];
-  for (const Vec3d& v : placed_b) {
-    if (v.z < lowest->z) lowest = &v;
+Vec3d lowest_of(const std::vector<Vec3d>& points) {
+  Vec3d lowest = points[0];
+  for (const Vec3d& p : points) {
+    if (p.z < lowest.z) lowest = p;
   }
-  if (lowest->z > half.z) return OnFace::apart;
-  const bool in_box = std::fabs(lowest->x) <= half.x && std::fabs(lowest->y) <= half.y && lowest->z >= -half.z;
+  return lowest;
+}
+
+OnFace vertex_on_face(const std::vector<Vec3d>& placed_b, const Vec3d& half) {
+  const Vec3d lowest = lowest_of(placed_b);
+  if (lowest.z > half.z) return OnFace::apart;
+  const bool in_box = std::fabs(lowest.x) <= half.x && std::fabs(lowest.y) <= half.y && lowest.z >= -half.z;
   return in_box ? OnFace::meets : OnFace::unknown;
 }
 
@@ -206,8 +209,7 @@ TEST(Overlap, WithinRoundingOfContactIsNeverWrong) {
     const double reach = a.body.reach() + b.body.reach();
     for (int k = 0; k < 12500; ++k) {
       Transformd pose = random_rotation(random);
-      std::vector<Vec3d> turned = exact::placed(b.vertices, pose);
-      const Vec3d lowest = *std::min_element(turned.begin(), turned.end(), [](auto& p, auto& q) { return p.z < q.z; });
+      const Vec3d lowest = lowest_of(exact::placed(b.vertices, pose));
       // The lowest vertex over the face; its height a random multiple of 2^-56 ... 2^-36 of the reach.
       const double gap =
           std::ldexp(reach * (2.0 * random_in_unit_interval(random) - 1.0), -36 - static_cast<int>(random() % 21));
