@@ -1,6 +1,7 @@
 #include "meshes/convex_mesh.h"
 
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "meshes/convexity.h"
 #include "meshes/hull_check.h"
 #include "meshes/isolated_reader.h"
+#include "meshes/machine_memory.h"
 #include "meshes/polyhedron_measures.h"
 #include "meshes/reader.h"
 #include "meshes/report_text.h"
@@ -23,6 +25,17 @@ void check_options(const MeshOptions& options) {
   if (!(options.convex_tolerance >= 0.0) || !std::isfinite(options.convex_tolerance)) {
     throw UsageError("the convex tolerance is not a finite number from 0 up (" + number_text(options.convex_tolerance) +
                      ") - give a fraction of the body's size such as 1e-6");
+  }
+}
+
+/// Measured: the checks take up to 230 bytes for a triangle whose corners are its own (STL), of which the soup is 52.
+void check_memory(const PolygonSoup& soup) {
+  const std::uint64_t needed = 80 * std::uint64_t{soup.corners.size()};
+  const std::uint64_t available = machine_memory() / 4 * 3;
+  if (needed > available) {
+    throw InputError("the mesh is too large for this machine (" + std::to_string(soup.face_sizes.size()) +
+                     " faces need about " + std::to_string(needed >> 20U) + " MiB of " +
+                     std::to_string(available >> 20U) + ") - simplify it");
   }
 }
 
@@ -53,6 +66,7 @@ ConvexMesh measured(const PolygonSurface& surface, const Triangles& triangles, c
 
 ConvexMesh convex_mesh_from(const PolygonSoup& soup, const MeshOptions& options) {
   check_options(options);
+  check_memory(soup);
   WeldedSurface welded = weld(soup);
   PolygonSurface& surface = welded.surface;
   MeshReport report;

@@ -1,8 +1,6 @@
 #include "meshes/convexity.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "meshes/determinant.h"
@@ -11,15 +9,14 @@
 namespace vex {
 namespace {
 
-/// How far the hull rises above a reflex edge a b between the triangles a b c and b a d: the least of how high d is
-/// above the first, c above the second, and the lines a b and c d apart.
+/// How deep a reflex edge a b between the triangles a b c and b a d lies below the hull of the four points, at its
+/// deepest point. Along the edge the distance from the face a c d grows from 0 at a to h_b = det / |ac x ad| at b, that
+/// from b c d falls from h_a = det / |bc x bd| at a to 0 at b; they are equal where both are h_a h_b / (h_a + h_b). The
+/// whole hull contains the four points', so this never exaggerates.
 double depth_at(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, double det) {
-  double widest = 0.0;
-  const DoubleDoubleVec3 ab = exact_difference(b, a);
-  for (const DoubleDoubleVec3& dir : {exact_difference(c, a), exact_difference(d, a), exact_difference(d, c)}) {
-    widest = std::max(widest, norm(cross(ab, dir)));
-  }
-  return widest > 0.0 ? std::fabs(det) / widest : 0.0;
+  const double area_at_a = norm(cross(exact_difference(c, a), exact_difference(d, a)));
+  const double area_at_b = norm(cross(exact_difference(c, b), exact_difference(d, b)));
+  return det / (area_at_a + area_at_b);  // det > 0: the four points are not coplanar
 }
 
 /// The solid angle of a triangle seen from the origin, signed (van Oosterom and Strackee 1983).
@@ -59,6 +56,11 @@ ConvexityCensus convexity_census(const Triangles& triangles, const LocalPoint& c
     const BoundedDeterminant det = determinant(a, b, c);
     if (!det.surely_positive() && census.n_blind_triangles++ == 0) {
       census.first_blind_triangle = static_cast<std::uint32_t>(t);
+    }
+    if (det.surely_negative()) {
+      census.area_turned_away += norm(cross(exact_difference(triangles.corner(t, 1), triangles.corner(t, 0)),
+                                            exact_difference(triangles.corner(t, 2), triangles.corner(t, 0)))) /
+                                 2.0;
     }
     total_angle += solid_angle(a.value(), b.value(), c.value(), det.value.value());
   }

@@ -20,11 +20,12 @@ namespace vex {
 /// A surface seen edge by edge and triangle by triangle. Signs are decided beyond what rounding can hide.
 struct ConvexityCensus {
   std::size_t n_reflex_edges = 0;
-  double reflex_depth = 0.0;            // a length: the largest of the reflex edges', how far the hull rises above it
+  double reflex_depth = 0.0;            // a length: the deepest reflex edge below the hull of its two triangles
   std::uint32_t deepest_half_edge = 0;  // where that is
   std::size_t n_blind_triangles = 0;    // do not surely see the centroid from inside; without area, or turned away
   std::uint32_t first_blind_triangle = 0;
-  long winding_number = 0;  // how many times the surface winds about the centroid
+  double area_turned_away = 0.0;  // of the triangles that surely see the centroid from outside
+  long winding_number = 0;        // how many times the surface winds about the centroid
 
   /// Then every triangle sees the centroid and no edge is reflex: the surface is a covering of the sphere of
   /// directions, as often as it winds, and convex if that is once.

@@ -7,6 +7,7 @@
 
 #include "engine/numeric/errors.h"
 #include "meshes/convexity.h"
+#include "meshes/exact_hull.h"
 #include "meshes/hull.h"
 #include "meshes/hull_depth.h"
 #include "meshes/report_text.h"
@@ -28,19 +29,23 @@ std::string depth_text(double depth, double size, double tolerance) {
   refuse("it winds " + std::to_string(winding_number) + " times about its centroid, a convex one winds once");
 }
 
-/// The hull's own triangulation must be convex far below any tolerance that means something: what Qhull's rounding
-/// left.
+bool is_convex(const Triangles& triangles) {
+  const ConvexityCensus census = convexity_census(triangles, volume_and_centroid(triangles).centroid);
+  return census.locally_convex() && census.winding_number == 1;
+}
+
 HullInstead hull_of(const Triangles& mesh) {
-  std::optional<Triangles> triangles = paired_triangles(mesh.vertices, convex_hull_triangles(mesh.vertices));
-  if (!triangles || triangles->size() == 0) {
-    throw InputError(
-        "no closed convex hull could be made of the vertices (rounding left gaps) - the body is too thin or its "
-        "vertices "
-        "too close together for its size: mend the mesh");
+  std::optional<Triangles> triangles = exact_hull(mesh.vertices);
+  if (!triangles || !is_convex(*triangles)) {
+    triangles = paired_triangles(mesh.vertices, convex_hull_triangles(mesh.vertices));
+    if (!triangles || !is_convex(*triangles)) {
+      throw InputError(
+          "no convex hull could be made of the vertices (rounding left it with gaps) - the body is too thin or its "
+          "vertices too close together for its size: mend the mesh");
+    }
   }
-  HullInstead hull{std::move(*triangles), {}, 0.0};
-  hull.solid = volume_and_centroid(hull.triangles);
-  return hull;
+  const VolumeAndCentroid solid = volume_and_centroid(*triangles);
+  return {std::move(*triangles), solid, 0.0};
 }
 
 }  // namespace
@@ -56,7 +61,8 @@ std::optional<HullInstead> checked_convexity(const Triangles& mesh, const Volume
   }
   const double tolerated = tolerance * size;
   if (census.n_reflex_edges > 0 && !(census.reflex_depth <= tolerated && tolerance > 0.0)) {
-    refuse(std::to_string(census.n_reflex_edges) + " edges are reflex, the deepest is " +
+    const std::string n_edges = std::to_string(census.n_reflex_edges);
+    refuse((census.n_reflex_edges == 1 ? "an edge is reflex: " : n_edges + " edges are reflex, the deepest is ") +
            edge_text(mesh, census.deepest_half_edge) + ", " + depth_text(census.reflex_depth, size, tolerance));
   }
   if (tolerance == 0.0) {
@@ -66,13 +72,9 @@ std::optional<HullInstead> checked_convexity(const Triangles& mesh, const Volume
   }
   HullInstead hull = hull_of(mesh);
   const double hull_area = surface_area(hull.triangles);
-  const double thickness = 2.0 * hull.solid.volume / hull_area;  // of a plate; then everything is near the hull
-  if (!(thickness > 4.0 * tolerated)) {
-    throw InputError("the body is too thin to be convex only within the tolerance (it is about " +
-                     number_text(thickness) + " thick, the tolerance " + number_text(tolerance) + " of its size is " +
-                     number_text(tolerated) + ") - lower --convex-tolerance, or use plate: or disc:");
-  }
-  const HullDepth deepest = depth_below_hull(mesh, hull.triangles, hull.solid.centroid, tolerated);
+  const double thickness = 2.0 * hull.solid.volume / hull_area;  // of a plate
+  const HullDepth deepest =
+      depth_below_hull(mesh, hull.triangles, hull.solid.centroid, std::min(tolerated, thickness / 8.0));
   if (deepest.depth > tolerated) {
     refuse("the surface lies below its convex hull at " + point_text(deepest.where) + ", " +
            depth_text(deepest.depth, size, tolerance));
@@ -80,18 +82,22 @@ std::optional<HullInstead> checked_convexity(const Triangles& mesh, const Volume
   if (census.winding_number != 1) {
     refuse_winding(census.winding_number);
   }
-  // The region between a surface at most `tolerated` deep and its hull, and what its area can differ by (Steiner).
-  const double hull_curvature = integrated_mean_curvature(hull.triangles);
-  const double area = surface_area(mesh);
-  if (!(std::fabs(hull.solid.volume - solid.volume) <= tolerated * hull_area)) {
-    refuse("its volume is " + number_text(solid.volume) + " and its hull's " + number_text(hull.solid.volume) +
-           "; tolerance " + number_text(tolerance));
-  }
-  if (!(std::fabs(hull_area - area) <= 2.0 * tolerated * hull_curvature)) {
-    refuse("its area is " + number_text(area) + " and its hull's " + number_text(hull_area) + "; tolerance " +
-           number_text(tolerance));
-  }
   hull.reflex_depth = std::max(census.reflex_depth, deepest.depth);
+  if (!(thickness > 4.0 * hull.reflex_depth)) {  // then everything is near the hull, a crumpled sheet too
+    refuse("it is only about " + number_text(thickness) + " thick and " +
+           depth_text(hull.reflex_depth, size, tolerance));
+  }
+  // Depth is at most three times that of the middles (hull_depth.h): so much room is there between surface and hull.
+  const double allowed_volume = 3.0 * hull.reflex_depth * hull_area + 1e-12 * hull.solid.volume;
+  if (!(std::fabs(hull.solid.volume - solid.volume) <= allowed_volume)) {
+    refuse("its volume is " + number_text(solid.volume) + " and its hull's " + number_text(hull.solid.volume) +
+           ", though it is nowhere deeper than " + number_text(hull.reflex_depth));
+  }
+  // What two surfaces that are nowhere further apart can differ by in area (Steiner's formula).
+  const double allowed_area = 2.0 * tolerated * integrated_mean_curvature(hull.triangles);
+  if (!(census.area_turned_away <= allowed_area)) {
+    refuse("faces with an area of " + number_text(census.area_turned_away) + " look inward");
+  }
   return hull;
 }
 

@@ -16,9 +16,11 @@ struct HullInstead {
 };
 
 /// Nothing where the surface is convex as it is. Its hull where it is within `tolerance` times `size` of convex: no
-/// edge is more reflex, no vertex and no triangle's middle lies deeper below the hull, and volume and area agree with
-/// the hull's as far as that allows; many shallow edges can add up to a body far from convex. Otherwise throws
-/// InputError.
+/// edge is more reflex, and no vertex and no triangle's middle lies deeper below the hull, for many shallow edges can
+/// add up to a body far from convex. Besides, the surface winds once about its centroid, hardly any of it faces inward,
+/// its volume differs from the hull's by no more than that depth allows, and it is thicker than that depth. Otherwise
+/// throws InputError. The hull's triangulation is convex exactly, so its measures are those of the exact hull of its
+/// vertices.
 std::optional<HullInstead> checked_convexity(const Triangles& mesh, const VolumeAndCentroid& solid, double size,
                                              double tolerance);
 

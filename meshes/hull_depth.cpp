@@ -6,8 +6,6 @@
 #include <limits>
 #include <vector>
 
-#include "engine/numeric/errors.h"
-
 namespace vex {
 namespace {
 
@@ -32,20 +30,47 @@ class HullFromInside {
     }
   }
 
-  /// The facet that the ray to `p` meets, by walking from `start` across edges that `p` is beyond. On a convex surface
-  /// each step raises n . p / offset of the facet's plane, so the walk ends; rounding may make it circle among facets
-  /// that agree to the last bits, and then any of them will do: the bound on the steps is that of a large detour.
+  /// From `start` to neighbours whose planes are nearer to `p`, until there is none.
+  std::uint32_t nearest_facet_from(const Vec3d& p, std::uint32_t start) const {
+    std::uint32_t facet = start;
+    for (std::uint32_t previous = kNone; previous != facet;) {
+      previous = facet;
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        facet = nearer(p, facet, hull_.mates[3 * previous + k] / 3);
+      }
+    }
+    return facet;
+  }
+
+  /// The nearest of `known` and the facets around the tail of a half-edge, of which a vertex may have too many to ask
+  /// all.
+  std::uint32_t nearest_around(const Vec3d& p, std::uint32_t known, std::uint32_t half_edge) const {
+    constexpr int kMostAsked = 64;
+    std::uint32_t h = half_edge;
+    for (int n = 0; n < kMostAsked; ++n) {
+      known = nearer(p, known, h / 3);
+      h = hull_.mates[h % 3 == 0 ? h + 2 : h - 1];
+      if (h == half_edge) {
+        break;
+      }
+    }
+    return known;
+  }
+
+  std::uint32_t nearer(const Vec3d& p, std::uint32_t facet, std::uint32_t other) const {
+    return depth_below(p, other) < depth_below(p, facet) ? other : facet;
+  }
+
+  /// The facet that the ray to `p` meets, by crossing edges that `p` is beyond. On a convex surface each step raises
+  /// n . p / offset of the facet's plane, so the walk ends; near-linear in all for a hull that was made from points in
+  /// random order. All walks together have a bounded number of steps, after which any facet has to do for a bound.
   std::uint32_t facet_towards(const Vec3d& p, std::uint32_t start) {
     std::uint32_t facet = start;
     std::uint32_t came_from = kNone;
-    for (std::size_t step = 0; step < hull_.size(); ++step) {
+    for (std::size_t step = 0; step < hull_.size() && n_steps_ < kMostSteps; ++step, ++n_steps_) {
       const std::uint32_t across = edge_before(p, facet, came_from, step);
       if (across == kNone) {
         break;
-      }
-      if (++n_steps_ > kStepsPerFacet * (hull_.size() + kFewFacets)) {
-        throw InputError("the mesh is too irregular to be compared with its convex hull (" + std::to_string(n_steps_) +
-                         " steps) - mend the mesh, or use --hull, which takes the hull");
       }
       came_from = facet;
       facet = hull_.mates[across] / 3;
@@ -71,8 +96,7 @@ class HullFromInside {
   }
 
  private:
-  static constexpr std::size_t kStepsPerFacet = 1000;
-  static constexpr std::size_t kFewFacets = 1000;
+  static constexpr std::size_t kMostSteps = 1'000'000'000;
   static constexpr std::size_t kMostPlanesAsked = 1'000'000'000;
 
   /// A half-edge of the facet that `p` is beyond, not the one just crossed; none where p is over the facet. Where there
@@ -97,51 +121,68 @@ class HullFromInside {
 
 }  // namespace
 
-HullDepth depth_below_hull(const Triangles& mesh, const Triangles& hull, const LocalPoint& centroid, double tolerated) {
+HullDepth depth_below_hull(const Triangles& mesh, const Triangles& hull, const LocalPoint& centroid, double enough) {
   std::vector<Vec3d> vertices;
   vertices.reserve(mesh.vertices.size());
   for (const Vec3d& v : mesh.vertices) {
     vertices.push_back(centroid.to(v).value());
   }
-  std::vector<bool> is_done(vertices.size(), false);
-  for (const auto& triangle : hull.corners) {
-    for (const std::uint32_t vertex : triangle) {
-      is_done[vertex] = true;  // on the hull
-    }
-  }
   HullFromInside surface(hull, vertices);
   HullDepth deepest;
-  const auto look_at = [&](const Vec3d& p, std::uint32_t start) {
-    const std::uint32_t facet = surface.facet_towards(p, start);
-    double depth = surface.depth_below(p, facet);
-    if (depth > tolerated) {
+  const auto note_depth = [&](const Vec3d& p, double depth) {
+    if (depth > enough) {
       depth = surface.least_depth(p, depth);
     }
     if (depth > deepest.depth) {
-      deepest = {depth, centroid.value() + p};
+      deepest.depth = depth;
+      deepest.where = centroid.value() + p;
     }
-    return facet;
+  };
+  // For each vertex a half-edge of the hull: one that starts there, or one of a facet that the vertex is in or near.
+  std::vector<std::uint32_t> half_edge_at(vertices.size(), kNone);
+  for (std::uint32_t h = 0; h < hull.mates.size(); ++h) {
+    half_edge_at[hull.tail(h)] = h;
+  }
+  const auto find_vertex = [&](std::uint32_t vertex, std::uint32_t start) {
+    const Vec3d& p = vertices[vertex];
+    const std::uint32_t near = surface.nearest_facet_from(p, start);
+    const std::uint32_t facet = surface.facet_towards(p, near);
+    note_depth(p, std::min(surface.depth_below(p, near), surface.depth_below(p, facet)));
+    half_edge_at[vertex] = 3 * facet;
   };
 
-  // Over the mesh from triangle to neighbouring triangle, so that each search starts beside the last.
-  std::vector<std::uint32_t> facet_of(mesh.size(), kNone);
-  std::vector<std::uint32_t> queue{0};
+  // Over the mesh from triangle to neighbouring triangle, from one with a vertex of the hull.
+  std::vector<std::uint32_t> facet_of_middle(mesh.size(), kNone);
+  std::vector<std::uint32_t> queue;
   queue.reserve(mesh.size());
-  facet_of[0] = 0;
+  for (std::uint32_t t = 0; queue.empty(); ++t) {
+    if (half_edge_at[mesh.corners[t][0]] != kNone) {
+      facet_of_middle[t] = half_edge_at[mesh.corners[t][0]] / 3;
+      queue.push_back(t);
+    }
+  }
   for (std::size_t next = 0; next < queue.size(); ++next) {
     const std::uint32_t t = queue[next];
     const auto& [a, b, c] = mesh.corners[t];
-    facet_of[t] = look_at((1.0 / 3.0) * ((vertices[a] + vertices[b]) + vertices[c]), facet_of[t]);
+    const Vec3d middle = (1.0 / 3.0) * ((vertices[a] + vertices[b]) + vertices[c]);
+    const std::uint32_t towards_middle = surface.facet_towards(middle, facet_of_middle[t]);
+    std::uint32_t start = towards_middle;
     for (const std::uint32_t vertex : {a, b, c}) {
-      if (!is_done[vertex]) {
-        is_done[vertex] = true;
-        look_at(vertices[vertex], facet_of[t]);
+      if (half_edge_at[vertex] != kNone) {
+        start = surface.nearest_around(middle, start, half_edge_at[vertex]);
       }
     }
+    for (const std::uint32_t vertex : {a, b, c}) {
+      if (half_edge_at[vertex] == kNone) {
+        find_vertex(vertex, start);
+      }
+    }
+    start = surface.nearer(middle, start, towards_middle);
+    note_depth(middle, surface.depth_below(middle, surface.nearest_facet_from(middle, start)));
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t neighbour = mesh.mates[3 * t + k] / 3;
-      if (facet_of[neighbour] == kNone) {
-        facet_of[neighbour] = facet_of[t];
+      if (facet_of_middle[neighbour] == kNone) {
+        facet_of_middle[neighbour] = towards_middle;
         queue.push_back(neighbour);
       }
     }

@@ -17,9 +17,10 @@ struct HullDepth {
 /// over the same vertices that sees `centroid` from inside. Depth below a convex surface is a concave function, so no
 /// point of a triangle lies deeper than three times its middle.
 ///
-/// Each point is found under the hull facet that the ray from the centroid through it meets, by walking over the hull
-/// from where a neighbour in the mesh was found: a few steps a point. Its distance from that facet's plane is an upper
-/// bound of its depth, which is the least over all facets; where it exceeds `tolerated`, all facets are asked.
-HullDepth depth_below_hull(const Triangles& mesh, const Triangles& hull, const LocalPoint& centroid, double tolerated);
+/// The distance from any facet's plane bounds a point's depth from above; the least of them is the depth. The facet is
+/// found from where a neighbour in the mesh was found, by steps to a neighbouring facet whose plane is nearer and by a
+/// short walk to the facet that the ray from the centroid meets: near-linear for all points together. Where the bound
+/// so found exceeds `enough`, all facets are asked.
+HullDepth depth_below_hull(const Triangles& mesh, const Triangles& hull, const LocalPoint& centroid, double enough);
 
 }  // namespace vex

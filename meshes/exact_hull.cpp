@@ -1,0 +1,264 @@
+#include "meshes/exact_hull.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "meshes/determinant.h"
+#include "meshes/polyhedron_measures.h"
+
+namespace vex {
+namespace {
+
+constexpr std::uint32_t next_in_triangle(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
+constexpr std::uint32_t previous_in_triangle(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+
+/// A convex surface all of whose triangles see `centre` from inside, growing vertex by vertex.
+class GrowingHull {
+ public:
+  GrowingHull(Triangles tetrahedron, const LocalPoint& centre)
+      : hull_(std::move(tetrahedron)), centre_(centre), is_gone_(hull_.size(), false) {}
+
+  /// Joins a vertex that is above the hull to the triangle below it, and flips what becomes reflex until nothing is.
+  /// Each flip puts a tetrahedron on the surface, so no state comes twice.
+  void join(std::uint32_t v) {
+    near_ = triangle_towards(v);
+    const std::uint32_t t = near_;
+    const auto [a, b, c] = hull_.corners[t];
+    if (!orientation(hull_.point(a), hull_.point(b), hull_.point(c), hull_.point(v)).surely_positive()) {
+      return;
+    }
+    if (!sees_centre(a, b, v) || !sees_centre(b, c, v) || !sees_centre(c, a, v)) {
+      left_out_ = true;  // seen from the centre it is on an edge, to rounding
+      return;
+    }
+    const std::array<std::uint32_t, 3> past{hull_.mates[3 * t], hull_.mates[3 * t + 1], hull_.mates[3 * t + 2]};
+    const std::uint32_t second = new_triangle();
+    const std::uint32_t third = new_triangle();
+    put({a, b, v}, t, {past[0], 3 * second + 2, 3 * third + 1});
+    put({b, c, v}, second, {past[1], 3 * third + 2, 3 * t + 1});
+    put({c, a, v}, third, {past[2], 3 * t + 2, 3 * second + 1});
+    while (!to_visit_.empty()) {
+      const std::uint32_t h = to_visit_.back();
+      to_visit_.pop_back();
+      visit(h);
+    }
+  }
+
+  /// The hull, unless a vertex could not be joined.
+  std::optional<Triangles> result() && {
+    if (left_out_) {
+      return std::nullopt;
+    }
+    std::vector<std::array<std::uint32_t, 3>> corners;
+    corners.reserve(hull_.size());
+    for (std::size_t t = 0; t < hull_.size(); ++t) {
+      if (!is_gone_[t]) {
+        corners.push_back(hull_.corners[t]);
+      }
+    }
+    return paired_triangles(hull_.vertices, std::move(corners));
+  }
+
+ private:
+  bool sees_centre(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    return determinant(centre_.to(hull_.point(a)), centre_.to(hull_.point(b)), centre_.to(hull_.point(c)))
+        .surely_positive();
+  }
+
+  /// The triangle that the ray from the centre through a vertex meets, walking from the last one across edges that the
+  /// vertex is beyond. On a convex surface each step raises n . p / offset of the triangle's plane, so the walk ends.
+  std::uint32_t triangle_towards(std::uint32_t v) const {
+    const DoubleDoubleVec3 p = centre_.to(hull_.point(v));
+    std::uint32_t t = near_;
+    for (std::size_t n_steps = 0; n_steps < hull_.size(); ++n_steps) {
+      std::uint32_t next = t;
+      for (std::uint32_t k = 0; k < 3 && next == t; ++k) {
+        const std::uint32_t h = 3 * t + k;
+        if (determinant(centre_.to(hull_.point(hull_.tail(h))), centre_.to(hull_.point(hull_.head(h))), p)
+                .surely_negative()) {
+          next = hull_.mates[h] / 3;
+        }
+      }
+      if (next == t) {
+        break;
+      }
+      t = next;
+    }
+    return t;
+  }
+
+  /// Where the edge a b between the triangles a b c and b a d is reflex: flips it to c d; or takes out an end of it
+  /// that has three triangles and lies below the plane of its neighbours. Other reflex edges wait for their neighbours'
+  /// flips.
+  void visit(std::uint32_t h) {
+    if (is_gone_[h / 3]) {
+      return;
+    }
+    const std::uint32_t back = hull_.mates[h];
+    const std::uint32_t a = hull_.tail(h);
+    const std::uint32_t b = hull_.head(h);
+    const std::uint32_t c = hull_.opposite(h);
+    const std::uint32_t d = hull_.opposite(back);
+    if (c == d || !orientation(hull_.point(a), hull_.point(b), hull_.point(c), hull_.point(d)).surely_positive()) {
+      return;
+    }
+    const std::uint32_t past_bc = hull_.mates[next_in_triangle(h)];
+    const std::uint32_t past_ca = hull_.mates[previous_in_triangle(h)];
+    const std::uint32_t past_ad = hull_.mates[next_in_triangle(back)];
+    const std::uint32_t past_db = hull_.mates[previous_in_triangle(back)];
+    const bool without_a = sees_centre(d, b, c);
+    const bool without_b = sees_centre(a, d, c);
+    if (without_a && without_b) {
+      put({a, d, c}, h / 3, {past_ad, 3 * (back / 3) + 2, past_ca});
+      put({d, b, c}, back / 3, {past_db, past_bc, 3 * (h / 3) + 1});
+    } else if (without_a && past_ca / 3 == past_ad / 3) {
+      const std::uint32_t past_dc = hull_.mates[third_of(past_ca, past_ad)];
+      take_out(back / 3, past_ca / 3);
+      put({d, b, c}, h / 3, {past_db, past_bc, past_dc});
+    } else if (without_b && past_bc / 3 == past_db / 3) {
+      const std::uint32_t past_dc = hull_.mates[third_of(past_bc, past_db)];
+      take_out(back / 3, past_bc / 3);
+      put({a, d, c}, h / 3, {past_ad, past_dc, past_ca});
+    }
+  }
+
+  /// The half-edge of a triangle that is neither of two others of it.
+  static std::uint32_t third_of(std::uint32_t first, std::uint32_t second) {
+    return next_in_triangle(first) == second ? previous_in_triangle(first) : next_in_triangle(first);
+  }
+
+  void put(const std::array<std::uint32_t, 3>& corners, std::uint32_t triangle,
+           const std::array<std::uint32_t, 3>& past) {
+    hull_.corners[triangle] = corners;
+    near_ = triangle;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      hull_.mates[3 * triangle + k] = past[k];
+      hull_.mates[past[k]] = 3 * triangle + k;
+      to_visit_.push_back(3 * triangle + k);
+    }
+  }
+
+  std::uint32_t new_triangle() {
+    if (!free_.empty()) {
+      const std::uint32_t t = free_.back();
+      free_.pop_back();
+      is_gone_[t] = false;
+      return t;
+    }
+    hull_.corners.emplace_back();
+    hull_.mates.insert(hull_.mates.end(), 3, 0U);
+    is_gone_.push_back(false);
+    return static_cast<std::uint32_t>(hull_.size() - 1);
+  }
+
+  void take_out(std::uint32_t first, std::uint32_t second) {
+    for (const std::uint32_t t : {first, second}) {
+      is_gone_[t] = true;
+      free_.push_back(t);
+    }
+  }
+
+  Triangles hull_;
+  LocalPoint centre_;
+  std::vector<bool> is_gone_;
+  std::vector<std::uint32_t> free_;  // those that are gone
+  std::vector<std::uint32_t> to_visit_;
+  std::uint32_t near_ = 0;  // where the last search or flip was
+  bool left_out_ = false;
+};
+
+/// Puts two zero bits between the lowest 21 bits of a number.
+std::uint64_t spread(std::uint64_t value) {
+  value = (value | value << 32U) & 0x1f00000000ffffU;
+  value = (value | value << 16U) & 0x1f0000ff0000ffU;
+  value = (value | value << 8U) & 0x100f00f00f00f00fU;
+  value = (value | value << 4U) & 0x10c30c30c30c30c3U;
+  return (value | value << 2U) & 0x1249249249249249U;
+}
+
+/// In rounds that double in size, each along a space-filling curve: a vertex is near the one before it, and what each
+/// round meets was made by a random sample of all (Amenta, Choi, Rote, "Incremental constructions con BRIO", 2003).
+std::vector<std::uint32_t> joining_order(std::span<const Vec3d> points) {
+  constexpr int kRounds = 20;
+  const double scale = 0x1p20 / bounding_diagonal(points);
+  std::mt19937_64 random(points.size());           // the same for the same points
+  std::vector<std::array<std::uint64_t, 3>> keys;  // round, place on the curve, vertex
+  keys.reserve(points.size());
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const Vec3d p = scale * (points[v] - points[0]);
+    const auto place = [](double x) { return spread(static_cast<std::uint64_t>(x + 0x1p20)); };
+    const int round = kRounds - std::min(std::countr_zero(random()), kRounds);
+    keys.push_back({static_cast<std::uint64_t>(round), place(p.x) | place(p.y) << 1U | place(p.z) << 2U, v});
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::uint32_t> order;
+  order.reserve(keys.size());
+  for (const auto& key : keys) {
+    order.push_back(static_cast<std::uint32_t>(key[2]));
+  }
+  return order;
+}
+
+/// Four vertices, the fourth below the other three: each as far as can be from the point, the line, the plane before
+/// it.
+std::optional<std::array<std::uint32_t, 4>> wide_tetrahedron(std::span<const Vec3d> points) {
+  std::array<std::uint32_t, 4> corner{};
+  const auto farthest = [&](std::size_t k, const auto& measure) {
+    double most = 0.0;
+    for (std::uint32_t v = 0; v < points.size(); ++v) {
+      if (const double value = measure(points[v]); value > most) {
+        most = value;
+        corner[k] = v;
+      }
+    }
+    return points[corner[k]];
+  };
+  const Vec3d a = points[0];
+  const Vec3d b = farthest(1, [&](const Vec3d& p) { return norm(p - a); });
+  const Vec3d c =
+      farthest(2, [&](const Vec3d& p) { return norm(cross(exact_difference(b, a), exact_difference(p, a))); });
+  const Vec3d d = farthest(3, [&](const Vec3d& p) { return std::fabs(orientation(a, b, c, p).value.value()); });
+  const BoundedDeterminant det = orientation(a, b, c, d);
+  if (det.surely_positive()) {
+    std::swap(corner[1], corner[2]);
+  } else if (!det.surely_negative()) {
+    return std::nullopt;
+  }
+  return corner;
+}
+
+}  // namespace
+
+std::optional<Triangles> exact_hull(std::span<const Vec3d> points) {
+  const auto tetrahedron = points.size() < 4 ? std::nullopt : wide_tetrahedron(points);
+  if (!tetrahedron) {
+    return std::nullopt;
+  }
+  const auto [a, b, c, d] = *tetrahedron;
+  const std::vector<std::uint32_t> order = joining_order(points);
+  // A point inside, with weights of no symmetry: vertices of a symmetric body then are on no edge seen from there. A
+  // second one for the case that rounding puts a vertex on an edge all the same.
+  for (const auto& [u, v, w] : {std::array{0.271, 0.229, 0.243}, std::array{0.2633, 0.2377, 0.2219}}) {
+    const Vec3d step = (u * (points[b] - points[a]) + v * (points[c] - points[a])) + w * (points[d] - points[a]);
+    std::optional<Triangles> start = paired_triangles(points, {{a, b, c}, {a, c, d}, {a, d, b}, {b, d, c}});
+    if (!start) {
+      break;
+    }
+    GrowingHull hull(std::move(*start), {points[a], step});
+    for (const std::uint32_t vertex : order) {
+      hull.join(vertex);
+    }
+    if (std::optional<Triangles> result = std::move(hull).result()) {
+      return result;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace vex
