@@ -176,7 +176,7 @@ TEST(Overlap, OfTouchingBodiesIsNeverGuessed) {
 enum class OnFace { apart, meets, unknown };
 
 Vec3d lowest_of(const std::vector<Vec3d>& points) {
-  Vec3d lowest = points[0];
+  Vec3d lowest{0, 0, 1e300};
   for (const Vec3d& p : points) {
     if (p.z < lowest.z) lowest = p;
   }
