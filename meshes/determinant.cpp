@@ -7,10 +7,11 @@
 namespace vex {
 namespace {
 
-// Counting double-double roundings (Joldes, Muller, Popescu: a product 7 u^2, a sum 3 u^2, to first order): a minor
-// 7 + 3, its product with the third factor 7, two sums 3 + 3; 23 u^2 times the permanent. 32 leaves room for the second
-// order, for the permanent's own rounding and for value() rounding the result.
-constexpr double kErrorPerPermanent = 32.0 * kUnitRoundoff * kUnitRoundoff;
+// Counting double-double roundings (Joldes, Muller, Popescu: a product 7 u^2, a sum 3 u^2, to first order): each factor
+// may be a difference of its own, 3; a minor 7 + 3, its product with the third factor 7, two sums 3 + 3; with three
+// factors 32 u^2 times the permanent. 40 leaves room for the second order, for the permanent's own rounding and for
+// value() rounding the result.
+constexpr double kErrorPerPermanent = 40.0 * kUnitRoundoff * kUnitRoundoff;
 
 double permanent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return std::fabs(a.x) * (std::fabs(b.y * c.z) + std::fabs(b.z * c.y)) +
@@ -27,8 +28,6 @@ BoundedDeterminant determinant(const DoubleDoubleVec3& a, const DoubleDoubleVec3
 }
 
 BoundedDeterminant orientation(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
-  // In double first: differences 1 rounding each, a minor 2, its product 1, sums 2; 8 u of the permanent settles nearly
-  // every sign, and where a difference is not exact its rounding is one of the counted ones.
   return determinant(exact_difference(b, a), exact_difference(c, a), exact_difference(d, a));
 }
 
