@@ -36,7 +36,7 @@ struct Limits {
 
 Limits limits_for(std::uintmax_t file_size) {
   const std::uint64_t size = std::min<std::uint64_t>(file_size, std::uint64_t{1} << 50U);
-  return {10 + size / kMiB, std::min(kGiB + 100 * size, machine_memory() / 4 * 3)};
+  return {30 + size / kMiB, std::min(kGiB + 100 * size, machine_memory() / 4 * 3)};
 }
 
 enum class Outcome : std::uint64_t { soup, input_error, out_of_memory };
@@ -82,7 +82,10 @@ void limit(decltype(RLIMIT_CPU) resource, std::uint64_t most) {
 void confine(const Limits& limits, pid_t parent) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGALRM, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL,
                            SIGXCPU, SIGUSR1, SIGUSR2}) {
-    std::signal(signal, SIG_DFL);
+    const bool was_ignored = std::signal(signal, SIG_DFL) == SIG_IGN;
+    if (was_ignored && (signal == SIGINT || signal == SIGHUP || signal == SIGQUIT)) {
+      std::signal(signal, SIG_IGN);  // a job in the background, or under nohup, is not to end with the terminal's
+    }
   }
   sigset_t none;
   sigemptyset(&none);

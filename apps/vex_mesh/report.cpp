@@ -1,5 +1,6 @@
 #include "apps/vex_mesh/report.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "apps/common/numbers.h"
@@ -199,7 +200,11 @@ std::string report_text(const MeshRun& run) {
 
   if (run.z) {
     text += "\nz = " + short_number(*run.z, 3) + " standard errors between Monte Carlo and formula: ";
-    text += std::fabs(*run.z) <= run.options.max_z ? "they agree\n" : "THEY DISAGREE\n";
+    text += std::fabs(*run.z) <= run.options.max_z ? "they agree" : "THEY DISAGREE";
+    if (const std::uint64_t fewest = std::min(tally.n_hits, tally.n_misses()); fewest < kMinHitsAndMisses) {
+      text += ", but " + std::to_string(fewest) + (tally.n_hits == fewest ? " hits" : " misses") + " say little";
+    }
+    text += "\n";
   } else {
     text += "\nz: none - " + run.z_reason + "\n";
   }

@@ -42,6 +42,21 @@ TEST(Convexity, OfConvexBodiesIsClean) {
   }
 }
 
+TEST(Convexity, OfNeedlesAndPlatesIsClean) {
+  // From the centroid of a thin body nearly every triangle is seen edge-on: solid angles, summed in double, made a
+  // needle of 10^10 to 1 wind twice and a plate of 10^16 to 1 not at all.
+  for (const double thin : {1e-3, 1e-8, 1e-10, 1e-14, 1e-16, 1e-20}) {
+    for (const Vec3d& edges : {Vec3d{1, thin, thin}, Vec3d{1, 1, thin}, Vec3d{thin, 1, 0.3}}) {
+      const PolygonSoup soup = box_soup({0, 0, 0}, edges);
+      const ConvexityCensus census = census_of(soup);
+      EXPECT_TRUE(census.locally_convex()) << thin;
+      EXPECT_EQ(census.winding_number, 1) << thin;
+      const double volume = convex_mesh_from(soup).measures.volume;
+      EXPECT_NEAR(volume, edges.x * edges.y * edges.z, 2e-7 * volume) << "the floats' own rounding";
+    }
+  }
+}
+
 TEST(Convexity, OfTheGreatIcosahedronFailsByWindingAlone) {
   const ConvexityCensus census = census_of(great_icosahedron_soup());
   EXPECT_EQ(census.n_reflex_edges, 0U);
