@@ -34,9 +34,27 @@ struct Limits {
   std::uint64_t bytes = 0;    // of address space, beyond what this process has
 };
 
+/// The bytes that may be read: of the file, and for .gltf of the .bin files beside it, which hold its geometry.
+std::uintmax_t geometry_size(const std::filesystem::path& path) {
+  std::uintmax_t size = checked_file_size(path);
+  if (path.extension() == ".gltf") {
+    std::error_code error;
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    for (auto entry = std::filesystem::directory_iterator(folder, error);
+         !error && entry != std::filesystem::directory_iterator{}; entry.increment(error)) {
+      if (entry->path().extension() == ".bin") {
+        std::error_code not_a_file;
+        const std::uintmax_t more = entry->file_size(not_a_file);
+        size += not_a_file ? 0 : more;
+      }
+    }
+  }
+  return size;
+}
+
 Limits limits_for(std::uintmax_t file_size) {
   const std::uint64_t size = std::min<std::uint64_t>(file_size, std::uint64_t{1} << 50U);
-  return {30 + size / kMiB, std::min(kGiB + 100 * size, machine_memory() / 4 * 3)};
+  return {10 + size / kMiB, std::min(kGiB + 100 * size, machine_memory() / 4 * 3)};
 }
 
 enum class Outcome : std::uint64_t { soup, input_error, out_of_memory };
@@ -257,7 +275,7 @@ int above_standard_streams(int descriptor) {
 }  // namespace
 
 PolygonSoup read_polygon_soup_isolated(const std::filesystem::path& path) {
-  const Limits limits = limits_for(checked_file_size(path));
+  const Limits limits = limits_for(geometry_size(path));
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
     throw std::runtime_error(std::string("cannot make a pipe for the file reader: ") + std::strerror(errno));
