@@ -15,9 +15,6 @@
 namespace vex {
 namespace {
 
-constexpr std::uint32_t next_in_triangle(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
-constexpr std::uint32_t previous_in_triangle(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
-
 /// A convex surface all of whose triangles see `centre` from inside, growing vertex by vertex.
 class GrowingHull {
  public:

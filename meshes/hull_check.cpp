@@ -29,23 +29,30 @@ std::string depth_text(double depth, double size, double tolerance) {
   refuse("it winds " + std::to_string(winding_number) + " times about its centroid, a convex one winds once");
 }
 
-bool is_convex(const Triangles& triangles) {
-  const ConvexityCensus census = convexity_census(triangles, volume_and_centroid(triangles).centroid);
-  return census.locally_convex() && census.winding_number == 1;
+/// The triangles with what they enclose, if they are exactly convex.
+std::optional<HullInstead> if_convex(std::optional<Triangles> triangles) {
+  if (!triangles) {
+    return std::nullopt;
+  }
+  const VolumeAndCentroid solid = volume_and_centroid(*triangles);
+  const ConvexityCensus census = convexity_census(*triangles, solid.centroid);
+  if (!census.locally_convex() || census.winding_number != 1) {
+    return std::nullopt;
+  }
+  return HullInstead{std::move(*triangles), solid, 0.0};
 }
 
 HullInstead hull_of(const Triangles& mesh) {
-  std::optional<Triangles> triangles = exact_hull(mesh.vertices);
-  if (!triangles || !is_convex(*triangles)) {
-    triangles = paired_triangles(mesh.vertices, convex_hull_triangles(mesh.vertices));
-    if (!triangles || !is_convex(*triangles)) {
-      throw InputError(
-          "no convex hull could be made of the vertices (rounding left it with gaps) - the body is too thin or its "
-          "vertices too close together for its size: mend the mesh");
-    }
+  std::optional<HullInstead> hull = if_convex(exact_hull(mesh.vertices));
+  if (!hull) {
+    hull = if_convex(paired_triangles(mesh.vertices, convex_hull_triangles(mesh.vertices)));
   }
-  const VolumeAndCentroid solid = volume_and_centroid(*triangles);
-  return {std::move(*triangles), solid, 0.0};
+  if (!hull) {
+    throw InputError(
+        "no convex hull could be made of the vertices (rounding left it with gaps) - the body is too thin or its "
+        "vertices too close together for its size: mend the mesh");
+  }
+  return std::move(*hull);
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ class HullFromInside {
     std::uint32_t h = half_edge;
     for (int n = 0; n < kMostAsked; ++n) {
       known = nearer(p, known, h / 3);
-      h = hull_.mates[h % 3 == 0 ? h + 2 : h - 1];
+      h = hull_.mates[previous_in_triangle(h)];
       if (h == half_edge) {
         break;
       }

@@ -30,6 +30,10 @@ struct Triangles {
   std::uint32_t opposite(std::uint32_t half_edge) const { return corners[half_edge / 3][(half_edge + 2) % 3]; }
 };
 
+/// The half-edges that follow and precede one in its triangle.
+constexpr std::uint32_t next_in_triangle(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
+constexpr std::uint32_t previous_in_triangle(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+
 /// Each face cut into triangles that fan out from its first corner, or from the first one of a few for which no
 /// triangle is without area (a corner may lie on a straight side). Diagonals are paired within their own face, so two
 /// faces that share more than an edge stay apart. `mates` is what checked_half_edges returned.

@@ -1,7 +1,6 @@
 // A body named by a text: `box:1,2,3`.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

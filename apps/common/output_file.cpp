@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <optional>
@@ -42,8 +41,9 @@ OutputFile::OutputFile(std::string path, std::span<const std::string> inputs) : 
     refuse("an option stands where the output file's name is missing", "give FILE; ./-x is a file named -x");
   const std::optional<fs::path> target = target_of(path_);
   if (!target) refuse("the output file is a link that leads in a circle", "choose another name");
+  target_ = *target;
   // What a user most likely meant as an input: overwriting it would cost the mesh.
-  if (names_a_mesh_format(path_) || names_a_mesh_format(*target)) {
+  if (names_a_mesh_format(path_) || names_a_mesh_format(target_)) {
     refuse("an output file would end in the extension of a mesh", "choose another name, such as result.json");
   }
   std::error_code error;
@@ -57,7 +57,7 @@ OutputFile::OutputFile(std::string path, std::span<const std::string> inputs) : 
   if (fs::exists(path_, error) && access(path_.c_str(), W_OK) != 0) {
     refuse("the output file is write-protected", "choose another name");
   }
-  const fs::path folder = target->has_parent_path() ? target->parent_path() : fs::path(".");
+  const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, error)) refuse("the output file's folder does not exist", "make it first");
   if (access(folder.c_str(), W_OK) != 0) refuse("the output file's folder cannot be written", "choose another one");
 }
@@ -75,9 +75,7 @@ void OutputFile::write(std::string_view text) const {
   }
   std::error_code error;
   const bool special = fs::exists(path_, error) && !fs::is_regular_file(path_, error);
-  // Through a link, so that the file it points to is replaced, not the link.
-  const fs::path target = target_of(path_).value_or(path_);
-  fs::path written = target;
+  fs::path written = target_;
   if (!special) written += ".tmp" + std::to_string(getpid());
   {
     std::ofstream file(written, std::ios::binary);
@@ -88,7 +86,7 @@ void OutputFile::write(std::string_view text) const {
     }
   }
   if (special) return;
-  fs::rename(written, target, error);
+  fs::rename(written, target_, error);
   if (error) {
     fs::remove(written, error);
     fail("the output file cannot be put in place");

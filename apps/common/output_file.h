@@ -1,6 +1,7 @@
 // A file that a program writes: checked before the work, written whole or not at all.
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +22,7 @@ class OutputFile {
 
  private:
   std::string path_;
+  std::filesystem::path target_;  // what the path stands for, through links: replaced, so that a link stays a link
 };
 
 }  // namespace vex

@@ -1,7 +1,5 @@
 #include "engine/query/overlap.h"
 
-#include <algorithm>
-
 #include "engine/query/portal_refinement.h"
 #include "engine/support/combinators.h"
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 
 #include "engine/numeric/transform.h"
 #include "engine/query/verdict.h"

@@ -4,7 +4,6 @@
 // No state, so nothing depends on which thread, rank or lane draws, or in what order.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 
