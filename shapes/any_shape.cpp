@@ -4,13 +4,26 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <concepts>
 #include <span>
 
 #include "engine/numeric/errors.h"
 #include "shapes/box.h"
 #include "shapes/capsule.h"
+#include "shapes/cone.h"
+#include "shapes/cylinder.h"
+#include "shapes/disc.h"
+#include "shapes/dodecahedron.h"
 #include "shapes/ellipsoid.h"
+#include "shapes/frustum.h"
+#include "shapes/hemisphere.h"
+#include "shapes/icosahedron.h"
+#include "shapes/needle.h"
+#include "shapes/octahedron.h"
+#include "shapes/plate.h"
+#include "shapes/rounded.h"
 #include "shapes/sphere.h"
+#include "shapes/tetrahedron.h"
 
 namespace vex {
 namespace {
@@ -18,44 +31,78 @@ namespace {
 using Sizes = std::span<const double>;
 
 template <class Shape>
-MeasuredBody measured(std::string_view kind, const Shape& shape) {
-  return {std::string(kind), ConvexBody(shape), shape.measures()};
+MeasuredBody measured(const Shape& shape) {
+  MeasuredBody made{{}, ConvexBody(shape), shape.measures()};
+  if constexpr (requires { shape.n_faces(); }) made.n_faces = shape.n_faces();
+  return made;
+}
+
+// A regular polyhedron is its vertices; as what it was made does not matter any more.
+template <std::derived_from<Polytope> Polyhedron>
+MeasuredBody measured(const Polyhedron& shape) {
+  return {{}, ConvexBody(Polytope(shape)), shape.measures(), shape.n_faces()};
 }
 
 struct Entry {
   NamedShape shape;
   std::size_t n_sizes;
-  MeasuredBody (*make)(std::string_view kind, Sizes sizes);
+  MeasuredBody (*make)(Sizes sizes);
 };
 
-// The list: a new body is one line here.
+// The list: a new body is one line here. Every size is a length.
 constexpr std::array kShapes = {
-    Entry{{"sphere", "R", "radius"}, 1, [](std::string_view kind, Sizes s) { return measured(kind, Sphere(s[0])); }},
-    Entry{{"box", "A,B,C", "full edges along x, y, z"},
-          3,
-          [](std::string_view kind, Sizes s) { return measured(kind, Box(s[0], s[1], s[2])); }},
+    Entry{{"sphere", "R", "radius"}, 1, [](Sizes s) { return measured(Sphere(s[0])); }},
+    Entry{{"box", "A,B,C", "full edges along x, y, z"}, 3, [](Sizes s) { return measured(Box(s[0], s[1], s[2])); }},
     Entry{{"ellipsoid", "A,B,C", "semi-axes along x, y, z"},
           3,
-          [](std::string_view kind, Sizes s) { return measured(kind, Ellipsoid(s[0], s[1], s[2])); }},
+          [](Sizes s) { return measured(Ellipsoid(s[0], s[1], s[2])); }},
     Entry{{"capsule", "L,R", "length of the straight part along z, radius"},
           2,
-          [](std::string_view kind, Sizes s) { return measured(kind, Capsule(s[0], s[1])); }},
+          [](Sizes s) { return measured(Capsule(s[0], s[1])); }},
+    Entry{{"cylinder", "L,R", "length along z, radius"}, 2, [](Sizes s) { return measured(Cylinder(s[0], s[1])); }},
+    Entry{{"cone", "H,R", "height along z, radius of the base at z = -H/2"},
+          2,
+          [](Sizes s) { return measured(Cone(s[0], s[1])); }},
+    Entry{{"frustum", "H,R1,R2", "height along z, radii at z = -H/2 and z = H/2"},
+          3,
+          [](Sizes s) { return measured(Frustum(s[0], s[1], s[2])); }},
+    Entry{{"hemisphere", "R", "radius; flat face in z = 0, dome towards +z"},
+          1,
+          [](Sizes s) { return measured(Hemisphere(s[0])); }},
+    Entry{{"disc", "R", "radius; in z = 0, no thickness"}, 1, [](Sizes s) { return measured(Disc(s[0])); }},
+    Entry{{"plate", "A,B", "full edges along x, y; in z = 0, no thickness"},
+          2,
+          [](Sizes s) { return measured(Plate(s[0], s[1])); }},
+    Entry{{"needle", "L", "length along z, no thickness"}, 1, [](Sizes s) { return measured(Needle(s[0])); }},
+    Entry{{"tetrahedron", "E", "edge"}, 1, [](Sizes s) { return measured(Tetrahedron(s[0])); }},
+    Entry{{"octahedron", "E", "edge"}, 1, [](Sizes s) { return measured(Octahedron(s[0])); }},
+    Entry{{"dodecahedron", "E", "edge"}, 1, [](Sizes s) { return measured(Dodecahedron(s[0])); }},
+    Entry{{"icosahedron", "E", "edge"}, 1, [](Sizes s) { return measured(Icosahedron(s[0])); }},
 };
 
-// Named in the documentation, and coming.
-constexpr std::array<std::string_view, 12> kPlanned = {"cylinder",   "cone",         "frustum",     "hemisphere",
-                                                       "disc",       "plate",        "needle",      "tetrahedron",
-                                                       "octahedron", "dodecahedron", "icosahedron", "rounded"};
+// The one body that is made of another.
+constexpr NamedShape kRounded{"rounded", "r,BODY",
+                              "any body, a mesh file too, with a ball of radius r about each point"};
 
 std::string_view name_part(std::string_view text) { return text.substr(0, text.find(':')); }
 
+bool is_rounded(std::string_view text) {
+  return name_part(text).size() < text.size() && name_part(text) == kRounded.name;
+}
+
 std::string list_of_shapes() {
   std::string list;
-  for (const Entry& entry : kShapes) {
+  for (const NamedShape& shape : named_shapes()) {
     if (!list.empty()) list += ", ";
-    list += std::string(entry.shape.name) + ":" + std::string(entry.shape.parameters);
+    list += std::string(shape.name) + ":" + std::string(shape.parameters);
   }
   return list;
+}
+
+[[noreturn]] void refuse_count(std::size_t n_sizes, std::string_view text, const NamedShape& shape) {
+  throw UsageError("wrong number of sizes (" + std::to_string(n_sizes) + " in " + std::string(text) + ") - write " +
+                   std::string(shape.name) + ":" + std::string(shape.parameters) + " (" + std::string(shape.meaning) +
+                   ")");
 }
 
 double parse_size(std::string_view word, std::string_view text) {
@@ -73,11 +120,15 @@ double parse_size(std::string_view word, std::string_view text) {
     throw InputError("a size is not positive and finite (" + std::string(word) + " in " + std::string(text) +
                      ") - every size of a body must be");
   }
-  if (value < kSmallestSize || value > kLargestSize) {
-    throw InputError("a size is out of range (" + std::string(word) + " in " + std::string(text) +
+  return value;
+}
+
+double size_in_range(double size, std::string_view text) {
+  if (!(size >= kSmallestSize && size <= kLargestSize)) {
+    throw InputError("a size is out of range (" + std::string(text) +
                      ") - use sizes between 1e-45 and 1e45: choose another unit of length");
   }
-  return value;
+  return size;
 }
 
 }  // namespace
@@ -85,41 +136,68 @@ double parse_size(std::string_view word, std::string_view text) {
 std::vector<NamedShape> named_shapes() {
   std::vector<NamedShape> shapes;
   for (const Entry& entry : kShapes) shapes.push_back(entry.shape);
+  shapes.push_back(kRounded);
   return shapes;
 }
 
 bool names_a_shape(std::string_view text) {
   const std::string_view name = name_part(text);
-  return name.size() < text.size() &&
-         (std::ranges::any_of(kShapes, [&](const Entry& entry) { return entry.shape.name == name; }) ||
-          std::ranges::find(kPlanned, name) != kPlanned.end());
+  return is_rounded(text) || (name.size() < text.size() && std::ranges::any_of(kShapes, [&](const Entry& entry) {
+                                return entry.shape.name == name;
+                              }));
 }
 
-MeasuredBody parse_shape(std::string_view text) {
+std::optional<RoundedText> parse_rounded(std::string_view text) {
+  if (!is_rounded(text)) return std::nullopt;
+  RoundedText parts{0.0, text};
+  while (is_rounded(parts.body)) {
+    const std::string_view sizes = parts.body.substr(kRounded.name.size() + 1);
+    const std::size_t comma = sizes.find(',');
+    parts.radius += parse_size(sizes.substr(0, comma), text);
+    if (comma == std::string_view::npos || comma + 1 == sizes.size()) refuse_count(1, text, kRounded);
+    parts.body = sizes.substr(comma + 1);
+  }
+  return parts;
+}
+
+MeasuredBody rounded(const MeasuredBody& body, double radius, std::string_view source) {
+  const Rounded<ConvexBody> shape(body.body, body.measures, size_in_range(radius, source));
+  MeasuredBody made{std::string(kRounded.name), ConvexBody(shape), shape.measures()};
+  require_size_in_range(made.body, made.measures, source);
+  return made;
+}
+
+MeasuredBody parse_shape(std::string_view text, double scale) {
+  if (const std::optional<RoundedText> parts = parse_rounded(text)) {
+    return rounded(parse_shape(parts->body, scale), parts->radius * scale, text);
+  }
   const std::string_view name = name_part(text);
   const auto* const entry =
       std::ranges::find_if(kShapes, [&](const Entry& candidate) { return candidate.shape.name == name; });
   if (entry == kShapes.end()) {
-    const bool planned = std::ranges::find(kPlanned, name) != kPlanned.end();
-    throw UsageError((planned ? "this body is not built yet (" : "no body of this name (") + std::string(text) +
-                     ") - there are " + list_of_shapes());
+    throw UsageError("no body of this name (" + std::string(text) + ") - there are " + list_of_shapes());
   }
   std::vector<double> sizes;
   std::string_view rest = text.substr(std::min(name.size() + 1, text.size()));
   while (true) {
     const std::size_t comma = rest.find(',');
-    sizes.push_back(parse_size(rest.substr(0, comma), text));
+    sizes.push_back(size_in_range(parse_size(rest.substr(0, comma), text) * scale, text));
     if (comma == std::string_view::npos) break;
     rest = rest.substr(comma + 1);
   }
-  if (sizes.size() != entry->n_sizes) {
-    throw UsageError("wrong number of sizes (" + std::to_string(sizes.size()) + " in " + std::string(text) +
-                     ") - write " + std::string(name) + ":" + std::string(entry->shape.parameters) + " (" +
-                     std::string(entry->shape.meaning) + ")");
-  }
-  MeasuredBody made = entry->make(entry->shape.name, sizes);
+  if (sizes.size() != entry->n_sizes) refuse_count(sizes.size(), text, entry->shape);
+  MeasuredBody made = entry->make(sizes);
+  made.kind = entry->shape.name;
   require_size_in_range(made.body, made.measures, text);
   return made;
+}
+
+std::vector<Vec3d> vertices_of(const ConvexBody& body) {
+  if (const auto* const polytope = body.target<Polytope>()) return polytope->vertices();
+  if (const auto* const box = body.target<Box>()) return box->vertices();
+  if (const auto* const plate = body.target<Plate>()) return plate->vertices();
+  if (const auto* const needle = body.target<Needle>()) return needle->vertices();
+  return {};
 }
 
 void require_size_in_range(const ConvexBody& body, const Measures& measures, std::string_view source) {

@@ -1,6 +1,8 @@
 // A body named by a text: `box:1,2,3`.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +17,11 @@ struct MeasuredBody {
   std::string kind;  // sphere, box, ...; polyhedron for a mesh
   ConvexBody body;
   Measures measures;
+  std::size_t n_faces = 0;  // of a polytope, sides of a plate; 0 for what has curved parts
 };
+
+/// The vertices of a polytope, exactly: it is their convex hull. None for a body with curved parts.
+std::vector<Vec3d> vertices_of(const ConvexBody& body);
 
 /// One line of the list of named bodies.
 struct NamedShape {
@@ -27,12 +33,26 @@ struct NamedShape {
 /// Every body that `parse_shape` can make, in the order of the documentation.
 std::vector<NamedShape> named_shapes();
 
-/// Whether the text is meant as a named body: what stands before the first colon is the name of one, built or planned.
+/// Whether the text is meant as a named body: what stands before the first colon is the name of one.
 bool names_a_shape(std::string_view text);
 
-/// The body that the text names. Throws UsageError where the text is malformed or the body is not built yet, InputError
-/// where a size is zero, negative, not finite, or beyond what the engine's rounding bounds cover.
-MeasuredBody parse_shape(std::string_view text);
+/// The body that the text names, every size of it multiplied by `scale` and rounded. Throws UsageError where the text
+/// is malformed, InputError where a size is zero, negative, not finite, or beyond what the engine's rounding bounds
+/// cover.
+MeasuredBody parse_shape(std::string_view text, double scale = 1.0);
+
+/// `rounded:r,BODY`, taken apart. BODY is the text of any body, also of one that only the caller can make (a mesh
+/// file); where it is rounded itself the radii add up, as the parallel bodies do.
+struct RoundedText {
+  double radius = 0.0;
+  std::string_view body;
+};
+
+/// Nothing where the text does not begin with `rounded:`. Throws as `parse_shape` does.
+std::optional<RoundedText> parse_rounded(std::string_view text);
+
+/// The body with a ball of this radius about each of its points. `source` names it in messages.
+MeasuredBody rounded(const MeasuredBody& body, double radius, std::string_view source);
 
 /// The smallest and largest size that the engine takes: a product of six lengths must neither over- nor underflow.
 inline constexpr double kSmallestSize = 1e-45;

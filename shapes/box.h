@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <vector>
 
 #include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
@@ -27,6 +28,19 @@ class Box {
   Vec3d centre() const { return {}; }
   double circumradius() const { return norm(half_) * (1.0 + gamma(4)); }
   double inradius() const { return std::min({half_.x, half_.y, half_.z}); }
+
+  std::vector<Vec3d> vertices() const {
+    std::vector<Vec3d> all;
+    for (const double z : {-half_.z, half_.z}) {
+      for (const double y : {-half_.y, half_.y}) {
+        for (const double x : {-half_.x, half_.x}) all.push_back({x, y, z});
+      }
+    }
+    return all;
+  }
+  std::size_t n_faces() const { return 6; }
+  /// Full edges along x, y, z.
+  Vec3d edges() const { return 2.0 * half_; }
 
   Measures measures() const {
     const double a = 2.0 * half_.x, b = 2.0 * half_.y, c = 2.0 * half_.z;

@@ -28,4 +28,11 @@ Polytope::Polytope(std::span<const Vec3d> vertices, const Vec3d& centre, double 
   support_error_ = 8.0 * kUnitRoundoff * largest;
 }
 
+std::vector<Vec3d> Polytope::vertices() const {
+  std::vector<Vec3d> all;
+  all.reserve(n_vertices());
+  for (std::size_t i = 0; i < n_vertices(); ++i) all.push_back(vertex(i));
+  return all;
+}
+
 }  // namespace vex

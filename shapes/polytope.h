@@ -38,6 +38,7 @@ class Polytope {
   double inradius() const { return inradius_; }
 
   std::size_t n_vertices() const { return x_.size(); }
+  std::vector<Vec3d> vertices() const;
   template <class L = double>
   Vec3<L> vertex(std::size_t i) const {
     return {L(x_[i]), L(y_[i]), L(z_[i])};

@@ -30,6 +30,13 @@ class ConvexBody {
   double circumradius() const { return circumradius_; }
   double inradius() const { return inradius_; }
 
+  /// The shape itself, if it is a `Shape`: for adapters that hand bodies to another library. No query asks.
+  template <class Shape>
+  const Shape* target() const {
+    const auto* const model = dynamic_cast<const ModelOf<Shape>*>(model_.get());
+    return model == nullptr ? nullptr : &model->shape;
+  }
+
   /// No point of the body is farther than this from the origin of its frame.
   double reach() const { return (norm_1(centre_) + circumradius_) * (1.0 + gamma(4)); }
 

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/numeric/errors.h"
+#include "tests/referees/bodies.h"
+#include "tests/referees/random_poses.h"
 
 namespace vex {
 namespace {
@@ -18,15 +22,67 @@ std::string message_of(const std::string& text) {
 }
 
 TEST(ParseShape, MakesEveryBodyOfTheList) {
-  for (const auto& [text, kind] :
-       std::initializer_list<std::pair<const char*, const char*>>{{"sphere:1", "sphere"},
-                                                                  {"box:1,2,3", "box"},
-                                                                  {"ellipsoid:1,2,3", "ellipsoid"},
-                                                                  {"capsule:1,2", "capsule"}}) {
-    EXPECT_EQ(parse_shape(text).kind, kind);
+  const std::vector<NamedShape> shapes = named_shapes();
+  EXPECT_EQ(shapes.size(), 16u);
+  for (const NamedShape& shape : shapes) {
+    std::string text = std::string(shape.name) + ":";
+    for (const char c : shape.parameters) {
+      if (c == ',') text += ",";
+      if (c >= 'A' && c <= 'Z' && text.back() != '1') text += "1";
+    }
+    if (shape.name == "rounded") text = "rounded:1,box:1,1,1";
+    EXPECT_EQ(parse_shape(text).kind, shape.name) << text;
     EXPECT_TRUE(names_a_shape(text));
+    EXPECT_TRUE(std::ranges::any_of(
+        kTestBodies, [&](std::string_view body) { return body.substr(0, body.find(':')) == shape.name; }))
+        << "no suite runs over a " << shape.name;
   }
-  EXPECT_EQ(named_shapes().size(), 4u);
+}
+
+TEST(ParseShape, RoundsAnyBodyAndAddsRadiiUp) {
+  const MeasuredBody once = parse_shape("rounded:0.75,box:1,2,3");
+  const MeasuredBody twice = parse_shape("rounded:0.5,rounded:0.25,box:1,2,3");
+  EXPECT_EQ(once.measures.volume, twice.measures.volume);
+  EXPECT_EQ(once.body.support(Vec3d{1, 2, 3}).y, twice.body.support(Vec3d{1, 2, 3}).y);
+  std::string deep = "sphere:1";
+  for (int k = 0; k < 20000; ++k) deep.insert(0, "rounded:1,");
+  EXPECT_NEAR(parse_shape(deep).body.circumradius(), 20001.0, 1e-9) << "however deep it is written";
+}
+
+TEST(ParseShape, ScalesEverySize) {
+  for (const char* text : kTestBodies) {
+    const MeasuredBody one = parse_shape(text), four = parse_shape(text, 4.0);
+    EXPECT_NEAR(four.measures.volume, 64.0 * one.measures.volume, 1e-13 * four.measures.volume) << text;
+    EXPECT_NEAR(four.measures.surface_area, 16.0 * one.measures.surface_area, 1e-13 * four.measures.surface_area);
+    const Vec3d dir{0.3, -0.5, 0.7};
+    EXPECT_NEAR(norm(four.body.support(dir) - 4.0 * one.body.support(dir)), 0.0, 4.0 * one.body.support_error());
+  }
+  EXPECT_THROW(parse_shape("sphere:1e30", 1e30), InputError);
+  EXPECT_THROW(parse_shape("rounded:1e30,sphere:1e10", 1e20), InputError);
+}
+
+TEST(VerticesOf, AreThePolytopeExactly) {
+  std::mt19937_64 random(51);
+  std::size_t n_polytopes = 0;
+  for (const char* text : kTestBodies) {
+    const MeasuredBody shape = parse_shape(text);
+    const std::vector<Vec3d> vertices = vertices_of(shape.body);
+    if (vertices.empty()) {
+      EXPECT_EQ(shape.n_faces, 0u) << text;
+      continue;
+    }
+    ++n_polytopes;
+    if (shape.measures.volume > 0.0) {
+      EXPECT_LE(shape.n_faces + vertices.size(), 32u);
+    }
+    for (int k = 0; k < 200; ++k) {
+      const Vec3d dir = random_direction(random);
+      double farthest = -1e300;
+      for (const Vec3d& v : vertices) farthest = std::max(farthest, dot(v, dir));
+      ASSERT_NEAR(farthest, dot(shape.body.support(dir), dir), 2.0 * shape.body.support_error()) << text;
+    }
+  }
+  EXPECT_EQ(n_polytopes, 8u);
 }
 
 TEST(ParseShape, ReadsSizesInEveryUsualNotation) {
@@ -50,14 +106,19 @@ TEST(ParseShape, ExplainsMalformedTexts) {
   EXPECT_NE(message_of<UsageError>("sphere:1 ").find("not a number"), std::string::npos);
   EXPECT_NE(message_of<UsageError>("sphere:1,").find("not a number"), std::string::npos);
   EXPECT_NE(message_of<UsageError>("spher:1").find("sphere:R"), std::string::npos);
-  EXPECT_NE(message_of<UsageError>("cylinder:1,1").find("not built yet"), std::string::npos);
+  EXPECT_NE(message_of<UsageError>("rounded:1").find("rounded:r,BODY"), std::string::npos);
+  EXPECT_NE(message_of<UsageError>("rounded:1,").find("rounded:r,BODY"), std::string::npos);
+  EXPECT_NE(message_of<UsageError>("rounded:1,pear:1").find("no body of this name (pear:1)"), std::string::npos);
+  EXPECT_NE(message_of<UsageError>("rounded:,box:1,1,1").find("not a number"), std::string::npos);
+  EXPECT_NE(message_of<InputError>("rounded:0,box:1,1,1").find("not positive"), std::string::npos);
 }
 
 TEST(NamesAShape, LeavesPathsAlone) {
   EXPECT_FALSE(names_a_shape("box.obj"));
   EXPECT_FALSE(names_a_shape("sphere"));
   EXPECT_FALSE(names_a_shape("./sphere:1"));
-  EXPECT_TRUE(names_a_shape("needle:1")) << "planned ones are bodies too";
+  EXPECT_FALSE(names_a_shape("rounded.obj"));
+  EXPECT_TRUE(names_a_shape("rounded:1,a.obj"));
 }
 
 }  // namespace

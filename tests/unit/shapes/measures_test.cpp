@@ -25,6 +25,42 @@ TEST(Measures, OfSpheresBoxesAndCapsules) {
   expect_measures("capsule:2,0.5", pi * 0.25 * 2 + pi / 6, 2 * pi * 0.5 * 2 + pi, 2 * pi + 2 * pi);
 }
 
+TEST(Measures, OfRoundBodiesWithEdges) {
+  expect_measures("cylinder:2,0.5", pi / 2, 2.5 * pi, 2 * pi + pi * pi / 2);
+  const double s = std::sqrt(10.0);  // slant height of the cone 3 high on a base of radius 1
+  expect_measures("cone:3,1", pi, pi * (1 + s), 3 * pi + pi * (pi / 2 + std::atan(1.0 / 3)));
+  const double alpha = std::atan(0.5);  // frustum 2 high, radii 2 and 1
+  expect_measures("frustum:2,2,1", 14 * pi / 3, pi * (5 + 3 * std::sqrt(5.0)),
+                  2 * pi + 2 * pi * (pi / 2 + alpha) + pi * (pi / 2 - alpha));
+  const Measures upside_down = parse_shape("frustum:2,1,2").measures;
+  EXPECT_NEAR(upside_down.integrated_mean_curvature, parse_shape("frustum:2,2,1").measures.integrated_mean_curvature,
+              1e-13);
+  expect_measures("frustum:2,0.5,0.5", pi / 2, 2.5 * pi, 2 * pi + pi * pi / 2);  // a cylinder
+  expect_measures("hemisphere:2", 16 * pi / 3, 12 * pi, 2 * pi * (2 + pi / 2));
+}
+
+TEST(Measures, OfFlatBodiesCountBothSides) {
+  expect_measures("disc:2", 0, 8 * pi, 2 * pi * pi);
+  expect_measures("plate:2,3", 0, 12, 5 * pi);
+  expect_measures("needle:3", 0, 0, 3 * pi);
+}
+
+TEST(Measures, OfRegularPolyhedra) {
+  // ½ Σ edge · (π − dihedral), with the dihedral angles from tables.
+  const double degree = pi / 180;
+  expect_measures("tetrahedron:2", 8 / std::sqrt(72.0), 4 * std::sqrt(3.0), 6 * (180 - 70.528779365509308) * degree);
+  expect_measures("octahedron:2", 8 * std::sqrt(2.0) / 3, 8 * std::sqrt(3.0), 12 * (180 - 109.47122063449069) * degree);
+  expect_measures("dodecahedron:1", 7.6631189606246320, 20.645728807067603, 15 * (180 - 116.56505117707799) * degree);
+  expect_measures("icosahedron:1", 2.1816949906249124, 8.6602540378443865, 15 * (180 - 138.18968510422140) * degree);
+}
+
+TEST(Measures, OfRoundedBodiesAreSteiners) {
+  expect_measures("rounded:0.5,needle:2", pi * 0.25 * 2 + pi / 6, 2 * pi * 0.5 * 2 + pi, 2 * pi + 2 * pi);
+  expect_measures("rounded:0.5,sphere:1.5", 32 * pi / 3, 16 * pi, 8 * pi);
+  expect_measures("rounded:1,box:1,2,3", 6 + 22 + 6 * pi + 4 * pi / 3, 22 + 12 * pi + 4 * pi, 10 * pi);
+  expect_measures("rounded:1,plate:2,3", 12 + 5 * pi + 4 * pi / 3, 12 + 10 * pi + 4 * pi, 9 * pi);
+}
+
 TEST(Measures, OfEllipsoidsThatAreSpheroids) {
   // Closed forms of a spheroid with semi-axes a, a, c: S by asin or atanh of the eccentricity, M likewise.
   for (const double c : {0.01, 0.5, 0.999, 1.001, 2.0, 100.0}) {
@@ -76,6 +112,17 @@ TEST(AverageExcludedVolume, OfIdenticalBodiesIsTheReferenceTable) {
                                                              {"capsule:1,.5", 9.2},
                                                              {"capsule:5,.5", 16.823529412},
                                                              {"capsule:100,.5", 206.675496689},
+                                                             {"tetrahedron:1", 15.407431604},
+                                                             {"octahedron:2", 10.637976081},
+                                                             {"dodecahedron:3", 9.121016679},
+                                                             {"icosahedron:.1", 8.915264469},
+                                                             {"hemisphere:1", 10.034291735},
+                                                             {"cylinder:.1,.5", 22.04955592},
+                                                             {"cylinder:1,.5", 9.71238898},
+                                                             {"cylinder:10,.5", 26.29867229},
+                                                             {"cone:.1,.5", 49.62996171},
+                                                             {"cone:1,.5", 11.79180112},
+                                                             {"cone:10,.5", 36.09320230},
                                                              {"ellipsoid:1,32,1", 77.74058929613692},
                                                              {"ellipsoid:1,16,1", 40.28121631695408},
                                                              {"ellipsoid:8,1,1", 21.81043465534018},

@@ -1,0 +1,39 @@
+// A right circular cylinder about the origin, axis z: a disc along a needle.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/support/combinators.h"
+#include "shapes/measures.h"
+
+namespace vex {
+
+class Cylinder {
+ public:
+  Cylinder(double length, double radius) : half_length_(0.5 * length), radius_(radius) {
+    VEX_EXPECT(length > 0.0 && radius > 0.0);
+  }
+
+  template <class L>
+  Vec3<L> support(const Vec3<L>& dir) const {
+    const Vec3<L> rim = disc_support(L(radius_), dir);
+    return {rim.x, rim.y, copy_sign(L(half_length_), dir.z)};
+  }
+  double support_error() const { return 8.0 * kUnitRoundoff * radius_; }  // the disc's; the end is exact (E2)
+  Vec3d centre() const { return {}; }
+  double circumradius() const { return norm(Vec3d{radius_, 0.0, half_length_}) * (1.0 + gamma(4)); }
+  double inradius() const { return std::min(half_length_, radius_); }
+
+  Measures measures() const {
+    constexpr double pi = std::numbers::pi;
+    const double l = 2.0 * half_length_, r = radius_;
+    return {pi * r * r * l, 2.0 * pi * r * (l + r), pi * (l + pi * r)};
+  }
+
+ private:
+  double half_length_, radius_;
+};
+
+}  // namespace vex

@@ -1,0 +1,34 @@
+// A flat circular disc in the plane z = 0 about the origin. It has no thickness.
+#pragma once
+
+#include <numbers>
+
+#include "engine/support/combinators.h"
+#include "shapes/measures.h"
+
+namespace vex {
+
+class Disc {
+ public:
+  explicit Disc(double radius) : radius_(radius) { VEX_EXPECT(radius > 0.0); }
+
+  template <class L>
+  Vec3<L> support(const Vec3<L>& dir) const {
+    return disc_support(L(radius_), dir);
+  }
+  double support_error() const { return 8.0 * kUnitRoundoff * radius_; }  // E2
+  Vec3d centre() const { return {}; }
+  double circumradius() const { return radius_; }
+  double inradius() const { return 0.0; }
+
+  /// Both sides count: S = 2 pi R^2, and M = pi^2 R.
+  Measures measures() const {
+    constexpr double pi = std::numbers::pi;
+    return {0.0, 2.0 * pi * radius_ * radius_, pi * pi * radius_};
+  }
+
+ private:
+  double radius_;
+};
+
+}  // namespace vex

@@ -1,0 +1,67 @@
+// A frustum of a right circular cone, axis z, its two discs at z = -H/2 and z = H/2.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/support/combinators.h"
+#include "shapes/measures.h"
+
+namespace vex {
+
+class Frustum {
+ public:
+  /// `lower_radius` at z = -H/2, `upper_radius` at z = H/2. One of them may be 0: a cone.
+  Frustum(double height, double lower_radius, double upper_radius)
+      : height_(height), lower_radius_(lower_radius), upper_radius_(upper_radius) {
+    VEX_EXPECT(height > 0.0 && lower_radius >= 0.0 && upper_radius >= 0.0 && lower_radius + upper_radius > 0.0);
+    place_centre();
+  }
+
+  /// A point of one of the two rims: the upper one where H d_z > (R_lower - R_upper) |(d_x, d_y)|.
+  template <class L>
+  Vec3<L> support(const Vec3<L>& dir) const {
+    const Vec3<L> unit_rim = disc_support(L(1.0), dir);
+    const L across = unit_rim.x * dir.x + unit_rim.y * dir.y;
+    const MaskOf<L> is_upper = L(height_) * dir.z > L(lower_radius_ - upper_radius_) * across;
+    const L radius = select(is_upper, L(upper_radius_), L(lower_radius_));
+    return {radius * unit_rim.x, radius * unit_rim.y, select(is_upper, L(0.5 * height_), L(-0.5 * height_))};
+  }
+  /// The rim's rounding, and what the wrong rim can cost where the two tie (E2).
+  double support_error() const { return 16.0 * kUnitRoundoff * (std::max(lower_radius_, upper_radius_) + height_); }
+  Vec3d centre() const { return {0.0, 0.0, centre_z_}; }
+  double circumradius() const { return circumradius_; }
+  double inradius() const { return inradius_; }
+
+  /// With tan(alpha) = (R_lower - R_upper) / H, M = pi H + pi R_lower (pi/2 + alpha) + pi R_upper (pi/2 - alpha): the
+  /// exterior angles of the two rims, and the axial section's height for the mantle.
+  Measures measures() const {
+    constexpr double pi = std::numbers::pi;
+    const double h = height_, p = lower_radius_, q = upper_radius_;
+    const double slant = std::hypot(h, p - q);
+    const double lower_angle = std::atan2(h, q - p), upper_angle = std::atan2(h, p - q);  // pi/2 +- alpha
+    return {pi / 3.0 * h * (p * p + p * q + q * q), pi * (p * p + q * q + (p + q) * slant),
+            pi * (h + p * lower_angle + q * upper_angle)};
+  }
+
+ private:
+  /// The middle of the smallest ball around the frustum, but not so near a flat end that no ball is left inside: the
+  /// closer the circumscribed ball, the fewer samples are wasted.
+  void place_centre() {
+    const double p = lower_radius_, q = upper_radius_;
+    const double margin = std::min(height_, std::max(p, q)) / 8.0;
+    const double equidistant = 0.5 * (height_ + (q - p) / height_ * (q + p));  // from both rims; above the lower disc
+    centre_z_ = std::clamp(equidistant, margin, height_ - margin) - 0.5 * height_;
+    const double below = centre_z_ + 0.5 * height_, above = 0.5 * height_ - centre_z_;
+    circumradius_ = std::max(std::hypot(p, below), std::hypot(q, above)) * (1.0 + gamma(16));
+    const double across = (p * above + q * below) / height_;  // the radius at the centre's height
+    const double to_mantle = across * (height_ / std::hypot(height_, p - q));
+    inradius_ = std::min({below, above, to_mantle}) * (1.0 - gamma(32));
+  }
+
+  double height_, lower_radius_, upper_radius_;
+  double centre_z_ = 0.0, circumradius_ = 0.0, inradius_ = 0.0;
+};
+
+}  // namespace vex

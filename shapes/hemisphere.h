@@ -1,0 +1,39 @@
+// Half a ball: the flat face in the plane z = 0 about the origin, the dome on the side of +z.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/support/combinators.h"
+#include "shapes/measures.h"
+
+namespace vex {
+
+class Hemisphere {
+ public:
+  explicit Hemisphere(double radius) : radius_(radius) { VEX_EXPECT(radius > 0.0); }
+
+  /// On the dome for directions upwards, on the rim for all others.
+  template <class L>
+  Vec3<L> support(const Vec3<L>& dir) const {
+    return select<L>(dir.z > L(0.0), ball_support(L(radius_), dir), disc_support(L(radius_), dir));
+  }
+  double support_error() const { return 8.0 * kUnitRoundoff * radius_; }  // the ball's and the disc's (E2)
+  /// Not far above the flat face: the ball of radius R about the origin is the smallest around it, but leaves no ball
+  /// inside. An eighth costs 2 % of volume of the outer ball.
+  Vec3d centre() const { return {0.0, 0.0, 0.125 * radius_}; }
+  double circumradius() const { return std::hypot(1.0, 0.125) * radius_ * (1.0 + gamma(4)); }
+  double inradius() const { return 0.125 * radius_; }
+
+  /// The dome's 2 pi R; the rim, an edge of length 2 pi R with exterior angle pi/2, adds half of that times pi/2.
+  Measures measures() const {
+    constexpr double pi = std::numbers::pi;
+    const double r = radius_;
+    return {2.0 / 3.0 * pi * r * r * r, 3.0 * pi * r * r, pi * r * (2.0 + 0.5 * pi)};
+  }
+
+ private:
+  double radius_;
+};
+
+}  // namespace vex

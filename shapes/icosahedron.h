@@ -1,0 +1,49 @@
+// A regular icosahedron, its centroid at the origin, its vertices the corners of three golden rectangles in the planes
+// of the axes.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "engine/numeric/expect.h"
+#include "engine/numeric/rounding.h"
+#include "shapes/measures.h"
+#include "shapes/polytope.h"
+
+namespace vex {
+
+/// The body is the hull of the stored doubles, which are the regular body's coordinates to rounding.
+class Icosahedron : public Polytope {
+ public:
+  explicit Icosahedron(double edge)
+      : Polytope(corners(edge), {},
+                 std::numbers::phi * std::numbers::phi / (2.0 * std::numbers::sqrt3) * edge * (1.0 - gamma(32))),
+        edge_(edge) {}
+
+  std::size_t n_faces() const { return 20; }
+
+  /// M is half of thirty edges times the exterior angle acos(sqrt(5)/3).
+  Measures measures() const {
+    const double e = edge_;
+    return {5.0 / 12.0 * (3.0 + std::sqrt(5.0)) * e * e * e, 5.0 * std::numbers::sqrt3 * e * e,
+            15.0 * e * std::acos(std::sqrt(5.0) / 3.0)};
+  }
+
+ private:
+  static std::vector<Vec3d> corners(double edge) {
+    VEX_EXPECT(edge > 0.0);
+    const double q = 0.5 * edge, p = q * std::numbers::phi;
+    std::vector<Vec3d> v;
+    for (const double s : {-1.0, 1.0}) {
+      for (const double t : {-1.0, 1.0}) {
+        v.insert(v.end(), {{0, s * q, t * p}, {s * q, t * p, 0}, {t * p, 0, s * q}});
+      }
+    }
+    return v;
+  }
+
+  double edge_;
+};
+
+}  // namespace vex

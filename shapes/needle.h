@@ -1,0 +1,37 @@
+// A needle: a line segment on the z axis with its middle at the origin. What a capsule is rounded from.
+#pragma once
+
+#include <numbers>
+#include <vector>
+
+#include "engine/numeric/expect.h"
+#include "engine/support/support_mapping.h"
+#include "shapes/measures.h"
+
+namespace vex {
+
+class Needle {
+ public:
+  explicit Needle(double length) : half_length_(0.5 * length) { VEX_EXPECT(length > 0.0); }
+
+  /// One of the two ends: exact.
+  template <class L>
+  Vec3<L> support(const Vec3<L>& dir) const {
+    return {L(0.0), L(0.0), copy_sign(L(half_length_), dir.z)};
+  }
+  double support_error() const { return 0.0; }
+  Vec3d centre() const { return {}; }
+  double circumradius() const { return half_length_; }
+  double inradius() const { return 0.0; }
+
+  std::vector<Vec3d> vertices() const { return {{0.0, 0.0, -half_length_}, {0.0, 0.0, half_length_}}; }
+  std::size_t n_faces() const { return 0; }
+
+  /// The limit of a thin cylinder: a needle has no area, but a mean width.
+  Measures measures() const { return {0.0, 0.0, std::numbers::pi * (2.0 * half_length_)}; }
+
+ private:
+  double half_length_;
+};
+
+}  // namespace vex

@@ -1,0 +1,46 @@
+// A flat rectangular plate in the plane z = 0, its middle at the origin, edges along x and y. It has no thickness.
+#pragma once
+
+#include <numbers>
+#include <vector>
+
+#include "engine/numeric/expect.h"
+#include "engine/numeric/rounding.h"
+#include "engine/support/support_mapping.h"
+#include "shapes/measures.h"
+
+namespace vex {
+
+class Plate {
+ public:
+  /// Full edges. Their halves are exact, so the four vertices are exactly (+-a/2, +-b/2, 0).
+  Plate(double edge_x, double edge_y) : half_x_(0.5 * edge_x), half_y_(0.5 * edge_y) {
+    VEX_EXPECT(edge_x > 0.0 && edge_y > 0.0);
+  }
+
+  /// A vertex picked by signs: exact.
+  template <class L>
+  Vec3<L> support(const Vec3<L>& dir) const {
+    return {copy_sign(L(half_x_), dir.x), copy_sign(L(half_y_), dir.y), L(0.0)};
+  }
+  double support_error() const { return 0.0; }
+  Vec3d centre() const { return {}; }
+  double circumradius() const { return norm(Vec3d{half_x_, half_y_, 0.0}) * (1.0 + gamma(4)); }
+  double inradius() const { return 0.0; }
+
+  std::vector<Vec3d> vertices() const {
+    return {{-half_x_, -half_y_, 0.0}, {half_x_, -half_y_, 0.0}, {-half_x_, half_y_, 0.0}, {half_x_, half_y_, 0.0}};
+  }
+  std::size_t n_faces() const { return 2; }  // its two sides
+
+  /// Both sides count: S = 2 a b, and M = pi P / 2 with the perimeter P.
+  Measures measures() const {
+    const double a = 2.0 * half_x_, b = 2.0 * half_y_;
+    return {0.0, 2.0 * a * b, std::numbers::pi * (a + b)};
+  }
+
+ private:
+  double half_x_, half_y_;
+};
+
+}  // namespace vex

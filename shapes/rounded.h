@@ -1,0 +1,35 @@
+// A body with a ball of radius r about each of its points: its parallel body.
+#pragma once
+
+#include <numbers>
+#include <utility>
+
+#include "engine/support/combinators.h"
+#include "shapes/measures.h"
+
+namespace vex {
+
+/// V, S and M of K + ball of radius r, from those of K (J. Steiner, 1840; also where K is flat):
+/// V + S r + M r^2 + 4/3 pi r^3, S + 2 M r + 4 pi r^2, M + 4 pi r.
+inline Measures parallel_body_measures(const Measures& body, double radius) {
+  constexpr double pi = std::numbers::pi;
+  const double s = body.surface_area, m = body.integrated_mean_curvature, r = radius;
+  return {body.volume + r * (s + r * (m + 4.0 / 3.0 * pi * r)), s + r * (2.0 * m + 4.0 * pi * r), m + 4.0 * pi * r};
+}
+
+/// `rounded:r,BODY`.
+template <SupportMapping Body>
+class Rounded : public Inflated<Body> {
+ public:
+  Rounded(Body body, const Measures& body_measures, double radius)
+      : Inflated<Body>(std::move(body), radius), measures_(parallel_body_measures(body_measures, radius)) {
+    VEX_EXPECT(radius > 0.0);
+  }
+
+  Measures measures() const { return measures_; }
+
+ private:
+  Measures measures_;
+};
+
+}  // namespace vex
