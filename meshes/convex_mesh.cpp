@@ -2,13 +2,17 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/numeric/errors.h"
 #include "meshes/convexity.h"
+#include "meshes/exact_hull.h"
 #include "meshes/hull_check.h"
+#include "meshes/hull_of_points.h"
 #include "meshes/isolated_reader.h"
 #include "meshes/machine_memory.h"
 #include "meshes/polyhedron_measures.h"
@@ -21,6 +25,10 @@
 namespace vex {
 namespace {
 
+// What exact_sign.h asks of coordinates. Floats are far inside.
+constexpr double kLargestCoordinate = 0x1p300;
+constexpr double kSmallestCoordinate = 0x1p-300;
+
 void check_options(const MeshOptions& options) {
   if (!(options.convex_tolerance >= 0.0) || !std::isfinite(options.convex_tolerance)) {
     throw UsageError("the convex tolerance is not a finite number from 0 up (" + number_text(options.convex_tolerance) +
@@ -28,20 +36,23 @@ void check_options(const MeshOptions& options) {
   }
 }
 
-/// Measured: the checks take up to 230 bytes for a triangle whose corners are its own (STL), of which the soup is 52.
-void check_memory(const PolygonSoup& soup) {
-  const std::uint64_t needed = 80 * std::uint64_t{soup.corners.size()};
+/// Measured: the checks take up to 230 bytes for a triangle whose corners are its own (STL), of which the soup is 52; a
+/// hull up to 250 for each of its points.
+void check_memory(const PolygonSoup& soup, bool hull) {
+  const std::uint64_t needed =
+      80 * std::uint64_t{soup.corners.size()} + (hull ? 250 * std::uint64_t{soup.points.size()} : 0);
   const std::uint64_t available = machine_memory() / 4 * 3;
   if (needed > available) {
-    throw InputError("the mesh is too large for this machine (" + std::to_string(soup.face_sizes.size()) +
-                     " faces need about " + std::to_string(needed >> 20U) + " MiB of " +
-                     std::to_string(available >> 20U) + ") - simplify it");
+    throw InputError("the mesh is too large for this machine (" + std::to_string(soup.points.size()) +
+                     " vertices and " + std::to_string(soup.face_sizes.size()) + " faces need about " +
+                     std::to_string(needed >> 20U) + " MiB of " + std::to_string(available >> 20U) + ") - simplify it");
   }
 }
 
 void note_what_reading_did(const PolygonSoup& soup, const WeldedSurface& welded, MeshReport* report) {
   report->n_parts = soup.n_parts;
   report->n_vertices = welded.surface.vertices.size();
+  report->n_points = report->n_vertices;
   report->n_faces = welded.surface.n_faces();
   report->n_welded_vertices = welded.n_welded_vertices;
   if (soup.n_ignored_faces > 0) {
@@ -53,20 +64,160 @@ void note_what_reading_did(const PolygonSoup& soup, const WeldedSurface& welded,
   }
 }
 
-ConvexMesh measured(const PolygonSurface& surface, const Triangles& triangles, const VolumeAndCentroid& solid,
+/// A body on its way: `triangles` are convex, over some or all of `vertices`, and enclose `solid`.
+struct Body {
+  std::vector<Vec3d> vertices;
+  Triangles triangles;
+  VolumeAndCentroid solid;
+  bool own_vertices_only = false;
+};
+
+Measures measures_of(const Body& body) {
+  return {body.solid.volume, surface_area(body.triangles), integrated_mean_curvature(body.triangles)};
+}
+
+ConvexMesh finished(const Body& body, MeshReport report) {
+  report.n_vertices = body.vertices.size();
+  report.n_triangles = body.triangles.size();
+  report.size = bounding_diagonal(body.vertices);
+  const double widest_inradius = inscribed_radius(body.triangles, body.solid.centroid);
+  const Vec3d centre = rounded_centre(body.solid.centroid, widest_inradius, report.size);
+  const double inradius = inscribed_radius(body.triangles, {centre, {}});
+  return {Polytope(body.vertices, centre, inradius), measures_of(body), std::move(report)};
+}
+
+/// What the hull adds to surfaces that enclose `mesh`: 0 where no rounding tells them apart.
+double added_volume(const VolumeAndCentroid& hull, const VolumeAndCentroid& mesh) {
+  const DoubleDouble six_mesh = mesh.volume < 0.0 ? -mesh.six_volumes : mesh.six_volumes;
+  const double added = (hull.six_volumes - six_mesh).value() / 6.0;
+  return std::fabs(added) > hull.volume_error + mesh.volume_error ? added : 0.0;
+}
+
+[[noreturn]] void refuse_scaled(const std::string& what, double scale) {
+  throw InputError("the scaled body is " + what + " (its scale is " + number_text(scale) + ") - choose another scale");
+}
+
+void check_scaled(const std::vector<Vec3d>& vertices, double scale) {
+  for (const Vec3d& v : vertices) {
+    for (const double x : {v.x, v.y, v.z}) {
+      if (!(std::fabs(x) <= kLargestCoordinate)) {
+        refuse_scaled("too large", scale);
+      }
+      if (x != 0.0 && std::fabs(x) < kSmallestCoordinate) {
+        refuse_scaled("too small", scale);
+      }
+    }
+  }
+}
+
+void check_scaled(const Measures& measures, double scale) {
+  for (const double value : {measures.volume, measures.surface_area, measures.integrated_mean_curvature}) {
+    if (!std::isfinite(value)) {
+      refuse_scaled("too large", scale);
+    }
+    if (!(value >= std::numeric_limits<double>::min())) {
+      refuse_scaled("too small", scale);
+    }
+  }
+}
+
+/// The vertices times `scale`; where these, rounded, are not convex by the same triangles, their hull's. `mesh` is the
+/// surface that the hull's volume is compared with, over `mesh_vertices`, which are scaled too.
+Body scaled(Body body, double scale) {
+  for (Vec3d& v : body.vertices) {
+    v = scale * v;
+  }
+  check_scaled(body.vertices, scale);
+  body.solid = volume_and_centroid(body.triangles);
+  const ConvexityCensus census = convexity_census(body.triangles, body.solid.centroid);
+  if (census.locally_convex() && census.winding_number == 1) {
+    return body;
+  }
+  if (body.own_vertices_only) {
+    HullOfPoints hull = hull_of_points(body.vertices);
+    body.vertices = std::move(hull.vertices);
+    body.triangles = std::move(hull.triangles);
+  } else if (std::optional<Triangles> hull = exact_hull(body.vertices)) {
+    body.triangles = std::move(*hull);
+  } else {
+    refuse_scaled("too thin for its coordinates", scale);
+  }
+  body.solid = volume_and_centroid(body.triangles);
+  return body;
+}
+
+/// The body, scaled if so asked. `mesh`: the surface whose volume the hull's is compared with, if it is.
+ConvexMesh finished(Body body, const MeshOptions& options, Triangles mesh, std::vector<Vec3d> mesh_vertices,
                     MeshReport report) {
-  const Measures measures{solid.volume, surface_area(triangles), integrated_mean_curvature(triangles)};
-  const double widest_inradius = inscribed_radius(triangles, solid.centroid);
-  const Vec3d centre = rounded_centre(solid.centroid, widest_inradius, report.size);
-  const double inradius = inscribed_radius(triangles, {centre, {}});
-  return {Polytope(surface.vertices, centre, inradius), measures, std::move(report)};
+  if (!options.scale) {
+    return finished(body, std::move(report));
+  }
+  const double scale = options.scale(measures_of(body));
+  if (!(scale > 0.0) || !std::isfinite(scale)) {
+    refuse_scaled(scale > 0.0 ? "too large" : "without extent", scale);
+  }
+  body = scaled(std::move(body), scale);
+  if (report.hull_added_volume && *report.hull_added_volume != 0.0) {
+    for (Vec3d& v : mesh_vertices) {
+      v = scale * v;
+    }
+    check_scaled(mesh_vertices, scale);
+    mesh.vertices = mesh_vertices;
+    report.hull_added_volume = added_volume(body.solid, volume_and_centroid(mesh));
+  }
+  ConvexMesh result = finished(body, std::move(report));
+  check_scaled(result.measures, scale);
+  return result;
+}
+
+/// What the file's faces enclose, if that is defined.
+void compare_volumes(const PolygonSurface& surface, const Body& body, Triangles* mesh, MeshReport* report) {
+  HalfEdgePairs pairs = half_edge_pairs(surface);
+  if (!pairs.problem.empty()) {
+    report->hull_added_volume = std::nullopt;
+    report->notes.push_back("how much volume the hull added is not defined: " + pairs.problem);
+    return;
+  }
+  *mesh = fan_triangles(surface, pairs.mates);
+  report->hull_added_volume = added_volume(body.solid, volume_and_centroid(*mesh));
+  if (const std::size_t n_surfaces = number_of_components(surface); n_surfaces > 1) {
+    report->notes.push_back("the file's " + std::to_string(n_surfaces) +
+                            " surfaces share no vertex: the volumes that they enclose were added as they stand to say "
+                            "how much the hull added");
+  }
+  if (*report->hull_added_volume < 0.0) {
+    report->notes.emplace_back(
+        "the file's surfaces overlap or wind several times: together they enclose more than the hull");
+  }
+}
+
+ConvexMesh hull_from(const PolygonSoup& soup, const MeshOptions& options) {
+  WeldedSurface welded = weld(soup, UnusedPoints::kept);
+  PolygonSurface& surface = welded.surface;
+  MeshReport report;
+  note_what_reading_did(soup, welded, &report);
+  HullOfPoints hull = hull_of_points(surface.vertices);
+  Body body{std::move(hull.vertices), std::move(hull.triangles), {}, true};
+  body.solid = volume_and_centroid(body.triangles);
+  report.hull_used = true;
+  report.notes.push_back("the convex hull was taken: " + std::to_string(body.vertices.size()) + " of " +
+                         std::to_string(report.n_points) + " points are its vertices");
+  Triangles mesh;
+  compare_volumes(surface, body, &mesh, &report);
+  if (report.hull_added_volume != 0.0) {
+    report.reflex_depth = std::nullopt;
+  }
+  return finished(std::move(body), options, std::move(mesh), std::move(surface.vertices), std::move(report));
 }
 
 }  // namespace
 
 ConvexMesh convex_mesh_from(const PolygonSoup& soup, const MeshOptions& options) {
   check_options(options);
-  check_memory(soup);
+  check_memory(soup, options.hull);
+  if (options.hull) {
+    return hull_from(soup, options);
+  }
   WeldedSurface welded = weld(soup);
   PolygonSurface& surface = welded.surface;
   MeshReport report;
@@ -88,19 +239,19 @@ ConvexMesh convex_mesh_from(const PolygonSoup& soup, const MeshOptions& options)
     report.notes.emplace_back("the mesh was inside out and has been turned");
   }
   mates = {};
-  report.n_triangles = triangles.size();
 
-  const std::optional<HullInstead> hull = checked_convexity(triangles, solid, report.size, options.convex_tolerance);
+  std::optional<HullInstead> hull = checked_convexity(triangles, solid, report.size, options.convex_tolerance);
   if (!hull) {
-    return measured(surface, triangles, solid, std::move(report));
+    return finished({std::move(surface.vertices), std::move(triangles), solid}, options, {}, {}, std::move(report));
   }
   report.hull_used = true;
   report.reflex_depth = hull->reflex_depth / report.size;
   report.hull_added_volume = hull->solid.volume - solid.volume;
-  report.n_triangles = hull->triangles.size();
-  report.notes.push_back("the mesh is convex only within the tolerance (by " + number_text(report.reflex_depth) +
+  report.notes.push_back("the mesh is convex only within the tolerance (by " + number_text(*report.reflex_depth) +
                          " of its size): its convex hull is used");
-  return measured(surface, hull->triangles, hull->solid, std::move(report));
+  std::vector<Vec3d> mesh_vertices = options.scale ? surface.vertices : std::vector<Vec3d>{};
+  return finished({std::move(surface.vertices), std::move(hull->triangles), hull->solid}, options, std::move(triangles),
+                  std::move(mesh_vertices), std::move(report));
 }
 
 ConvexMesh load_convex_mesh(const std::filesystem::path& path, const MeshOptions& options) {

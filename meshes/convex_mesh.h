@@ -1,8 +1,10 @@
-// File -> checked convex body.
+// File -> checked convex body; or, where the hull is asked for, the convex hull of whatever points the file holds.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,24 +17,47 @@ namespace vex {
 struct MeshOptions {
   double convex_tolerance = 1e-6;  // a fraction of the size: how deep a reflex edge or a vertex below the hull may be
   bool isolated_reader = true;     // read the file in a process of its own, so that a broken one cannot crash this one
+
+  /// Take the convex hull of all points that the reader delivers, those that no face uses included, and ask nothing of
+  /// the surface: it may be open, turned about, in several parts, without volume, or not there at all. What is asked:
+  /// finite coordinates, and points that do not all lie in one plane.
+  bool hull = false;
+
+  /// Where given: called once, after all checks, with the measures of the body as the file has it. What it returns,
+  /// positive and finite, multiplies every coordinate of every vertex, about the origin, each product rounded to
+  /// nearest: a vertex moves by at most u = 2^-53 of each coordinate from where exact arithmetic has it, and the
+  /// rounded vertices are the body. Everything that is a length, an area or a volume is measured anew on them. A power
+  /// of two changes no bit but exponents.
+  std::function<double(const Measures&)> scale = {};
 };
 
-/// What was found and done on the way. Lengths are in the file's units.
+/// What was found and done on the way. Lengths are in the file's units, times the scale where there is one.
 struct MeshReport {
-  std::size_t n_vertices = 0;         // after welding
+  std::size_t n_vertices = 0;         // of the body
+  std::size_t n_points = 0;           // different points that the vertices were found among; more only for a hull
   std::size_t n_faces = 0;            // polygons of the file, without those that collapsed
   std::size_t n_triangles = 0;        // of the surface that was measured
   std::size_t n_parts = 0;            // meshes of the file
   std::size_t n_welded_vertices = 0;  // vertices of the file that another one's place already had
-  double reflex_depth = 0.0;          // fraction of the size; 0 where the mesh is convex as it is
   double size = 0.0;                  // the diagonal of the bounding box
-  bool hull_used = false;          // the measures are the hull's, because the mesh is convex only within the tolerance
-  double hull_added_volume = 0.0;  // the hull's volume less the mesh's
+  bool hull_used = false;  // the measures are the hull's: it was asked for, or the mesh is convex only to tolerance
+
+  /// A fraction of the size; 0 where the mesh is convex as it is. Not measured, and nothing, for a hull that was asked
+  /// for and added volume.
+  std::optional<double> reflex_depth = 0.0;
+
+  /// The hull's volume less the mesh's, which for several closed surfaces is the magnitude of their signed volumes' sum
+  /// as they stand; 0 where the mesh is convex as it is. Nothing where the file's faces enclose no defined volume, that
+  /// is unless each edge is shared by exactly two of them and runs in opposite directions in them; a note says why.
+  std::optional<double> hull_added_volume = 0.0;
+
   std::vector<std::string> notes;  // for the user to read
 };
 
-/// A body that is the convex hull of the mesh's vertices, exactly: floats promoted to double, in lexicographic order,
-/// so that the same floats give the same body from any file. V, S and M are within 1e-12 of the exact polyhedron's.
+/// A body that is the convex hull of the mesh's vertices, exactly: floats promoted to double (and scaled, if so asked),
+/// in lexicographic order, so that the same floats give the same body from any file. V, S and M are within 1e-12 of the
+/// exact polyhedron's. A hull that was asked for has its own vertices only: points inside, or on a facet or an edge,
+/// are left out where exact signs prove that they are there.
 struct ConvexMesh {
   Polytope body;
   Measures measures;

@@ -13,7 +13,7 @@ namespace vex {
 VolumeAndCentroid volume_and_centroid(const Triangles& triangles) {
   VolumeAndCentroid result;
   const Vec3d base = triangles.corner(0, 0);
-  DoubleDouble six_volumes;
+  DoubleDouble& six_volumes = result.six_volumes;
   double error = 0.0;
   double magnitude = 0.0;
   DoubleDoubleVec3 moment;  // sum of six_volume * (a + b + c), coordinates from the base

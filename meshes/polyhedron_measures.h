@@ -30,6 +30,7 @@ struct LocalPoint {
 struct VolumeAndCentroid {
   double volume = 0.0;
   double volume_error = 0.0;
+  DoubleDouble six_volumes;  // 6 V, not yet rounded to double
   LocalPoint centroid;
 };
 VolumeAndCentroid volume_and_centroid(const Triangles& triangles);

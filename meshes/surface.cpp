@@ -182,6 +182,37 @@ void PolygonSurface::turn_inside_out() {
   put_in_order();
 }
 
+HalfEdgePairs half_edge_pairs(const PolygonSurface& surface) {
+  HalfEdgePairs pairs;
+  if (surface.n_faces() == 0) {
+    pairs.problem = "there are no faces";
+    return pairs;
+  }
+  const EdgeCensus census = pair_half_edges(surface, &pairs.mates);
+  const std::string n_edges = std::to_string(census.n_edges);
+  if (census.n_open > 0) {
+    pairs.problem = "the surface is not closed: " + std::to_string(census.n_open) + " of its " + n_edges +
+                    " edges are not shared by exactly two faces";
+  } else if (census.n_one_way > 0) {
+    pairs.problem = "the faces are not consistently oriented: " + std::to_string(census.n_one_way) + " of " + n_edges +
+                    " edges run the same way in both their faces";
+  }
+  return pairs;
+}
+
+std::size_t number_of_components(const PolygonSurface& surface) {
+  const std::vector<std::uint32_t> component = component_of_each_vertex(surface);
+  std::vector<bool> has_a_face(component.size(), false);
+  std::size_t n_components = 0;
+  for (const std::uint32_t corner : surface.corners) {
+    if (!has_a_face[component[corner]]) {
+      has_a_face[component[corner]] = true;
+      ++n_components;
+    }
+  }
+  return n_components;
+}
+
 std::vector<std::uint32_t> checked_half_edges(const PolygonSurface& surface) {
   if (surface.n_faces() == 0) {
     throw InputError("the mesh has no faces (0 polygons with three different corners) - name a file that holds a " +

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "engine/numeric/vec3.h"
@@ -32,5 +33,15 @@ struct PolygonSurface {
 /// characteristic is 2. Throws InputError naming the first condition that fails, where, and by how much.
 /// Returns for each half-edge the one that it is paired with.
 std::vector<std::uint32_t> checked_half_edges(const PolygonSurface& surface);
+
+/// How the half-edges of any faces at all are paired.
+struct HalfEdgePairs {
+  std::vector<std::uint32_t> mates;  // as checked_half_edges returns them, where `problem` is empty
+  std::string problem;               // why they do not all run opposite to exactly one other
+};
+HalfEdgePairs half_edge_pairs(const PolygonSurface& surface);
+
+/// Into how many parts that share no vertex the faces fall.
+std::size_t number_of_components(const PolygonSurface& surface);
 
 }  // namespace vex

@@ -72,9 +72,9 @@ struct Vertices {
   std::size_t n_used_points = 0;
 };
 
-Vertices welded_vertices(const PolygonSoup& soup) {
+Vertices welded_vertices(const PolygonSoup& soup, UnusedPoints unused) {
   Vertices result;
-  result.of_point.assign(soup.points.size(), kUnused);
+  result.of_point.assign(soup.points.size(), unused == UnusedPoints::kept ? 0 : kUnused);
   for (const std::uint32_t corner : soup.corners) {
     result.of_point[corner] = 0;
   }
@@ -119,10 +119,10 @@ void drop_unused(PolygonSurface* surface) {
 
 }  // namespace
 
-WeldedSurface weld(const PolygonSoup& soup) {
+WeldedSurface weld(const PolygonSoup& soup, UnusedPoints unused) {
   check_soup(soup);
   WeldedSurface result;
-  Vertices vertices = welded_vertices(soup);
+  Vertices vertices = welded_vertices(soup, unused);
   PolygonSurface& surface = result.surface;
   surface.vertices = std::move(vertices.vertices);
   surface.corners.reserve(soup.corners.size());
@@ -147,7 +147,7 @@ WeldedSurface weld(const PolygonSoup& soup) {
     }
   }
   result.n_welded_vertices = vertices.n_used_points - surface.vertices.size();
-  if (result.n_collapsed_faces > 0) {
+  if (result.n_collapsed_faces > 0 && unused == UnusedPoints::dropped) {
     drop_unused(&surface);
   }
   surface.put_in_order();

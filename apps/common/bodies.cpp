@@ -44,6 +44,11 @@ ConvexMesh load_naming_the_file(const std::string& path, const MeshOptions& mesh
 
 nlohmann::ordered_json point_json(const Vec3d& p) { return {p.x, p.y, p.z}; }
 
+nlohmann::ordered_json number_or_null(const std::optional<double>& value) {
+  if (!value) return nullptr;
+  return *value;
+}
+
 }  // namespace
 
 LoadedBody load_body(const std::string& text, const MeshOptions& mesh_options) {
@@ -75,9 +80,9 @@ nlohmann::ordered_json body_json(const LoadedBody& loaded) {
   json["circumradius"] = shape.body.circumradius();
   json["inradius"] = shape.body.inradius();
   json["convex"] = true;
-  json["reflex_depth"] = mesh ? mesh->reflex_depth : 0.0;
+  json["reflex_depth"] = number_or_null(mesh ? mesh->reflex_depth : 0.0);
   json["welded_vertices"] = mesh ? mesh->n_welded_vertices : 0;
-  json["hull_added_volume"] = mesh ? mesh->hull_added_volume : 0.0;
+  json["hull_added_volume"] = number_or_null(mesh ? mesh->hull_added_volume : 0.0);
   if (mesh) {
     json["triangles"] = mesh->n_triangles;
     json["parts"] = mesh->n_parts;

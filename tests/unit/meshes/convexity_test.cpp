@@ -136,7 +136,7 @@ TEST(Convexity, DoesNotExaggerateWhereAShortEdgeOfALargeFacePointsAside) {
   }
   const ConvexMesh mesh = convex_mesh_from(soup_of(points, faces));
   EXPECT_TRUE(mesh.report.hull_used);
-  EXPECT_LT(mesh.report.reflex_depth * mesh.report.size, 1e-6);
+  EXPECT_LT(*mesh.report.reflex_depth * mesh.report.size, 1e-6);
 }
 
 TEST(Convexity, CountsTrianglesWithoutAreaAsBlind) {
