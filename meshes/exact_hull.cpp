@@ -5,11 +5,14 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <random>
 #include <utility>
 #include <vector>
 
+#include "engine/numeric/rounding.h"
 #include "meshes/determinant.h"
+#include "meshes/exact_sign.h"
 #include "meshes/polyhedron_measures.h"
 
 namespace vex {
@@ -19,7 +22,15 @@ namespace {
 class GrowingHull {
  public:
   GrowingHull(Triangles tetrahedron, const LocalPoint& centre)
-      : hull_(std::move(tetrahedron)), centre_(centre), is_gone_(hull_.size(), false) {}
+      : hull_(std::move(tetrahedron)), centre_(centre), is_gone_(hull_.size(), false) {
+    local_.reserve(hull_.vertices.size());
+    for (const Vec3d& v : hull_.vertices) {
+      local_.push_back(centre_.to(v).value());
+    }
+    for (const auto& [a, b, c] : hull_.corners) {
+      failed_ = failed_ || !sees_centre(a, b, c);
+    }
+  }
 
   /// Joins a vertex that is above the hull to the triangle below it, and flips what becomes reflex until nothing is.
   /// Each flip puts a tetrahedron on the surface, so no state comes twice.
@@ -27,11 +38,11 @@ class GrowingHull {
     near_ = triangle_towards(v);
     const std::uint32_t t = near_;
     const auto [a, b, c] = hull_.corners[t];
-    if (!orientation(hull_.point(a), hull_.point(b), hull_.point(c), hull_.point(v)).surely_positive()) {
+    if (orientation_sign(hull_.point(a), hull_.point(b), hull_.point(c), hull_.point(v)) <= 0) {
       return;
     }
     if (!sees_centre(a, b, v) || !sees_centre(b, c, v) || !sees_centre(c, a, v)) {
-      left_out_ = true;  // seen from the centre it is on an edge, to rounding
+      failed_ = true;  // seen from the centre it is on an edge
       return;
     }
     const std::array<std::uint32_t, 3> past{hull_.mates[3 * t], hull_.mates[3 * t + 1], hull_.mates[3 * t + 2]};
@@ -47,39 +58,37 @@ class GrowingHull {
     }
   }
 
-  /// The hull, unless a vertex could not be joined.
+  bool failed() const { return failed_; }
+
+  /// The hull, unless a vertex could not be joined. No edge is reflex, all triangles see the centre and, as flips keep
+  /// it, cover the directions from there once: it is convex.
   std::optional<Triangles> result() && {
-    if (left_out_) {
+    local_ = {};
+    if (failed_ || has_a_reflex_edge()) {
       return std::nullopt;
     }
-    std::vector<std::array<std::uint32_t, 3>> corners;
-    corners.reserve(hull_.size());
-    for (std::size_t t = 0; t < hull_.size(); ++t) {
-      if (!is_gone_[t]) {
-        corners.push_back(hull_.corners[t]);
-      }
-    }
-    return paired_triangles(hull_.vertices, std::move(corners));
+    close_gaps();
+    return std::move(hull_);
   }
 
  private:
-  bool sees_centre(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    return determinant(centre_.to(hull_.point(a)), centre_.to(hull_.point(b)), centre_.to(hull_.point(c)))
-        .surely_positive();
+  int sign_from_centre(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    return determinant_sign(centre_, hull_.point(a), hull_.point(b), hull_.point(c), local_[a], local_[b], local_[c]);
   }
+  bool sees_centre(std::uint32_t a, std::uint32_t b, std::uint32_t c) const { return sign_from_centre(a, b, c) > 0; }
 
   /// The triangle that the ray from the centre through a vertex meets, walking from the last one across edges that the
   /// vertex is beyond. On a convex surface each step raises n . p / offset of the triangle's plane, so the walk ends.
   std::uint32_t triangle_towards(std::uint32_t v) const {
-    const DoubleDoubleVec3 p = centre_.to(hull_.point(v));
     std::uint32_t t = near_;
+    std::uint32_t came_across = kNone;
     for (std::size_t n_steps = 0; n_steps < hull_.size(); ++n_steps) {
       std::uint32_t next = t;
       for (std::uint32_t k = 0; k < 3 && next == t; ++k) {
         const std::uint32_t h = 3 * t + k;
-        if (determinant(centre_.to(hull_.point(hull_.tail(h))), centre_.to(hull_.point(hull_.head(h))), p)
-                .surely_negative()) {
-          next = hull_.mates[h] / 3;
+        if (h != came_across && sign_from_centre(hull_.tail(h), hull_.head(h), v) < 0) {
+          came_across = hull_.mates[h];
+          next = came_across / 3;
         }
       }
       if (next == t) {
@@ -102,7 +111,7 @@ class GrowingHull {
     const std::uint32_t b = hull_.head(h);
     const std::uint32_t c = hull_.opposite(h);
     const std::uint32_t d = hull_.opposite(back);
-    if (c == d || !orientation(hull_.point(a), hull_.point(b), hull_.point(c), hull_.point(d)).surely_positive()) {
+    if (c == d || orientation_sign(hull_.point(a), hull_.point(b), hull_.point(c), hull_.point(d)) <= 0) {
       return;
     }
     const std::uint32_t past_bc = hull_.mates[next_in_triangle(h)];
@@ -161,13 +170,48 @@ class GrowingHull {
     }
   }
 
+  bool has_a_reflex_edge() const {
+    for (std::uint32_t h = 0; h < hull_.mates.size(); ++h) {
+      if (!is_gone_[h / 3] && hull_.mates[h] > h &&
+          orientation_sign(hull_.point(hull_.tail(h)), hull_.point(hull_.head(h)), hull_.point(hull_.opposite(h)),
+                           hull_.point(hull_.opposite(hull_.mates[h]))) > 0) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Moves the triangles together over those that are gone.
+  void close_gaps() {
+    std::vector<std::uint32_t> renumbered(hull_.size());
+    std::uint32_t n = 0;
+    for (std::uint32_t t = 0; t < hull_.size(); ++t) {
+      renumbered[t] = n;
+      n += is_gone_[t] ? 0U : 1U;
+    }
+    for (std::uint32_t t = 0; t < hull_.size(); ++t) {
+      if (!is_gone_[t]) {
+        hull_.corners[renumbered[t]] = hull_.corners[t];
+        for (std::uint32_t k = 0; k < 3; ++k) {
+          const std::uint32_t mate = hull_.mates[3 * t + k];
+          hull_.mates[3 * renumbered[t] + k] = 3 * renumbered[mate / 3] + mate % 3;
+        }
+      }
+    }
+    hull_.corners.resize(n);
+    hull_.mates.resize(3 * std::size_t{n});
+  }
+
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
   Triangles hull_;
   LocalPoint centre_;
+  std::vector<Vec3d> local_;  // the vertices from the centre, rounded
   std::vector<bool> is_gone_;
   std::vector<std::uint32_t> free_;  // those that are gone
   std::vector<std::uint32_t> to_visit_;
   std::uint32_t near_ = 0;  // where the last search or flip was
-  bool left_out_ = false;
+  bool failed_ = false;
 };
 
 /// Puts two zero bits between the lowest 21 bits of a number.
@@ -203,31 +247,39 @@ std::vector<std::uint32_t> joining_order(std::span<const Vec3d> points) {
 }
 
 /// Four vertices, the fourth below the other three: each as far as can be from the point, the line, the plane before
-/// it.
+/// it, in double-double where double leaves a doubt. Nothing where all points lie in one plane.
 std::optional<std::array<std::uint32_t, 4>> wide_tetrahedron(std::span<const Vec3d> points) {
   std::array<std::uint32_t, 4> corner{};
-  const auto farthest = [&](std::size_t k, const auto& measure) {
+  // `rough` is in double, off by less than gamma(16) times `magnitude`.
+  const auto farthest = [&](std::size_t k, const auto& rough, const auto& magnitude, const auto& measure) {
     double most = 0.0;
     for (std::uint32_t v = 0; v < points.size(); ++v) {
-      if (const double value = measure(points[v]); value > most) {
-        most = value;
-        corner[k] = v;
+      if (rough(points[v]) + gamma(16) * magnitude(points[v]) > most) {
+        if (const double value = measure(points[v]); value > most) {
+          most = value;
+          corner[k] = v;
+        }
       }
     }
     return points[corner[k]];
   };
   const Vec3d a = points[0];
-  const Vec3d b = farthest(1, [&](const Vec3d& p) { return norm(p - a); });
-  const Vec3d c =
-      farthest(2, [&](const Vec3d& p) { return norm(cross(exact_difference(b, a), exact_difference(p, a))); });
-  const Vec3d d = farthest(3, [&](const Vec3d& p) { return std::fabs(orientation(a, b, c, p).value.value()); });
-  const BoundedDeterminant det = orientation(a, b, c, d);
-  if (det.surely_positive()) {
+  const auto distance = [&](const Vec3d& p) { return norm(p - a); };
+  const Vec3d b = farthest(1, distance, distance, distance);
+  const Vec3d ab = b - a;
+  const Vec3d c = farthest(
+      2, [&](const Vec3d& p) { return norm(cross(ab, p - a)); }, [&](const Vec3d& p) { return norm(ab) * norm(p - a); },
+      [&](const Vec3d& p) { return norm(cross(exact_difference(b, a), exact_difference(p, a))); });
+  const Vec3d ac = c - a;
+  const Vec3d d = farthest(
+      3, [&](const Vec3d& p) { return std::fabs(dot(p - a, cross(ab, ac))); },
+      [&](const Vec3d& p) { return 3.0 * norm(ab) * norm(ac) * norm(p - a); },
+      [&](const Vec3d& p) { return std::fabs(orientation(a, b, c, p).value.value()); });
+  const int sign = orientation_sign(a, b, c, d);
+  if (sign > 0) {
     std::swap(corner[1], corner[2]);
-  } else if (!det.surely_negative()) {
-    return std::nullopt;
   }
-  return corner;
+  return sign == 0 ? std::nullopt : std::optional(corner);
 }
 
 }  // namespace
@@ -239,17 +291,19 @@ std::optional<Triangles> exact_hull(std::span<const Vec3d> points) {
   }
   const auto [a, b, c, d] = *tetrahedron;
   const std::vector<std::uint32_t> order = joining_order(points);
-  // A point inside, with weights of no symmetry: vertices of a symmetric body then are on no edge seen from there. A
-  // second one for the case that rounding puts a vertex on an edge all the same.
-  for (const auto& [u, v, w] : {std::array{0.271, 0.229, 0.243}, std::array{0.2633, 0.2377, 0.2219}}) {
+  // A point inside, with weights of no symmetry: vertices of a symmetric body then are on no edge seen from there.
+  // Others for the case that one is all the same.
+  constexpr std::array<std::array<double, 3>, 3> kWeights{
+      {{0.271, 0.229, 0.243}, {0.2633, 0.2377, 0.2219}, {0.2371, 0.2593, 0.2917}}};
+  for (const auto& [u, v, w] : kWeights) {
     const Vec3d step = (u * (points[b] - points[a]) + v * (points[c] - points[a])) + w * (points[d] - points[a]);
     std::optional<Triangles> start = paired_triangles(points, {{a, b, c}, {a, c, d}, {a, d, b}, {b, d, c}});
     if (!start) {
       break;
     }
     GrowingHull hull(std::move(*start), {points[a], step});
-    for (const std::uint32_t vertex : order) {
-      hull.join(vertex);
+    for (std::size_t i = 0; i < order.size() && !hull.failed(); ++i) {
+      hull.join(order[i]);
     }
     if (std::optional<Triangles> result = std::move(hull).result()) {
       return result;
