@@ -43,7 +43,7 @@ class Box {
   Vec3d edges() const { return 2.0 * half_; }
 
   Measures measures() const {
-    const double a = 2.0 * half_.x, b = 2.0 * half_.y, c = 2.0 * half_.z;
+    const auto [a, b, c] = edges();
     return {a * b * c, 2.0 * (a * b + b * c + c * a), std::numbers::pi * (a + b + c)};
   }
 

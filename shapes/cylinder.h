@@ -26,9 +26,12 @@ class Cylinder {
   double circumradius() const { return norm(Vec3d{radius_, 0.0, half_length_}) * (1.0 + gamma(4)); }
   double inradius() const { return std::min(half_length_, radius_); }
 
+  double length() const { return 2.0 * half_length_; }
+  double radius() const { return radius_; }
+
   Measures measures() const {
     constexpr double pi = std::numbers::pi;
-    const double l = 2.0 * half_length_, r = radius_;
+    const double l = length(), r = radius_;
     return {pi * r * r * l, 2.0 * pi * r * (l + r), pi * (l + pi * r)};
   }
 

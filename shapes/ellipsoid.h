@@ -27,6 +27,9 @@ class Ellipsoid {
   double circumradius() const { return std::max({axes_.x, axes_.y, axes_.z}); }
   double inradius() const { return std::min({axes_.x, axes_.y, axes_.z}); }
 
+  /// Semi-axes along x, y, z.
+  Vec3d semi_axes() const { return axes_; }
+
   /// S = 4 pi R_G(a^2 b^2, a^2 c^2, b^2 c^2) and M = 4 pi R_G(a^2, b^2, c^2), Carlson's symmetric integral
   /// (DLMF 19.33).
   Measures measures() const;

@@ -34,6 +34,9 @@ class Frustum {
   double circumradius() const { return circumradius_; }
   double inradius() const { return inradius_; }
 
+  double height() const { return height_; }
+  double lower_radius() const { return lower_radius_; }
+
   /// With tan(alpha) = (R_lower - R_upper) / H, M = pi H + pi R_lower (pi/2 + alpha) + pi R_upper (pi/2 - alpha): the
   /// exterior angles of the two rims, and the axial section's height for the mantle.
   Measures measures() const {

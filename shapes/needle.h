@@ -24,11 +24,12 @@ class Needle {
   double circumradius() const { return half_length_; }
   double inradius() const { return 0.0; }
 
+  double length() const { return 2.0 * half_length_; }
   std::vector<Vec3d> vertices() const { return {{0.0, 0.0, -half_length_}, {0.0, 0.0, half_length_}}; }
   std::size_t n_faces() const { return 0; }
 
   /// The limit of a thin cylinder: a needle has no area, but a mean width.
-  Measures measures() const { return {0.0, 0.0, std::numbers::pi * (2.0 * half_length_)}; }
+  Measures measures() const { return {0.0, 0.0, std::numbers::pi * length()}; }
 
  private:
   double half_length_;

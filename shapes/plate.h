@@ -28,6 +28,8 @@ class Plate {
   double circumradius() const { return norm(Vec3d{half_x_, half_y_, 0.0}) * (1.0 + gamma(4)); }
   double inradius() const { return 0.0; }
 
+  double edge_x() const { return 2.0 * half_x_; }
+  double edge_y() const { return 2.0 * half_y_; }
   std::vector<Vec3d> vertices() const {
     return {{-half_x_, -half_y_, 0.0}, {half_x_, -half_y_, 0.0}, {-half_x_, half_y_, 0.0}, {half_x_, half_y_, 0.0}};
   }
@@ -35,8 +37,7 @@ class Plate {
 
   /// Both sides count: S = 2 a b, and M = pi P / 2 with the perimeter P.
   Measures measures() const {
-    const double a = 2.0 * half_x_, b = 2.0 * half_y_;
-    return {0.0, 2.0 * a * b, std::numbers::pi * (a + b)};
+    return {0.0, 2.0 * edge_x() * edge_y(), std::numbers::pi * (edge_x() + edge_y())};
   }
 
  private:

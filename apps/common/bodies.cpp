@@ -1,11 +1,13 @@
 #include "apps/common/bodies.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "apps/common/numbers.h"
 #include "apps/common/text.h"
 #include "engine/numeric/errors.h"
+#include "shapes/rounded.h"
 
 namespace vex {
 namespace {
@@ -44,6 +46,16 @@ ConvexMesh load_naming_the_file(const std::string& path, const MeshOptions& mesh
 
 nlohmann::ordered_json point_json(const Vec3d& p) { return {p.x, p.y, p.z}; }
 
+constexpr const char* kCoordinates = "32-bit floats of the file reader, promoted to double";
+
+double scale_factor(const Measures& measures, const BodyOptions& options, const std::string& text) {
+  if (!options.unit_volume) return options.scale;
+  if (measures.volume == 0.0) {
+    throw InputError("a flat body has no volume to scale to 1 (" + text + ") - leave out --unit-volume");
+  }
+  return options.scale / std::cbrt(measures.volume);
+}
+
 nlohmann::ordered_json number_or_null(const std::optional<double>& value) {
   if (!value) return nullptr;
   return *value;
@@ -51,26 +63,52 @@ nlohmann::ordered_json number_or_null(const std::optional<double>& value) {
 
 }  // namespace
 
-LoadedBody load_body(const std::string& text, const MeshOptions& mesh_options) {
-  if (looks_like_a_named_shape(text) && text.find(':') == std::string::npos) refuse_without_sizes(text);
-  if (names_a_shape(text) || looks_like_a_named_shape(text)) return {text, parse_shape(text), std::nullopt};
-  ConvexMesh mesh = load_naming_the_file(text, mesh_options);
-  LoadedBody loaded{text, {"polyhedron", ConvexBody(std::move(mesh.body)), mesh.measures}, std::move(mesh.report)};
+LoadedBody load_body(const std::string& text, const BodyOptions& options) {
+  const std::optional<RoundedText> round = parse_rounded(text);
+  const std::string core(round ? round->body : std::string_view(text));
+  const double radius = round ? round->radius : 0.0;
+  // From the measures of the core as it stands.
+  const auto factor = [&](const Measures& measures) {
+    return scale_factor(radius > 0.0 ? parallel_body_measures(measures, radius) : measures, options, text);
+  };
+
+  if (looks_like_a_named_shape(core) && core.find(':') == std::string::npos) refuse_without_sizes(core);
+  if (names_a_shape(core) || looks_like_a_named_shape(core)) {
+    const double scale = factor(parse_shape(core).measures);
+    return {text, parse_shape(text, scale), scale};
+  }
+  double scale = 1.0;
+  MeshOptions mesh_options;
+  mesh_options.convex_tolerance = options.convex_tolerance;
+  mesh_options.hull = options.hull;
+  if (options.unit_volume || options.scale != 1.0) {
+    mesh_options.scale = [&](const Measures& measures) { return scale = factor(measures); };
+  }
+  ConvexMesh mesh = load_naming_the_file(core, mesh_options);
+  LoadedBody loaded{text, {"polyhedron", ConvexBody(std::move(mesh.body)), mesh.measures}, scale, mesh.report};
+  loaded.shape.n_faces = options.hull ? mesh.report.n_triangles : mesh.report.n_faces;
   require_size_in_range(loaded.shape.body, loaded.shape.measures, text);
+  if (round) loaded.shape = rounded(loaded.shape, radius * scale, text);
   return loaded;
 }
 
-nlohmann::ordered_json body_json(const LoadedBody& loaded) {
+std::string file_named_by(const std::string& text) {
+  const std::optional<RoundedText> round = parse_rounded(text);
+  return round ? std::string(round->body) : text;
+}
+
+nlohmann::ordered_json body_json(const LoadedBody& loaded, bool with_vertices) {
   const MeasuredBody& shape = loaded.shape;
   const std::optional<MeshReport>& mesh = loaded.mesh;
+  const std::vector<Vec3d> vertices = vertices_of(shape.body);
   nlohmann::ordered_json json;
   json["source"] = loaded.source;
   json["kind"] = shape.kind;
   json["vertices"] = nullptr;
   json["faces"] = nullptr;
-  if (mesh) {
-    json["vertices"] = mesh->n_vertices;
-    json["faces"] = mesh->n_faces;
+  if (!vertices.empty()) {
+    json["vertices"] = vertices.size();
+    json["faces"] = shape.n_faces;
   }
   json["volume"] = shape.measures.volume;
   json["surface_area"] = shape.measures.surface_area;
@@ -79,6 +117,7 @@ nlohmann::ordered_json body_json(const LoadedBody& loaded) {
   json["centre"] = point_json(shape.body.centre());
   json["circumradius"] = shape.body.circumradius();
   json["inradius"] = shape.body.inradius();
+  json["scale"] = loaded.scale;
   json["convex"] = true;
   json["reflex_depth"] = number_or_null(mesh ? mesh->reflex_depth : 0.0);
   json["welded_vertices"] = mesh ? mesh->n_welded_vertices : 0;
@@ -86,34 +125,54 @@ nlohmann::ordered_json body_json(const LoadedBody& loaded) {
   if (mesh) {
     json["triangles"] = mesh->n_triangles;
     json["parts"] = mesh->n_parts;
+    json["points"] = mesh->n_points;
     json["hull_used"] = mesh->hull_used;
-    json["coordinates"] = "32-bit floats of the file reader, promoted to double";
+    json["coordinates"] = kCoordinates + std::string(loaded.scale == 1.0 ? "" : ", scaled and rounded");
     json["notes"] = mesh->notes;
+  }
+  if (with_vertices) {
+    json["vertex_coordinates"] = nlohmann::ordered_json::array();
+    for (const Vec3d& v : vertices) {
+      json["vertex_coordinates"].push_back({hex_number(v.x), hex_number(v.y), hex_number(v.z)});
+    }
   }
   return json;
 }
 
-std::string body_text(const LoadedBody& loaded, const std::string& label) {
+std::string body_text(const LoadedBody& loaded, const std::string& label, bool with_vertices) {
   const MeasuredBody& shape = loaded.shape;
+  const std::optional<MeshReport>& mesh = loaded.mesh;
   const Vec3d centre = shape.body.centre();
+  const std::vector<Vec3d> vertices = vertices_of(shape.body);
   std::string text = label + "  " + printable(loaded.source) + "  " + shape.kind;
-  if (loaded.mesh) {
-    text += ", " + std::to_string(loaded.mesh->n_vertices) + " vertices, " + std::to_string(loaded.mesh->n_faces) +
-            " faces (its 32-bit coordinates, taken as exact)";
+  if (!vertices.empty()) {
+    text += ", " + std::to_string(vertices.size()) + " vertices";
+    if (mesh && mesh->n_points > mesh->n_vertices) text += " of " + std::to_string(mesh->n_points) + " points";
+    if (shape.n_faces > 0) text += ", " + std::to_string(shape.n_faces) + " faces";
   }
+  if (mesh)
+    text += std::string(" (its 32-bit coordinates, ") + (loaded.scale == 1.0 ? "" : "scaled, ") + "taken as exact)";
   const auto line = [&](const std::string& name, double value, const std::string& remark = "") {
     text += "\n   " + name + std::string(34 - name.size(), ' ') + short_number(value, 12) + remark;
   };
+  if (loaded.scale != 1.0) line("scaled by", loaded.scale);
   line("volume V", shape.measures.volume);
-  line("surface area S", shape.measures.surface_area);
+  line("surface area S", shape.measures.surface_area,
+       shape.measures.volume == 0.0 && shape.measures.surface_area > 0.0 ? "   (of both sides)" : "");
   line("integrated mean curvature M", shape.measures.integrated_mean_curvature,
        "   (mean radius M/4pi = " + short_number(shape.measures.mean_radius(), 12) + ")");
   line("circumradius", shape.body.circumradius(),
        "   about (" + short_number(centre.x, 6) + ", " + short_number(centre.y, 6) + ", " + short_number(centre.z, 6) +
            ")");
   line("inradius", shape.body.inradius());
-  if (loaded.mesh) {
-    for (const std::string& note : loaded.mesh->notes) text += "\n   note: " + printable(note);
+  if (mesh && mesh->hull_used && mesh->hull_added_volume) line("volume added by the hull", *mesh->hull_added_volume);
+  if (mesh) {
+    for (const std::string& note : mesh->notes) text += "\n   note: " + printable(note);
+  }
+  if (with_vertices && !vertices.empty()) {
+    text += "\n   vertices, exactly: x y z";
+    for (const Vec3d& v : vertices)
+      text += "\n      " + hex_number(v.x) + " " + hex_number(v.y) + " " + hex_number(v.z);
   }
   return text + "\n";
 }

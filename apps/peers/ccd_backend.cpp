@@ -78,8 +78,10 @@ class CcdBackend final : public OverlapBackend {
 };
 
 BackendKind kind(const char* name, CcdBackend::Query query) {
-  return {name, true,
-          [query](const ConvexBody& a, const ConvexBody& b) { return std::make_unique<CcdBackend>(a, b, query); }};
+  return {name,
+          true,
+          [query](const ConvexBody& a, const ConvexBody& b) { return std::make_unique<CcdBackend>(a, b, query); },
+          {}};
 }
 
 }  // namespace

@@ -31,20 +31,74 @@ void require_finite(double value, const char* what) {
   }
 }
 
+// Why B can lie nowhere inside A, whatever the orientations; empty where it can.
+std::string why_no_volume(const MeshRun& run, double formula) {
+  if (formula == 0.0) return "two needles exclude no volume, in no orientation: <V_ex> = 0";
+  if (run.options.law == OrientationLaw::aligned && aligned_difference_is_flat(run.a.shape.body, run.b.shape.body)) {
+    return "flat bodies in parallel planes exclude no volume: <V_ex> = 0";
+  }
+  return "";
+}
+
+// Which of the two bodies the backend has no representation of; nothing where it takes both.
+std::optional<std::string> why_left_out(const BackendKind& kind, const MeshRun& run) {
+  for (const LoadedBody* loaded : {&run.a, &run.b}) {
+    if (kind.takes && !kind.takes(loaded->shape.body)) {
+      return kind.name + " has no shape for " + loaded->source + " (" + loaded->shape.kind + ")";
+    }
+  }
+  return std::nullopt;
+}
+
+void choose_backends(MeshRun& run) {
+  if (const std::optional<std::string> reason = why_left_out(run.options.backend, run)) {
+    throw UsageError(*reason + " - use another --backend");
+  }
+  std::erase_if(run.options.cross_check, [&run](const BackendKind& kind) {
+    const std::optional<std::string> reason = why_left_out(kind, run);
+    if (reason) run.left_out.push_back(*reason);
+    return reason.has_value();
+  });
+}
+
+void sample(MeshRun& run) {
+  const Options& options = run.options;
+  MonteCarloSettings settings;
+  settings.seed = options.seed;
+  settings.n_threads = options.n_threads;
+  settings.law = options.law;
+  settings.domain = run.domain;
+  settings.quick_verdicts = options.quick_verdicts;
+  settings.stop = options.stop;
+  settings.backend = options.backend;
+  settings.cross_check = run.options.cross_check;
+  catch_interrupts();
+  settings.interrupt = &interrupting_signal();
+  {
+    ProgressBar bar(!options.quiet, options.stop);
+    settings.on_progress = [&bar](const Progress& progress) { bar.show(progress); };
+    run.record = run_hit_or_miss(run.a.shape.body, run.b.shape.body, settings);
+  }
+}
+
 int run_vex_mesh(const CommandLine& words, const std::string& command) {
   const Options options = interpret(words);
 
   std::optional<OutputFile> json;
-  if (!options.json.empty()) json.emplace(options.json, std::vector<std::string>{options.a, options.b});
+  if (!options.json.empty()) {
+    json.emplace(options.json, std::vector<std::string>{file_named_by(options.a), file_named_by(options.b)});
+  }
 
-  MeshOptions mesh_options;
-  mesh_options.convex_tolerance = options.convex_tolerance;
-  const LoadedBody loaded_a = load_body(options.a, mesh_options);
-  MeshRun run{command, options, loaded_a, options.a == options.b ? loaded_a : load_body(options.b, mesh_options)};
+  const LoadedBody loaded_a = load_body(options.a, options.bodies);
+  MeshRun run{command, options, loaded_a, options.a == options.b ? loaded_a : load_body(options.b, options.bodies)};
+  if (options.dump_vertices && !run.a.is_polytope() && !run.b.is_polytope()) {
+    throw UsageError("no polytope has vertices to list (" + run.a.source + ") - leave out --dump-vertices");
+  }
+  choose_backends(run);
   const ConvexBody& a = run.a.shape.body;
   const ConvexBody& b = run.b.shape.body;
   const FormulaResult formula = formula_result(run.a.shape.measures, run.b.shape.measures);
-  require_finite(formula.excluded_volume, "the excluded volume");
+  if (formula.excluded_volume != 0.0) require_finite(formula.excluded_volume, "the excluded volume");
   if (options.law == OrientationLaw::isotropic) {
     run.formula = formula;
   } else {
@@ -54,28 +108,19 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
   run.domain = choose_domain(options.domain, a, b);
   require_finite(run.domain.volume, "the sampling volume");
 
-  MonteCarloSettings settings;
-  settings.seed = options.seed;
-  settings.n_threads = options.n_threads;
-  settings.law = options.law;
-  settings.domain = run.domain;
-  settings.quick_verdicts = options.quick_verdicts;
-  settings.stop = options.stop;
-  settings.backend = options.backend;
-  settings.cross_check = options.cross_check;
-  catch_interrupts();
-  settings.interrupt = &interrupting_signal();
-  {
-    ProgressBar bar(!options.quiet, options.stop);
-    settings.on_progress = [&bar](const Progress& progress) { bar.show(progress); };
-    run.record = run_hit_or_miss(a, b, settings);
+  run.no_run_reason = why_no_volume(run, formula.excluded_volume);
+  if (run.no_run_reason.empty()) {
+    sample(run);
+  } else {
+    run.record.complete = true;
   }
   compare(run);
 
   if (!options.quiet && !(json && json->is_standard_output())) std::cout << report_text(run);
   if (json) json->write(report_json(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 
-  if (run.record.stopped_by == StopReason::interrupted) return kSignalBase + interrupting_signal().load();
+  if (run.no_run_reason.empty() && run.record.stopped_by == StopReason::interrupted)
+    return kSignalBase + interrupting_signal().load();
   return run.z && std::fabs(*run.z) > options.max_z ? kDisagreement : kSuccess;
 }
 

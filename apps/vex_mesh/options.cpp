@@ -8,7 +8,7 @@
 
 #include "apps/common/numbers.h"
 #include "apps/common/run_program.h"
-#include "apps/peers/ccd_backend.h"
+#include "apps/peers/peers.h"
 #include "engine/numeric/errors.h"
 #include "shapes/any_shape.h"
 
@@ -42,10 +42,29 @@ void require_one_of(const std::string& word, const char* option, std::initialize
   throw UsageError("not a choice (\"" + word + "\" for " + option + ") - there are " + choices);
 }
 
-BackendKind backend_named(const std::string& name) {
-  if (name == "ccd-gjk") return ccd_gjk_backend();
-  if (name == "ccd-mpr" || name == "ccd") return ccd_mpr_backend();
-  return gjk_backend();
+// The engine's own, and the peers of this build.
+std::vector<BackendKind> all_backends() {
+  std::vector<BackendKind> kinds = peer_backends();
+  kinds.insert(kinds.begin(), gjk_backend());
+  return kinds;
+}
+
+// `ccd` means `ccd-mpr`. Throws UsageError where there is no such backend, or this build was made without it.
+BackendKind backend_named(const std::string& word) {
+  const std::string name = word == "ccd" ? "ccd-mpr" : word;
+  std::string choices;
+  for (BackendKind& kind : all_backends()) {
+    if (kind.name == name) return std::move(kind);
+    choices += (choices.empty() ? "" : ", ") + kind.name;
+  }
+  for (const PeerName& peer : kPeerNames) {
+    if (peer.name == name) {
+      throw UsageError("this build is without " + name + " (" + word + " for --backend) - build it with -D" +
+                       std::string(peer.build_option) + "=ON");
+    }
+  }
+  if (name == "specialised") not_built_yet("--backend " + word);
+  throw UsageError("not a choice (\"" + word + "\" for --backend) - there are " + choices);
 }
 
 }  // namespace
@@ -86,7 +105,7 @@ void declare_options(CLI::App& app, CommandLine& words) {
 
   const std::string query = "Overlap query";
   app.add_option("--backend", words.backend,
-                 "gjk (default), ccd-gjk or ccd-mpr (libccd; ccd means ccd-mpr); fcl and specialised come later")
+                 "gjk (default), ccd-gjk or ccd-mpr (libccd; ccd means ccd-mpr), fcl; specialised comes later")
       ->type_name("NAME")
       ->group(query);
   app.add_flag("--no-quick-verdicts", words.no_quick_verdicts,
@@ -95,11 +114,21 @@ void declare_options(CLI::App& app, CommandLine& words) {
   app.add_flag("--cross-check", words.cross_check, "Ask every backend about every pose and list each disagreement")
       ->group(query);
 
-  const std::string meshes = "Meshes";
+  const std::string bodies = "Bodies";
+  app.add_flag("--unit-volume", words.unit_volume, "Scale every body to V = 1 about the origin")->group(bodies);
+  app.add_option("--scale", words.scale, "Scale every body about the origin (after --unit-volume)")
+      ->type_name("X")
+      ->group(bodies);
+  app.add_flag("--hull", words.hull,
+               "Take the convex hull of whatever a mesh file holds: not convex, several parts, or points alone")
+      ->group(bodies);
   app.add_option("--convex-tolerance", words.convex_tolerance,
                  "How far from convex a mesh may be, relative to its size (default 1e-6)")
       ->type_name("X")
-      ->group(meshes);
+      ->group(bodies);
+  app.add_flag("--dump-vertices", words.dump_vertices,
+               "List a polytope's vertices in hexadecimal: they are the body, exactly")
+      ->group(bodies);
 
   const std::string output = "Output";
   app.add_option("--json", words.json,
@@ -113,21 +142,16 @@ void declare_options(CLI::App& app, CommandLine& words) {
   app.add_flag("--quiet", words.quiet, "Print no report and draw no progress bar")->group(output);
 
   const std::string later = "Not built yet";
-  app.add_flag("--hull", words.hull, "Take the convex hull of whatever the file holds")->group(later);
-  app.add_flag("--unit-volume", words.unit_volume, "Scale every body to V = 1")->group(later);
-  app.add_option("--scale", words.scale, "Scale every body")->type_name("X")->group(later);
-  app.add_flag("--dump-vertices", words.dump_vertices, "Print a polytope's vertices")->group(later);
   app.add_flag("--verify", words.verify, "Prove every verdict again")->group(later);
   app.add_option("--isa", words.isa, "Instruction set of the kernels")->type_name("NAME")->group(later);
   app.add_option("--checkpoint", words.checkpoint, "Save the run's state")->type_name("FILE")->group(later);
   app.add_option("--resume", words.resume, "Continue a saved run")->type_name("FILE")->group(later);
 
-  std::string bodies = "Named bodies: ";
+  std::string named = "Named bodies: ";
   for (const NamedShape& shape : named_shapes()) {
-    bodies +=
-        "\n  " + std::string(shape.name) + ":" + std::string(shape.parameters) + "  " + std::string(shape.meaning);
+    named += "\n  " + std::string(shape.name) + ":" + std::string(shape.parameters) + "  " + std::string(shape.meaning);
   }
-  app.footer(bodies +
+  app.footer(named +
              "\n\nExit codes: 0 success, 1 a fault of the program, 2 wrong usage, 3 input refused, 4 Monte Carlo and "
              "formula disagree,"
              "\n130 or 143 interrupted (what was done is reported).");
@@ -135,11 +159,7 @@ void declare_options(CLI::App& app, CommandLine& words) {
 
 Options interpret(const CommandLine& words) {
   for (const auto& [given, option] :
-       std::initializer_list<std::pair<bool, const char*>>{{words.hull, "--hull"},
-                                                           {words.unit_volume, "--unit-volume"},
-                                                           {!words.scale.empty(), "--scale"},
-                                                           {words.dump_vertices, "--dump-vertices"},
-                                                           {words.verify, "--verify"},
+       std::initializer_list<std::pair<bool, const char*>>{{words.verify, "--verify"},
                                                            {!words.isa.empty(), "--isa"},
                                                            {!words.checkpoint.empty(), "--checkpoint"},
                                                            {!words.resume.empty(), "--resume"}}) {
@@ -155,7 +175,6 @@ Options interpret(const CommandLine& words) {
                  {"hit-or-miss-fitted", "stratified", "radial", "mixed-volume", "mean-width"});
   require_one_of(sequence, "--sequence", {"random"}, {"sobol"});
   require_one_of(domain, "--domain", {"ball", "box", "best"}, {});
-  require_one_of(backend, "--backend", {"gjk", "ccd-gjk", "ccd-mpr", "ccd"}, {"fcl", "specialised"});
   require_one_of(orientations, "--orientations", {"isotropic", "aligned"}, {"fixed", "cone", "onsager"});
 
   Options options;
@@ -179,18 +198,22 @@ Options interpret(const CommandLine& words) {
   options.law = orientations == "aligned" ? OrientationLaw::aligned : OrientationLaw::isotropic;
   options.backend = backend_named(backend);
   if (words.cross_check) {
-    for (const BackendKind& kind : {gjk_backend(), ccd_gjk_backend(), ccd_mpr_backend()}) {
-      if (kind.name != options.backend.name) options.cross_check.push_back(kind);
+    for (BackendKind& kind : all_backends()) {
+      if (kind.name != options.backend.name) options.cross_check.push_back(std::move(kind));
     }
   }
   options.quick_verdicts = !words.no_quick_verdicts;
   if (!words.max_z.empty()) options.max_z = positive_number(words.max_z, "--max-z");
   if (!words.convex_tolerance.empty()) {
-    options.convex_tolerance = parse_number(words.convex_tolerance, "--convex-tolerance");
-    if (options.convex_tolerance < 0.0 || options.convex_tolerance > 0.1) {
+    options.bodies.convex_tolerance = parse_number(words.convex_tolerance, "--convex-tolerance");
+    if (options.bodies.convex_tolerance < 0.0 || options.bodies.convex_tolerance > 0.1) {
       throw UsageError("out of range (\"" + words.convex_tolerance + "\" for --convex-tolerance) - from 0 to 0.1");
     }
   }
+  options.bodies.hull = words.hull;
+  options.bodies.unit_volume = words.unit_volume;
+  if (!words.scale.empty()) options.bodies.scale = positive_number(words.scale, "--scale");
+  options.dump_vertices = words.dump_vertices;
   options.json = words.json;
   options.quiet = words.quiet;
   return options;

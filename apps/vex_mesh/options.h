@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/common/bodies.h"
 #include "engine/sampling/monte_carlo.h"
 
 namespace vex {
@@ -39,7 +40,8 @@ struct Options {
   std::vector<BackendKind> cross_check;
   bool quick_verdicts = true;
   double max_z = 6.0;
-  double convex_tolerance = 1e-6;
+  BodyOptions bodies;
+  bool dump_vertices = false;
   std::string json;
   bool quiet = false;
 };

@@ -5,6 +5,7 @@
 
 #include "apps/common/numbers.h"
 #include "apps/common/run_program.h"
+#include "apps/common/text.h"
 #include "engine/sampling/random_stream.h"
 #include "shapes/excluded_volume.h"
 
@@ -48,7 +49,7 @@ Json estimate_json(const MeshRun& run) {
   json["quick_verdicts"] = run.options.quick_verdicts && !run.options.backend.is_peer;
   json["seconds"] = run.record.seconds;
   json["trials_per_second"] = number_or_null(static_cast<double>(tally.n_trials) / run.record.seconds);
-  json["stopped_by"] = name_of(run.record.stopped_by);
+  json["stopped_by"] = run.no_run_reason.empty() ? std::string(name_of(run.record.stopped_by)) : "no-volume";
   for (const DecidedBy by : kAllDecidedBy) {
     json["decided_by"][std::string(name_of(by))] = tally.n_decided_by[static_cast<std::size_t>(by)];
   }
@@ -97,6 +98,7 @@ std::string cross_check_text(const MeshRun& run) {
       text += "   " + names[k] + " gave up on " + std::to_string(n) + "\n";
     }
   }
+  for (const std::string& reason : run.left_out) text += "   left out: " + printable(reason) + "\n";
   constexpr std::size_t kShown = 10;
   for (std::size_t j = 0; j < found.kept.size() && j < kShown; ++j) {
     const Disagreement& one = found.kept[j];
@@ -118,6 +120,11 @@ FormulaResult formula_result(const Measures& a, const Measures& b) {
 }
 
 void compare(MeshRun& run) {
+  if (!run.no_run_reason.empty()) {
+    run.estimate = VolumeEstimate{};
+    run.z_reason = run.no_run_reason;
+    return;
+  }
   if (run.record.tally.n_trials == 0) {
     run.z_reason = "no trial was done";
     return;
@@ -141,7 +148,7 @@ Json report_json(const MeshRun& run) {
   json["threads"] = run.options.n_threads;
   json["complete"] = run.record.complete;
   json["seconds"] = run.record.seconds;
-  json["bodies"] = {body_json(run.a), body_json(run.b)};
+  json["bodies"] = {body_json(run.a, run.options.dump_vertices), body_json(run.b, run.options.dump_vertices)};
   if (run.formula) {
     json["formula"] = {{"excluded_volume", number_or_null(run.formula->excluded_volume)},
                        {"reduced", number_or_null(run.formula->reduced)},
@@ -160,22 +167,29 @@ Json report_json(const MeshRun& run) {
   if (!run.options.cross_check.empty()) {
     json["n_disagreements"] = run.record.disagreements.n_all;
     json["disagreements"] = disagreements_json(run);
+    json["cross_check"] = backend_names(run);
+    json["cross_check_left_out"] = run.left_out;
   }
   return json;
 }
 
 std::string report_text(const MeshRun& run) {
-  std::string text = body_text(run.a, "A");
-  text += run.a.source == run.b.source ? "B  the same body\n" : body_text(run.b, "B");
+  std::string text = body_text(run.a, "A", run.options.dump_vertices);
+  text += run.a.source == run.b.source ? "B  the same body\n" : body_text(run.b, "B", run.options.dump_vertices);
 
   text += "\nFormula  V_A + V_B + (M_A S_B + M_B S_A)/4pi, random orientations\n";
   if (run.formula) {
     text += "   <V_ex>                            " + short_number(run.formula->excluded_volume, 12) + "\n";
-    text += "   <V_ex> / sqrt(V_A V_B)            " + short_number(run.formula->reduced, 12) + "\n";
+    text += "   <V_ex> / sqrt(V_A V_B)            " +
+            (std::isnan(run.formula->reduced) ? "none: a flat body has no volume"
+                                              : short_number(run.formula->reduced, 12)) +
+            "\n";
     text += "   B2 = <V_ex>/2                     " + short_number(run.formula->b2, 12) + "\n";
   } else {
     text += "   none: " + run.formula_reason + "\n";
   }
+
+  if (!run.no_run_reason.empty()) return text + "\nMonte Carlo  no run: " + run.no_run_reason + "\n";
 
   const Tally& tally = run.record.tally;
   text += "\nMonte Carlo  hit-or-miss, " + std::string(name_of(run.options.law)) + " orientations, " +

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "apps/common/bodies.h"
 #include "apps/vex_mesh/options.h"
@@ -25,7 +26,9 @@ struct MeshRun {
   LoadedBody a, b;
   Domain domain{};
   std::optional<FormulaResult> formula{};
-  std::string formula_reason{};  // where there is none
+  std::string formula_reason{};         // where there is none
+  std::vector<std::string> left_out{};  // of a cross-check: why a backend does not take part
+  std::string no_run_reason{};          // where the excluded volume is 0 by construction, and nothing was sampled
   RunRecord record{};
   std::optional<VolumeEstimate> estimate{};  // none where not one trial was done
   std::optional<double> z{};

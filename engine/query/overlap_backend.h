@@ -26,6 +26,8 @@ struct BackendKind {
   /// A peer answers every pose itself: no quick verdict is put before it.
   bool is_peer = false;
   std::function<std::unique_ptr<OverlapBackend>(const ConvexBody& a, const ConvexBody& b)> make;
+  /// Whether it has a representation of this body; empty where it takes every support mapping.
+  std::function<bool(const ConvexBody& body)> takes = {};
 };
 
 /// The engine's own: `overlap` of engine/query/overlap.h.

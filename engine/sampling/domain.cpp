@@ -47,6 +47,16 @@ Domain box_domain(const ConvexBody& a, const ConvexBody& b) {
   return domain;
 }
 
+bool aligned_difference_is_flat(const ConvexBody& a, const ConvexBody& b) {
+  const auto is_flat_along = [](const ConvexBody& body, const Vec3d& unit_axis) {
+    return dot(unit_axis, body.support(unit_axis)) == dot(unit_axis, body.support(-unit_axis));
+  };
+  for (const Vec3d& unit_axis : {Vec3d{1.0, 0.0, 0.0}, Vec3d{0.0, 1.0, 0.0}, Vec3d{0.0, 0.0, 1.0}}) {
+    if (is_flat_along(a, unit_axis) && is_flat_along(b, unit_axis)) return true;
+  }
+  return false;
+}
+
 Domain best_domain(const ConvexBody& a, const ConvexBody& b) {
   const Domain ball = ball_domain(a, b);
   const Domain box = box_domain(a, b);

@@ -27,6 +27,11 @@ Domain ball_domain(const ConvexBody& a, const ConvexBody& b);
 /// A's bounding box along its own axes, widened on every side by B's circumradius.
 Domain box_domain(const ConvexBody& a, const ConvexBody& b);
 
+/// Whether A - B has no volume where B is not turned, because both bodies lie in planes across the same axis: parallel
+/// plates, or needles, which can only touch. Looks along x, y and z, which is where flat bodies of vex::shapes have
+/// their planes.
+bool aligned_difference_is_flat(const ConvexBody& a, const ConvexBody& b);
+
 /// The one of smaller volume.
 Domain best_domain(const ConvexBody& a, const ConvexBody& b);
 

@@ -11,6 +11,7 @@
 
 #include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
+#include "engine/numeric/rounding.h"
 #include "engine/sampling/random_stream.h"
 #include "engine/scene/quick_verdict.h"
 
@@ -277,11 +278,11 @@ class Run {
   const bool certain_;
   const Clock::time_point start_ = Clock::now();
 
-  std::mutex mutex_;  // guards all below; taken once a block, not once a trial
+  std::mutex mutex_;                 // guards all below; taken once a block, not once a trial
   std::condition_variable changed_;  // for threads that wait for the next round
   std::condition_variable ended_;    // for the caller, which would only be disturbed by every round
-  std::uint64_t next_ = 0;       // the first trial that no thread has taken
-  std::uint64_t round_end_ = 0;  // where the stop rule is looked at next
+  std::uint64_t next_ = 0;           // the first trial that no thread has taken
+  std::uint64_t round_end_ = 0;      // where the stop rule is looked at next
   bool stopped_ = false;
   std::exception_ptr failure_;
   RunRecord record_;
@@ -290,7 +291,10 @@ class Run {
 }  // namespace
 
 bool hits_by_construction(const ConvexBody& a, const ConvexBody& b, const Domain& domain) {
-  return domain.kind == Domain::Kind::ball && a.inradius() == a.circumradius() && b.inradius() == b.circumradius();
+  const auto is_ball = [](const ConvexBody& body) {
+    return body.inradius() >= body.circumradius() * (1.0 - gamma(16));
+  };
+  return domain.kind == Domain::Kind::ball && is_ball(a) && is_ball(b);
 }
 
 RunRecord run_hit_or_miss(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings) {

@@ -1,4 +1,4 @@
-// Overlap queries a second: the engine and libccd on the same stored poses, in one run, on one core.
+// Overlap queries a second: the engine and the peers of this build on the same stored poses, in one run, on one core.
 //
 // Ball domain, isotropic orientations, every backend answers every pose itself (no quick verdicts), except in the rows
 // "trial", which time whole trials of the driver: random numbers, pose, quick verdicts, query, tally.
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/peers/ccd_backend.h"
+#include "apps/peers/peers.h"
 #include "engine/sampling/monte_carlo.h"
 #include "shapes/any_shape.h"
 #include "tests/referees/polytopes.h"
@@ -81,7 +81,9 @@ int main(int argc, char** argv) {
   benchmark::AddCustomContext("processor", processor());
   benchmark::AddCustomContext("compiler", std::string("g++ ") + __VERSION__);
   for (const Subject& subject : subjects()) {
-    for (const BackendKind& kind : {gjk_backend(), ccd_gjk_backend(), ccd_mpr_backend()}) {
+    std::vector<BackendKind> kinds = peer_backends();
+    kinds.insert(kinds.begin(), gjk_backend());
+    for (const BackendKind& kind : kinds) {
       benchmark::RegisterBenchmark((subject.name + "/" + kind.name).c_str(),
                                    [subject, kind](benchmark::State& state) { time_query(state, subject.body, kind); });
     }

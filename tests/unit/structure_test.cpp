@@ -70,6 +70,7 @@ TEST(Structure, EveryThirdPartyHasItsOnePlace) {
       {"assimp/", {"meshes/reader.cpp"}},
       {"libqhull", {"meshes/hull.cpp"}},
       {"ccd/", {"apps/peers/ccd_"}},
+      {"fcl/", {"apps/peers/fcl_"}},
       {"Random123/", {"engine/sampling/random_stream.cpp"}},
       {"Eigen/", {"engine/numeric/eigen.h"}},
       {"boost/", {"shapes/ellipsoid.cpp"}},

@@ -1,0 +1,59 @@
+// FCL with its own shapes: the frames and sizes are the engine's, and every body that it has a shape for is taken.
+#include "apps/peers/fcl_backend.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "shapes/any_shape.h"
+#include "tests/referees/bodies.h"
+#include "tests/referees/random_poses.h"
+
+namespace vex {
+namespace {
+
+TEST(FclBackend, TakesItsOwnShapesAndPolytopes) {
+  const std::map<std::string, bool> expected = {
+      {"sphere", true},      {"box", true},          {"ellipsoid", true},   {"capsule", true},
+      {"cylinder", true},    {"cone", true},         {"plate", true},       {"tetrahedron", true},
+      {"octahedron", true},  {"dodecahedron", true}, {"icosahedron", true}, {"frustum", false},
+      {"hemisphere", false}, {"disc", false},        {"needle", false},     {"rounded", false}};
+  std::size_t n_kinds = 0;
+  for (const auto& [kind, taken] : expected) {
+    for (const char* text : kTestBodies) {
+      const MeasuredBody shape = parse_shape(text);
+      if (shape.kind != kind) continue;
+      EXPECT_EQ(fcl_backend().takes(shape.body), taken) << text;
+      ++n_kinds;
+    }
+  }
+  EXPECT_EQ(n_kinds, kTestBodies.size());
+}
+
+TEST(FclBackend, HasEveryBodyWhereTheEngineHasIt) {
+  // A small sphere just outside and just inside the surface, along 200 directions: a frame that is shifted or upside
+  // down, or a size taken for its half, would show.
+  const ConvexBody probe = parse_shape("sphere:0.001").body;
+  std::mt19937_64 random(61);
+  for (const char* text : kTestBodies) {
+    const ConvexBody body = parse_shape(text).body;
+    if (!fcl_backend().takes(body) || body.inradius() == 0.0) continue;
+    const std::unique_ptr<OverlapBackend> fcl = fcl_backend().make(body, probe);
+    for (int k = 0; k < 200; ++k) {
+      const Vec3d dir = random_direction(random);
+      const Vec3d unit_dir = (1.0 / norm(dir)) * dir;
+      const Vec3d surface = body.support(unit_dir);
+      std::array<Transformd, 2> poses;
+      poses[0].translation = surface + 0.00101 * unit_dir;
+      poses[1].translation = surface + 0.00099 * unit_dir;
+      std::array<Verdict, 2> verdicts;
+      fcl->decide(poses, verdicts);
+      ASSERT_EQ(verdicts[0].outcome, Outcome::disjoint) << text;
+      ASSERT_EQ(verdicts[1].outcome, Outcome::overlap) << text;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace vex
