@@ -7,9 +7,11 @@
 #include <csignal>
 #include <cstdio>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <system_error>
 
+#include "apps/common/help_formatter.h"
 #include "apps/common/interrupt.h"
 #include "apps/common/text.h"
 #include "engine/numeric/errors.h"
@@ -121,6 +123,7 @@ std::string command_line(int argc, char** argv) {
 }
 
 int run_program(CLI::App& app, int argc, char** argv, const std::function<int()>& action) {
+  app.formatter(std::make_shared<HelpFormatter>());
   app.set_version_flag("--version", app.get_name() + " " + version(), "Print the version and exit");
   app.set_help_flag("-h,--help", "Print this help and exit");
   hold_standard_streams();

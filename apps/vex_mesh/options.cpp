@@ -42,13 +42,6 @@ void require_one_of(const std::string& word, const char* option, std::initialize
   throw UsageError("not a choice (\"" + word + "\" for " + option + ") - there are " + choices);
 }
 
-// The engine's own, and the peers of this build.
-std::vector<BackendKind> all_backends() {
-  std::vector<BackendKind> kinds = peer_backends();
-  kinds.insert(kinds.begin(), gjk_backend());
-  return kinds;
-}
-
 // `ccd` means `ccd-mpr`. Throws UsageError where there is no such backend, or this build was made without it.
 BackendKind backend_named(const std::string& word) {
   const std::string name = word == "ccd" ? "ccd-mpr" : word;
@@ -147,14 +140,18 @@ void declare_options(CLI::App& app, CommandLine& words) {
   app.add_option("--checkpoint", words.checkpoint, "Save the run's state")->type_name("FILE")->group(later);
   app.add_option("--resume", words.resume, "Continue a saved run")->type_name("FILE")->group(later);
 
-  std::string named = "Named bodies: ";
+  std::string named = "Named bodies:";
   for (const NamedShape& shape : named_shapes()) {
     named += "\n  " + std::string(shape.name) + ":" + std::string(shape.parameters) + "  " + std::string(shape.meaning);
   }
   app.footer(named +
-             "\n\nExit codes: 0 success, 1 a fault of the program, 2 wrong usage, 3 input refused, 4 Monte Carlo and "
-             "formula disagree,"
-             "\n130 or 143 interrupted (what was done is reported).");
+             "\n\nExit codes:"
+             "\n  0  success"
+             "\n  1  a fault of the program"
+             "\n  2  wrong usage"
+             "\n  3  input refused"
+             "\n  4  Monte Carlo and formula disagree"
+             "\n  130, 143  interrupted (what was done is reported)");
 }
 
 Options interpret(const CommandLine& words) {
