@@ -1,0 +1,50 @@
+# What `cmake --install` installs: the programs, the rooms as libraries with their headers, and find_package(vex).
+#
+# Components of the installation (cmake --install BUILD --component NAME); cmake/package.cmake makes a package of each of
+# the first two:
+#   programs      bin/, man pages, share/doc/vex
+#   development   libraries, headers, lib/cmake/vex
+#   licence       share/doc/vex/LICENSE; a Debian package carries it as its own file `copyright`
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(vex_installed_programs vex_mesh)
+set(vex_installed_rooms engine shapes meshes)
+set(vex_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/vex)
+
+# --- programs
+install(TARGETS ${vex_installed_programs} RUNTIME COMPONENT programs)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
+install(FILES README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
+include(cmake/man_pages.cmake)
+
+# --- libraries: each room has a targets file of its own, so that who asks for the engine needs none of the others'
+# libraries. An installed header is <vex/engine/...>; what its templates compute in a user's program must round as here
+# (docs/decisions/0003), hence the one compiler option that goes along.
+target_compile_options(vex_engine INTERFACE
+  $<INSTALL_INTERFACE:$<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-ffp-contract=off>>)
+foreach(room IN LISTS vex_installed_rooms)
+  set_target_properties(vex_${room} PROPERTIES EXPORT_NAME ${room})
+  install(TARGETS vex_${room} EXPORT vex_${room}
+    ARCHIVE COMPONENT development
+    INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(EXPORT vex_${room} FILE vex_${room}.cmake NAMESPACE vex:: DESTINATION ${vex_config_dir} COMPONENT development)
+endforeach()
+
+configure_package_config_file(cmake/vexConfig.cmake.in ${PROJECT_BINARY_DIR}/vexConfig.cmake
+  INSTALL_DESTINATION ${vex_config_dir}
+  NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/vexConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/vexConfig.cmake ${PROJECT_BINARY_DIR}/vexConfigVersion.cmake
+  DESTINATION ${vex_config_dir} COMPONENT development)
+
+# --- headers, and what their comments refer to
+install(CODE "
+  set(vex_source_dir \"${PROJECT_SOURCE_DIR}\")
+  set(vex_rooms ${vex_installed_rooms})
+  set(vex_staging_dir \"${PROJECT_BINARY_DIR}/install_headers\")
+  set(vex_include_dir \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}\")
+  include(\"${PROJECT_SOURCE_DIR}/cmake/install_headers.cmake\")"
+  COMPONENT development)
+install(FILES docs/derivations.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+install(DIRECTORY docs/decisions DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development FILES_MATCHING PATTERN *.md)

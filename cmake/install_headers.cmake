@@ -1,0 +1,19 @@
+# Installs the rooms' headers below include/vex. Run by cmake --install, which sets
+#   vex_source_dir, vex_rooms, vex_staging_dir (made and removed here), vex_include_dir (without DESTDIR).
+#
+# In the repository an include is written from its root, "engine/numeric/vec3.h". Installed, that would claim names as
+# common as "engine" of every user, so there it is "vex/engine/numeric/vec3.h".
+file(REMOVE_RECURSE "${vex_staging_dir}")
+list(JOIN vex_rooms "|" rooms_pattern)
+foreach(room IN LISTS vex_rooms)
+  file(GLOB_RECURSE headers RELATIVE "${vex_source_dir}" "${vex_source_dir}/${room}/*.h")
+  list(FILTER headers EXCLUDE REGEX "^meshes/data/")  # what writes the sample bodies
+  foreach(header IN LISTS headers)
+    file(READ "${vex_source_dir}/${header}" text)
+    string(REGEX REPLACE "(#include \")(${rooms_pattern})/" "\\1vex/\\2/" text "${text}")
+    file(WRITE "${vex_staging_dir}/vex/${header}" "${text}")
+  endforeach()
+endforeach()
+file(INSTALL DESTINATION "${vex_include_dir}" TYPE DIRECTORY FILES "${vex_staging_dir}/vex"
+  FILE_PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ)
+file(REMOVE_RECURSE "${vex_staging_dir}")

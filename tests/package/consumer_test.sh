@@ -1,0 +1,119 @@
+#!/bin/sh
+# Installs vex, moves the installation, and builds and runs a project that uses it (tests/consumer).
+#
+#   sh tests/package/consumer_test.sh SOURCE_DIR BUILD_DIR CMAKE CXX EIGEN_INCLUDE_DIR
+set -eu
+source_dir=$1
+build_dir=$2
+cmake=$3
+cxx=$4
+eigen=$5
+unset DESTDIR CMAKE_PREFIX_PATH vex_DIR vex_ROOT
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+trap 'exit 1' HUP INT TERM
+
+fail() {
+  printf 'FAILED: %s\n' "$*"
+  exit 1
+}
+step() { printf -- '- %s\n' "$*"; }
+# quietly COMMAND...: what it prints is shown only if it fails.
+quietly() {
+  if ! "$@" >"$scratch/log" 2>&1; then
+    cat "$scratch/log"
+    fail "$*"
+  fi
+}
+
+step "install, and move what was installed"
+quietly "$cmake" --install "$build_dir" --prefix "$scratch/installed"
+mkdir "$scratch/moved to"
+mv "$scratch/installed" "$scratch/moved to/prefix"
+prefix=$scratch/"moved to"/prefix
+
+step "nothing installed names a folder of this machine"
+if grep -rlF -e "$source_dir" -e "$build_dir" -e "$scratch" "$prefix"; then fail "these do"; fi
+
+step "headers are the rooms' own, and include each other as <vex/...>"
+[ "$(ls "$prefix/include")" = vex ] || fail "include/ holds more than vex/"
+(cd "$prefix/include/vex" && find . -name '*.h' | sort) >"$scratch/headers"
+(cd "$source_dir" && find ./engine ./shapes ./meshes -name '*.h' ! -path './meshes/data/*' | sort) >"$scratch/sources"
+cmp "$scratch/headers" "$scratch/sources" || fail "other headers than the rooms'"
+if grep -rnE '#include "(engine|shapes|meshes|apps|tests)/' "$prefix/include"; then fail "an include is not rewritten"; fi
+
+step "every header compiles on its own"
+# shellcheck disable=SC2016  # expanded by the shell that xargs starts
+(cd "$prefix/include" && find vex -name '*.h' -print0 |
+  xargs -0 -n 8 -P 2 sh -c 'cxx=$1 eigen=$2; shift 2
+    for header; do
+      echo "#include <$header>" | "$cxx" -std=c++20 -fsyntax-only -Wall -Wextra -Werror -I. -isystem "$eigen" -x c++ - || exit 255
+    done' sh "$cxx" "$eigen") || fail "one does not"
+
+# configure FOLDER ARGUMENTS...
+configure() {
+  folder=$1
+  shift
+  quietly "$cmake" -S "$source_dir/tests/consumer" -B "$scratch/$folder" -DCMAKE_PREFIX_PATH="$prefix" \
+    -DCMAKE_CXX_COMPILER="$cxx" -DCMAKE_BUILD_TYPE=Release -DCMAKE_EXPORT_COMPILE_COMMANDS=ON \
+    -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF "$@"
+}
+
+step "the engine alone needs neither assimp nor Qhull"
+configure engine_only -DCONSUMER_ENGINE_ONLY=ON -DCMAKE_DISABLE_FIND_PACKAGE_assimp=ON \
+  -DCMAKE_DISABLE_FIND_PACKAGE_Qhull=ON
+if (configure broken -DCMAKE_DISABLE_FIND_PACKAGE_assimp=ON) >/dev/null; then fail "meshes do without assimp"; fi
+
+step "a project with all of it builds"
+configure all
+quietly "$cmake" --build "$scratch/all" --parallel 2
+commands=$scratch/all/compile_commands.json
+grep -q -e '-ffp-contract=off' "$commands" || fail "templates would not round as the project's own do"
+if grep -qE -e '-W[a-z]|-fsanitize|-std=[a-z+]*(98|11|14|17)' "$commands"; then fail "options that are the project's alone"; fi
+
+# near TRUTH VALUE STD_ERROR: within four standard errors, which are small enough to tell.
+near() {
+  awk -v truth="$1" -v value="$2" -v error="$3" 'BEGIN {
+    z = (value - truth) / error
+    exit !(error > 0 && error < 0.003 * truth && z < 4 && z > -4)
+  }'
+}
+
+step "its body gets the excluded volume that it should"
+# Truths: superellipsoid_truth.py; for p = 2 eight volumes of the unit ball.
+while read -r a b c p truth; do
+  result=$("$scratch/all/superellipsoid" "$a" "$b" "$c" "$p" 1) || fail "superellipsoid $a $b $c $p"
+  printf '  %s: %s, true %s\n' "$a $b $c $p" "$result" "$truth"
+  # shellcheck disable=SC2086  # three words
+  set -- $result
+  near "$truth" "$1" "$2" || fail "not the true value"
+  [ "$3" -eq 0 ] || fail "undecided trials"
+  if near "$(awk -v t="$truth" 'BEGIN { print 1.01 * t }')" "$1" "$2"; then fail "an error of 1 % goes unseen"; fi
+done <<'TRUTHS'
+1 1 1 2 33.5103216383
+1 1 1 4 55.4100439343
+1 0.8 0.6 4 27.7489623114
+TRUTHS
+
+step "a mesh and a named body"
+cat >"$scratch/cube.obj" <<'CUBE'
+v 0 0 0
+v 1 0 0
+v 1 1 0
+v 0 1 0
+v 0 0 1
+v 1 0 1
+v 1 1 1
+v 0 1 1
+f 4 3 2 1
+f 5 6 7 8
+f 1 2 6 5
+f 2 3 7 6
+f 3 4 8 7
+f 4 1 5 8
+CUBE
+result=$("$scratch/all/mesh_and_shape" "$scratch/cube.obj" box:1,1,1) || fail "mesh_and_shape"
+[ "$result" = "11 overlap" ] || fail "two unit cubes: $result"
+
+echo "all expectations met"
