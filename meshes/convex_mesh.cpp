@@ -29,6 +29,8 @@ namespace {
 constexpr double kLargestCoordinate = 0x1p300;
 constexpr double kSmallestCoordinate = 0x1p-300;
 
+constexpr double kLargestVolumeError = 1e-13;  // relative: what convex_mesh.h promises, with room for other roundings
+
 void check_options(const MeshOptions& options) {
   if (!(options.convex_tolerance >= 0.0) || !std::isfinite(options.convex_tolerance)) {
     throw UsageError("the convex tolerance is not a finite number from 0 up (" + number_text(options.convex_tolerance) +
@@ -49,18 +51,20 @@ void check_memory(const PolygonSoup& soup, bool hull) {
   }
 }
 
-void note_what_reading_did(const PolygonSoup& soup, const WeldedSurface& welded, MeshReport* report) {
+void note_what_reading_did(const PolygonSoup& soup, const WeldedSurface& welded, bool hull, MeshReport* report) {
   report->n_parts = soup.n_parts;
   report->n_vertices = welded.surface.vertices.size();
   report->n_points = report->n_vertices;
   report->n_faces = welded.surface.n_faces();
   report->n_welded_vertices = welded.n_welded_vertices;
   if (soup.n_ignored_faces > 0) {
-    report->notes.push_back(std::to_string(soup.n_ignored_faces) + " points or lines of the file were ignored");
+    report->notes.push_back(std::to_string(soup.n_ignored_faces) + " points or lines of the file " +
+                            (hull ? "have no faces: their vertices count all the same" : "were ignored"));
   }
   if (welded.n_collapsed_faces > 0) {
     report->notes.push_back(std::to_string(welded.n_collapsed_faces) +
-                            " faces with fewer than three different corners were dropped");
+                            " faces with fewer than three different corners were dropped" +
+                            (hull ? ", their vertices were not" : ""));
   }
 }
 
@@ -154,7 +158,8 @@ ConvexMesh finished(Body body, const MeshOptions& options, Triangles mesh, std::
   }
   const double scale = options.scale(measures_of(body));
   if (!(scale > 0.0) || !std::isfinite(scale)) {
-    refuse_scaled(scale > 0.0 ? "too large" : "without extent", scale);
+    refuse_scaled(scale > 0.0 ? "too large" : (scale == 0.0 ? "too small" : "none, for the scale is not positive"),
+                  scale);
   }
   body = scaled(std::move(body), scale);
   if (report.hull_added_volume && *report.hull_added_volume != 0.0) {
@@ -195,10 +200,15 @@ ConvexMesh hull_from(const PolygonSoup& soup, const MeshOptions& options) {
   WeldedSurface welded = weld(soup, UnusedPoints::kept);
   PolygonSurface& surface = welded.surface;
   MeshReport report;
-  note_what_reading_did(soup, welded, &report);
+  note_what_reading_did(soup, welded, options.hull, &report);
   HullOfPoints hull = hull_of_points(surface.vertices);
   Body body{std::move(hull.vertices), std::move(hull.triangles), {}, true};
   body.solid = volume_and_centroid(body.triangles);
+  if (!(body.solid.volume_error <= kLargestVolumeError * body.solid.volume)) {
+    throw InputError("the points are too near to one plane (their hull's volume is " + number_text(body.solid.volume) +
+                     ", known to " + number_text(body.solid.volume_error) +
+                     ") - for a flat body use plate:A,B or disc:R");
+  }
   report.hull_used = true;
   report.notes.push_back("the convex hull was taken: " + std::to_string(body.vertices.size()) + " of " +
                          std::to_string(report.n_points) + " points are its vertices");
@@ -221,7 +231,7 @@ ConvexMesh convex_mesh_from(const PolygonSoup& soup, const MeshOptions& options)
   WeldedSurface welded = weld(soup);
   PolygonSurface& surface = welded.surface;
   MeshReport report;
-  note_what_reading_did(soup, welded, &report);
+  note_what_reading_did(soup, welded, options.hull, &report);
 
   std::vector<std::uint32_t> mates = checked_half_edges(surface);
   Triangles triangles = fan_triangles(surface, mates);
@@ -246,7 +256,7 @@ ConvexMesh convex_mesh_from(const PolygonSoup& soup, const MeshOptions& options)
   }
   report.hull_used = true;
   report.reflex_depth = hull->reflex_depth / report.size;
-  report.hull_added_volume = hull->solid.volume - solid.volume;
+  report.hull_added_volume = added_volume(hull->solid, solid);
   report.notes.push_back("the mesh is convex only within the tolerance (by " + number_text(*report.reflex_depth) +
                          " of its size): its convex hull is used");
   std::vector<Vec3d> mesh_vertices = options.scale ? surface.vertices : std::vector<Vec3d>{};

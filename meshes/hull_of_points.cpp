@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "engine/numeric/errors.h"
-#include "engine/numeric/expect.h"
 #include "meshes/exact_hull.h"
 #include "meshes/exact_sign.h"
 #include "meshes/report_text.h"
@@ -37,12 +36,12 @@ std::vector<bool> corners_of(const Triangles& hull) {
   return is_corner;
 }
 
-/// The same triangles over the corners alone, which are all that they use.
-HullOfPoints over_corners(Triangles hull, const std::vector<bool>& is_corner) {
+/// The same triangles over the vertices that they use alone.
+HullOfPoints over(Triangles hull, const std::vector<bool>& is_used) {
   HullOfPoints result;
   std::vector<std::uint32_t> renumbered(hull.vertices.size(), kNone);
   for (std::size_t v = 0; v < renumbered.size(); ++v) {
-    if (is_corner[v]) {
+    if (is_used[v]) {
       renumbered[v] = static_cast<std::uint32_t>(result.vertices.size());
       result.vertices.push_back(hull.vertices[v]);
     }
@@ -57,10 +56,48 @@ HullOfPoints over_corners(Triangles hull, const std::vector<bool>& is_corner) {
   return result;
 }
 
-[[noreturn]] void refuse_flat(std::span<const Vec3d> points) {
-  throw InputError(
-      "the points span no volume (all " + std::to_string(points.size()) +
-      " of them lie in one plane) - for a flat body use plate:A,B or disc:R, for a straight line needle:L");
+/// Whether all points are one, lie on a line or lie in a plane: 0, 1, 2; 3 where they do not.
+int dimension_of(std::span<const Vec3d> points) {
+  const auto first_that = [&](const auto& condition) {
+    return std::ranges::find_if(points, [&](const Vec3d& p) { return condition(p); });
+  };
+  const Vec3d a = points[0];
+  const auto b = first_that([&](const Vec3d& p) { return p.x != a.x || p.y != a.y || p.z != a.z; });
+  if (b == points.end()) {
+    return 0;
+  }
+  const auto c = first_that([&](const Vec3d& p) { return !collinear(a, *b, p); });
+  if (c == points.end()) {
+    return 1;
+  }
+  return first_that([&](const Vec3d& p) { return orientation_sign(a, *b, *c, p) != 0; }) == points.end() ? 2 : 3;
+}
+
+[[noreturn]] void refuse(std::span<const Vec3d> points) {
+  if (points.empty()) {
+    throw InputError("the mesh has no points (0 vertices were read) - name a file that holds some");
+  }
+  const int dimension = dimension_of(points);
+  if (dimension == 3) {
+    throw InputError("no convex hull could be made of the points (they are too near to one plane, " +
+                     point_text(points.front()) + " among them) - for a flat body use plate:A,B or disc:R");
+  }
+  const std::string flat = dimension == 0   ? "are one point"
+                           : dimension == 1 ? "lie on one straight line"
+                                            : "lie in one plane";
+  throw InputError("the points span no volume (all " + std::to_string(points.size()) + " of them " + flat +
+                   ", the first is " + point_text(points.front()) +
+                   ") - for a flat body use plate:A,B or disc:R, for a straight line needle:L");
+}
+
+std::vector<Vec3d> chosen(std::span<const Vec3d> points, const std::vector<bool>& is_chosen) {
+  std::vector<Vec3d> result;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (is_chosen[v]) {
+      result.push_back(points[v]);
+    }
+  }
+  return result;
 }
 
 }  // namespace
@@ -68,25 +105,22 @@ HullOfPoints over_corners(Triangles hull, const std::vector<bool>& is_corner) {
 HullOfPoints hull_of_points(std::span<const Vec3d> points) {
   std::optional<Triangles> hull = exact_hull(points);
   if (!hull) {
-    refuse_flat(points);
+    refuse(points);
   }
-  std::vector<bool> is_corner = corners_of(*hull);
-  const bool has_only_corners = std::ranges::all_of(hull->corners, [&](const std::array<std::uint32_t, 3>& triangle) {
-    return std::ranges::all_of(triangle, [&](std::uint32_t v) { return is_corner[v]; });
-  });
-  if (has_only_corners) {
-    return over_corners(std::move(*hull), is_corner);
-  }
-  std::vector<Vec3d> corners;
-  for (std::size_t v = 0; v < is_corner.size(); ++v) {
-    if (is_corner[v]) {
-      corners.push_back(points[v]);
+  const std::vector<bool> is_corner = corners_of(*hull);
+  std::vector<bool> is_used(points.size(), false);
+  for (const auto& triangle : hull->corners) {
+    for (const std::uint32_t v : triangle) {
+      is_used[v] = true;
     }
   }
-  hull = exact_hull(corners);
-  VEX_ENSURE(hull.has_value());
-  is_corner.assign(corners.size(), true);
-  return over_corners(std::move(*hull), is_corner);
+  if (is_used != is_corner) {  // once more, without those inside facets and edges
+    const std::vector<Vec3d> corners = chosen(points, is_corner);
+    if (std::optional<Triangles> of_corners = exact_hull(corners)) {
+      return over(std::move(*of_corners), std::vector<bool>(corners.size(), true));
+    }
+  }
+  return over(std::move(*hull), is_used);
 }
 
 }  // namespace vex

@@ -17,12 +17,14 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/numeric/errors.h"
+#include "meshes/reader_quirks.h"
 
 namespace vex {
 namespace {
@@ -82,27 +84,6 @@ class RegularFileStream : public Assimp::IOStream {
   int n_empty_reads_ = 0;
 };
 
-/// The whole file, with a 0 put before every word that starts like ".5". assimp's OBJ reader takes only words that
-/// start with a digit or a sign for numbers, and silently drops the vertex that has another.
-std::string with_leading_zeros(std::FILE* file) {
-  std::string text;
-  char previous = ' ';
-  bool at_point = false;  // the last character is a point that starts a word
-  std::array<char, 1U << 16U> chunk{};
-  while (const std::size_t n = std::fread(chunk.data(), 1, chunk.size(), file)) {
-    for (std::size_t k = 0; k < n; ++k) {
-      const char c = chunk[k];
-      if (at_point && c >= '0' && c <= '9') {
-        text.insert(text.size() - 1, 1, '0');
-      }
-      at_point = c == '.' && (previous == ' ' || previous == '\t');
-      text.push_back(c);
-      previous = c;
-    }
-  }
-  return text;
-}
-
 /// Shows assimp one file, and for .gltf the .bin buffers in its folder or below: a material library or a texture that a
 /// mesh names is never opened, wherever it points.
 class GeometryFiles : public Assimp::IOSystem {
@@ -123,15 +104,16 @@ class GeometryFiles : public Assimp::IOSystem {
     if (!file) {
       return nullptr;
     }
-    if (lower_extension(mesh_) == ".obj") {
-      const std::string text = with_leading_zeros(file.get());
-      auto* const bytes = new std::uint8_t[text.size()];  // the stream deletes it
-      std::copy(text.begin(), text.end(), bytes);
-      return new Assimp::MemoryIOStream(bytes, text.size(), true);
+    if (const std::optional<ShownText> shown = text_for_assimp(lower_extension(path), file.get(), size)) {
+      face_was_added_ = face_was_added_ || shown->face_was_added;
+      auto* const bytes = new std::uint8_t[shown->text.size()];  // the stream deletes it
+      std::copy(shown->text.begin(), shown->text.end(), bytes);
+      return new Assimp::MemoryIOStream(bytes, shown->text.size(), true);
     }
     return new RegularFileStream(std::move(file), size);
   }
   void Close(Assimp::IOStream* stream) override { delete stream; }
+  bool face_was_added() const { return face_was_added_; }
 
  private:
   bool allowed(const std::filesystem::path& path) const {
@@ -150,6 +132,7 @@ class GeometryFiles : public Assimp::IOSystem {
   }
 
   std::filesystem::path mesh_;
+  bool face_was_added_ = false;
 };
 
 /// The first three rows of a 4x4 matrix in double; the fourth is taken to be 0, 0, 0, 1.
@@ -280,7 +263,8 @@ PolygonSoup read_polygon_soup(const std::filesystem::path& path) {
     throw InputError("the extension of " + path.string() + " names no format that is read ('" +
                      path.extension().string() + "') - the formats are " + kFormats);
   }
-  importer.SetIOHandler(new GeometryFiles(path));  // the importer deletes it
+  auto* const files = new GeometryFiles(path);  // the importer deletes it
+  importer.SetIOHandler(files);
   for (const char* unwanted :
        {AI_CONFIG_IMPORT_FBX_READ_MATERIALS, AI_CONFIG_IMPORT_FBX_READ_ALL_MATERIALS,
         AI_CONFIG_IMPORT_FBX_READ_TEXTURES, AI_CONFIG_IMPORT_FBX_READ_CAMERAS, AI_CONFIG_IMPORT_FBX_READ_LIGHTS,
@@ -297,7 +281,11 @@ PolygonSoup read_polygon_soup(const std::filesystem::path& path) {
     throw InputError("cannot read the mesh file " + path.string() + " (" + short_line(importer.GetErrorString()) +
                      ") - check that it is complete and that its extension names its format");
   }
-  return soup_of(*scene);
+  PolygonSoup soup = soup_of(*scene);
+  if (files->face_was_added() && soup.n_ignored_faces > 0) {
+    --soup.n_ignored_faces;
+  }
+  return soup;
 }
 
 }  // namespace vex

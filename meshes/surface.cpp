@@ -215,8 +215,8 @@ std::size_t number_of_components(const PolygonSurface& surface) {
 
 std::vector<std::uint32_t> checked_half_edges(const PolygonSurface& surface) {
   if (surface.n_faces() == 0) {
-    throw InputError("the mesh has no faces (0 polygons with three different corners) - name a file that holds a " +
-                     std::string("closed surface"));
+    throw InputError("the mesh has no faces (0 polygons with three different corners)" +
+                     hull_advice("name a file that holds a closed surface"));
   }
   check_one_component(surface);
   std::vector<std::uint32_t> mates;

@@ -96,8 +96,8 @@ TEST(ExactHull, OfPointsThatSpanNoSolidIsNothing) {
 
 TEST(ExactHull, OfAThinTurnedCapsuleHasMeasuresToTwelveDigits) {
   // Convex only to rounding, and so thin that a hull's last bits in double show in V.
-  for (int i = 0; i < 10; ++i) {
-    const double angle = 0.3 + 0.1 * i;
+  for (int i = 0; i < 2; ++i) {
+    const double angle = 0.3 + 0.4 * i;
     const std::vector<Vec3d> vertices = vertices_of(moved(capsule_soup(60, 15), [&](const Vec3d& p) {
       const double y = 3e-6 * p.y;
       return Vec3d{std::cos(angle) * p.x - std::sin(angle) * y, std::sin(angle) * p.x + std::cos(angle) * y, p.z};

@@ -19,7 +19,7 @@ template <class T>
 using Point = std::array<T, 3>;
 
 template <class T>
-Point<T> point(const SoupPoint& p) {
+Point<T> point(const Vec3d& p) {
   return {T(p.x), T(p.y), T(p.z)};
 }
 template <class T>
@@ -40,16 +40,26 @@ Point<Real> perpendicular(const Point<Real>& v, const Point<Real>& edge) {
 }  // namespace
 
 Measures exact_measures(const PolygonSoup& triangles) {
-  using Key = std::array<float, 3>;
+  std::vector<Vec3d> points;
+  for (const SoupPoint& p : triangles.points) {
+    points.push_back({double{p.x}, double{p.y}, double{p.z}});
+  }
+  Triangles result;
+  result.vertices = points;
+  for (std::size_t i = 0; i < triangles.corners.size(); i += 3) {
+    result.corners.push_back({triangles.corners[i], triangles.corners[i + 1], triangles.corners[i + 2]});
+  }
+  return exact_measures(result);
+}
+
+Measures exact_measures(const Triangles& triangles) {
+  using Key = std::array<double, 3>;
   Rational six_volumes = 0;
   Real area = 0;
   std::map<std::pair<Key, Key>, Point<Real>> third_corner;  // of the triangle left of each directed edge
-  const auto key = [](const SoupPoint& p) { return Key{p.x, p.y, p.z}; };
-  for (std::size_t i = 0; i < triangles.corners.size(); i += 3) {
-    std::array<SoupPoint, 3> p;
-    for (std::size_t k = 0; k < 3; ++k) {
-      p[k] = triangles.points[triangles.corners[i + k]];
-    }
+  const auto key = [](const Vec3d& p) { return Key{p.x, p.y, p.z}; };
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const std::array<Vec3d, 3> p{triangles.corner(t, 0), triangles.corner(t, 1), triangles.corner(t, 2)};
     const auto a = point<Rational>(p[0]);
     const auto b = point<Rational>(p[1]);
     const auto c = point<Rational>(p[2]);

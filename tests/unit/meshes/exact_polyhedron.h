@@ -2,6 +2,7 @@
 #pragma once
 
 #include "meshes/polygon_soup.h"
+#include "meshes/triangles.h"
 #include "shapes/measures.h"
 
 namespace vex::tests {
@@ -10,5 +11,6 @@ namespace vex::tests {
 /// V: rational, by the divergence theorem about the origin. S: Gram determinants. M: from the interior dihedral angles
 /// between the directions within the two faces that are perpendicular to the edge.
 Measures exact_measures(const PolygonSoup& triangles);
+Measures exact_measures(const Triangles& triangles);
 
 }  // namespace vex::tests

@@ -4,7 +4,11 @@
 #include <sys/resource.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <random>
+#include <string>
+#include <vector>
 
 #include "meshes/convex_mesh.h"
 #include "meshes/data/mesh_writers.h"
@@ -57,6 +61,33 @@ TEST(LargeMesh, OfHalfAMillionVerticesThatNeedsItsHullIsMeasured) {
               peak_mebibytes(RUSAGE_SELF));
   EXPECT_TRUE(mesh.report.hull_used);
   EXPECT_NEAR(mesh.measures.integrated_mean_curvature, 6.0 * 3.14159265358979, 0.01);
+}
+
+TEST(LargeMesh, OfAMillionPointsHasItsHullTaken) {
+  const int n = 20 * kCuts * kCuts;  // 1 003 520
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const auto direction = [&] {
+    const Vec3d p{normal(random), normal(random), normal(random)};
+    return (1.0 / norm(p)) * p;
+  };
+  const TemporaryFolder folder;
+  for (const std::string kind : {"ball", "cube", "sphere"}) {
+    std::vector<Vec3d> points;
+    for (int i = 0; i < n; ++i) {
+      points.push_back(kind == "ball"   ? std::cbrt(0.5 * (uniform(random) + 1.0)) * direction()
+                       : kind == "cube" ? Vec3d{uniform(random), uniform(random), uniform(random)}
+                                        : direction());
+    }
+    const auto path = folder.file(kind + ".ply", ply_binary(soup_of(points, {})));
+    points = {};
+    const Stopwatch watch;
+    const ConvexMesh mesh = load_convex_mesh(path, {.hull = true});
+    std::printf("%s: hull of %zu points has %zu vertices, in %.2f s; peak %ld MiB\n", kind.c_str(),
+                mesh.report.n_points, mesh.report.n_vertices, watch.seconds(), peak_mebibytes(RUSAGE_SELF));
+    EXPECT_NEAR(mesh.measures.volume, kind == "cube" ? 8.0 : 4.0 / 3.0 * 3.14159265358979, 0.1);
+  }
 }
 
 TEST(LargeMesh, WithAVertexThatEveryFaceSharesIsMeasured) {

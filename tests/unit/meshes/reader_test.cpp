@@ -3,10 +3,15 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "meshes/convex_mesh.h"
 #include "meshes/data/mesh_writers.h"
@@ -122,6 +127,94 @@ TEST(Reader, RefusesAFileWithoutFaces) {
   EXPECT_FALSE(file_refusal(folder.file("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n")).empty());
   EXPECT_FALSE(file_refusal(folder.file("comment.obj", "# nothing\n")).empty());
   EXPECT_FALSE(file_refusal(folder.file("lines.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\n")).empty());
+}
+
+TEST(Reader, ReadsPointsWithoutFacesForAHull) {
+  const TemporaryFolder folder;
+  const PolygonSoup body = simple_body();
+  PolygonSoup cloud;
+  cloud.points = body.points;
+  cloud.points.push_back({0.0F, 0.25F, 0.0F});  // inside
+  const auto without_face_element = [](std::string ply) {
+    const std::size_t begin = ply.find("element face");
+    return ply.erase(begin, ply.find("end_header") - begin);
+  };
+  std::string points_of_obj;
+  for (std::size_t i = 1; i <= cloud.points.size(); ++i) {
+    points_of_obj += "p " + std::to_string(i) + "\n";
+  }
+  const ConvexMesh expected = convex_mesh_from(body);
+  for (const auto& [name, bytes] : std::vector<std::pair<std::string, std::string>>{
+           {"text.ply", ply_text(cloud)},
+           {"binary.ply", ply_binary(cloud)},
+           {"text without face element.ply", without_face_element(ply_text(cloud))},
+           {"binary without face element.ply", without_face_element(ply_binary(cloud))},
+           {"vertices.obj", obj_text(cloud)},
+           {"points.obj", obj_text(cloud) + points_of_obj},
+           {"points in one line.obj", obj_text(cloud) + "p 1 2 3 4 5 6 7 8 9\n"},
+           {"a.off", off_text(cloud)},
+           {"comment.off", "OFF # of\n# 9 points\n" + off_text(cloud).substr(4)}}) {
+    const auto path = folder.file(name, bytes);
+    const ConvexMesh mesh = load_convex_mesh(path, {.hull = true});
+    EXPECT_EQ(mesh.measures.volume, 64.0) << name;
+    EXPECT_EQ(mesh.report.n_points, 9U) << name;
+    EXPECT_EQ(mesh.report.hull_added_volume, std::nullopt) << name;
+    ASSERT_EQ(mesh.body.n_vertices(), 8U) << name;
+    for (std::size_t i = 0; i < 8; ++i) {
+      EXPECT_EQ(norm(mesh.body.vertex(i) - expected.body.vertex(i)), 0.0) << name;
+    }
+    EXPECT_EQ(norm(mesh.body.centre() - expected.body.centre()), 0.0) << name;
+    EXPECT_TRUE(contains(file_refusal(path), "--hull")) << name;
+  }
+}
+
+TEST(Reader, DeliversPointsThatNoFaceUsesOfFormatsThatHoldThem) {
+  const TemporaryFolder folder;
+  PolygonSoup soup = box_soup({0, 0, 0}, {1, 1, 1});
+  soup.points.push_back({0.5F, 0.5F, 4.0F});
+  for (const char* extension : {".ply", ".off"}) {
+    const auto path = folder.file(std::string("a") + extension, mesh_bytes(soup, extension));
+    EXPECT_EQ(load_convex_mesh(path, {.hull = true}).measures.volume, 2.0) << extension;
+    EXPECT_EQ(load_convex_mesh(path).measures.volume, 1.0) << extension;
+  }
+  const std::string obj = obj_text(soup);  // of this one only where an element names it
+  EXPECT_EQ(load_convex_mesh(folder.file("a.obj", obj), {.hull = true}).measures.volume, 1.0);
+  EXPECT_EQ(load_convex_mesh(folder.file("b.obj", obj + "p 9\n"), {.hull = true}).measures.volume, 2.0);
+}
+
+TEST_P(EveryFormat, GivesTheSameHullOfSomethingThatIsNotConvex) {
+  const TemporaryFolder folder;
+  const PolygonSoup soup = triangulated(moved(face_removed(torus_soup(8), 3), [](const Vec3d& p) {
+    return Vec3d{std::round(64 * p.x) / 64, std::round(64 * p.y) / 64, std::round(64 * p.z) / 64};  // few digits
+  }));
+  const ConvexMesh expected = convex_mesh_from(soup, {.hull = true});
+  const ConvexMesh mesh =
+      load_convex_mesh(folder.file(std::string("body") + GetParam(), mesh_bytes(soup, GetParam())), {.hull = true});
+  ASSERT_EQ(mesh.body.n_vertices(), expected.body.n_vertices());
+  for (std::size_t i = 0; i < mesh.body.n_vertices(); ++i) {
+    EXPECT_EQ(norm(mesh.body.vertex(i) - expected.body.vertex(i)), 0.0);
+  }
+  EXPECT_EQ(mesh.measures.volume, expected.measures.volume);
+  EXPECT_EQ(mesh.measures.surface_area, expected.measures.surface_area);
+  EXPECT_EQ(mesh.measures.integrated_mean_curvature, expected.measures.integrated_mean_curvature);
+  EXPECT_EQ(norm(mesh.body.centre() - expected.body.centre()), 0.0);
+}
+
+TEST(Reader, ReadsTextStlInUpperCase) {
+  const TemporaryFolder folder;
+  std::string upper = stl_text(simple_body());
+  std::ranges::transform(upper, upper.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  EXPECT_EQ(load_convex_mesh(folder.file("a.stl", upper)).measures.volume, 64.0);
+  EXPECT_EQ(load_convex_mesh(folder.file("b.STL", "\n  " + upper)).measures.volume, 64.0);
+  std::string mixed = stl_text(simple_body());
+  mixed.replace(0, 5, "Solid");
+  EXPECT_EQ(load_convex_mesh(folder.file("c.stl", mixed)).measures.volume, 64.0);
+  // Binary whose heading begins like the text's.
+  std::string binary = stl_binary(simple_body());
+  binary.replace(0, 10, "SOLID ABC ");
+  EXPECT_EQ(load_convex_mesh(folder.file("d.stl", binary)).measures.volume, 64.0);
+  binary.replace(0, 10, "solid abc ");
+  EXPECT_EQ(load_convex_mesh(folder.file("e.stl", binary)).measures.volume, 64.0);
 }
 
 TEST(Reader, IgnoresPointsAndLinesBesideFacesWithANote) {
