@@ -1,5 +1,7 @@
 #include "apps/peers/peers.h"
 
+#include <utility>
+
 #ifdef VEX_WITH_CCD
 #include "apps/peers/ccd_backend.h"
 #endif
@@ -19,6 +21,13 @@ std::vector<BackendKind> peer_backends() {
       fcl_backend(),
 #endif
   };
+}
+
+std::vector<BackendKind> all_backends() {
+  std::vector<BackendKind> kinds;
+  kinds.push_back(gjk_backend());
+  for (BackendKind& kind : peer_backends()) kinds.push_back(std::move(kind));
+  return kinds;
 }
 
 }  // namespace vex

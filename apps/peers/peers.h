@@ -19,4 +19,7 @@ inline constexpr PeerName kPeerNames[] = {
 /// Those of this build, in the order of `kPeerNames`.
 std::vector<BackendKind> peer_backends();
 
+/// The engine's own, and after it those.
+std::vector<BackendKind> all_backends();
+
 }  // namespace vex

@@ -42,13 +42,6 @@ void require_one_of(const std::string& word, const char* option, std::initialize
   throw UsageError("not a choice (\"" + word + "\" for " + option + ") - there are " + choices);
 }
 
-// The engine's own, and the peers of this build.
-std::vector<BackendKind> all_backends() {
-  std::vector<BackendKind> kinds = peer_backends();
-  kinds.insert(kinds.begin(), gjk_backend());
-  return kinds;
-}
-
 // `ccd` means `ccd-mpr`. Throws UsageError where there is no such backend, or this build was made without it.
 BackendKind backend_named(const std::string& word) {
   const std::string name = word == "ccd" ? "ccd-mpr" : word;

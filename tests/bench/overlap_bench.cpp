@@ -81,9 +81,7 @@ int main(int argc, char** argv) {
   benchmark::AddCustomContext("processor", processor());
   benchmark::AddCustomContext("compiler", std::string("g++ ") + __VERSION__);
   for (const Subject& subject : subjects()) {
-    std::vector<BackendKind> kinds = peer_backends();
-    kinds.insert(kinds.begin(), gjk_backend());
-    for (const BackendKind& kind : kinds) {
+    for (const BackendKind& kind : all_backends()) {
       benchmark::RegisterBenchmark((subject.name + "/" + kind.name).c_str(),
                                    [subject, kind](benchmark::State& state) { time_query(state, subject.body, kind); });
     }

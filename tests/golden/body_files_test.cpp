@@ -82,6 +82,49 @@ TEST_F(BodyFiles, AMeshIsNotRecentred) {
   EXPECT_LT(std::fabs(json_of({"far.obj", "--rel-error", "1e-2"}).at("z").get<double>()), 4.0);
 }
 
+TEST_F(BodyFiles, TheHullOfWhateverIsThere) {
+  // A cube with a dent in its lid, open below, and a loose triangle inside: refused, but for its hull.
+  std::string text = cube_obj();
+  text.resize(text.find("f "));
+  text += "v 0.5 0.5 0.25\nf 5 6 9\nf 6 7 9\nf 7 8 9\nf 8 5 9\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+  write_file("dented.obj", text);
+  const Finished refused = run({"dented.obj", "--trials", "10"});
+  expect_refusal(refused, 3, "--hull");
+  write_file("cube.obj", cube_obj());
+  const json cube = with_few_trials({"cube.obj"}), hull = with_few_trials({"dented.obj", "--hull"});
+  EXPECT_EQ(hull.at("estimate").at("hits"), cube.at("estimate").at("hits")) << "the same eight vertices";
+  EXPECT_NEAR(hull.at("bodies")[0].at("volume").get<double>(), 1.0, 1e-14);
+  EXPECT_EQ(hull.at("bodies")[0].at("vertices"), 8);
+  EXPECT_EQ(hull.at("bodies")[0].at("points"), 9);
+  EXPECT_TRUE(hull.at("bodies")[0].at("hull_added_volume").is_null()) << "an open surface encloses no volume";
+  write_file("closed.obj", text + "f 4 3 2 1\n");
+  const json closed = with_few_trials({"closed.obj", "--hull"}).at("bodies")[0];
+  EXPECT_NEAR(closed.at("hull_added_volume").get<double>(), 0.25, 1e-14) << "a pyramid of height 3/4 on a unit square";
+  EXPECT_NE(run({"closed.obj", "--hull", "--trials", "10"}).out.find("volume added by the hull          0.25"),
+            std::string::npos);
+  write_file("points.obj", text.substr(0, text.find("f ")));
+  EXPECT_EQ(with_few_trials({"points.obj", "--hull"}).at("estimate").at("hits"), cube.at("estimate").at("hits"));
+  write_file("flat.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+  expect_refusal(run({"flat.obj", "--hull"}), 3, "plate:");
+}
+
+TEST_F(BodyFiles, AScaledBodyIsMeasuredAnew) {
+  const std::string gem = sample("gem.obj");
+  const json one = json_of({gem, "--trials", "20000"}), half = json_of({gem, "--trials", "20000", "--scale", "0.5"});
+  EXPECT_EQ(half.at("bodies")[0].at("scale"), 0.5);
+  EXPECT_EQ(half.at("bodies")[0].at("volume").get<double>(), one.at("bodies")[0].at("volume").get<double>() / 8.0);
+  EXPECT_EQ(half.at("estimate").at("hits"), one.at("estimate").at("hits")) << "a power of two changes no verdict";
+  for (const std::string& body : {gem, std::string("cone:3,2"), std::string("tetrahedron:5"), "rounded:0.5," + gem,
+                                  std::string("rounded:0.5,plate:1,2")}) {
+    const json scaled = json_of({body, "--trials", "10", "--unit-volume"});
+    EXPECT_NEAR(scaled.at("bodies")[0].at("volume").get<double>(), 1.0, 1e-14) << body;
+    const json larger = json_of({body, "--trials", "10", "--unit-volume", "--scale", "3"});
+    EXPECT_NEAR(larger.at("bodies")[0].at("volume").get<double>(), 27.0, 1e-12) << body;
+    EXPECT_NEAR(larger.at("formula").at("reduced").get<double>(), scaled.at("formula").at("reduced").get<double>(),
+                1e-12);
+  }
+}
+
 TEST_F(BodyFiles, AnOddNameIsStillAName) {
   for (const char* name : {"two words.obj", "it's.obj", "\"quoted\".obj", "grün-Ωμέγα-形.obj", "a:b.obj",
                            "box:1,1,1.obj", "[1,2].obj", "$HOME;rm.obj", "back\\slash.obj", "per%20cent%s%n.obj",

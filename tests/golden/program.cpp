@@ -188,6 +188,17 @@ bool catches_interrupts(pid_t process) {
   return false;
 }
 
+std::vector<std::string> backends_of_this_build() {
+  std::vector<std::string> names = {"gjk"};
+#ifdef VEX_WITH_CCD
+  names.insert(names.end(), {"ccd-gjk", "ccd-mpr"});
+#endif
+#ifdef VEX_WITH_FCL
+  names.emplace_back("fcl");
+#endif
+  return names;
+}
+
 void expect_refusal(const Finished& finished, int exit_code, const std::string& part_of_message) {
   EXPECT_EQ(finished.exit_code, exit_code) << finished.err;
   EXPECT_EQ(finished.out, "");

@@ -57,6 +57,9 @@ class ProgramTest : public testing::Test {
   std::filesystem::path folder_;
 };
 
+/// The names of the backends that this build has, the engine's own first.
+std::vector<std::string> backends_of_this_build();
+
 /// Before a line of the shell: root is then held to the permissions of its own files, as everybody else is.
 extern const std::string kWithoutOverride;
 

@@ -1,4 +1,5 @@
 // Runs: what fixes the hits, when they stop, and what the estimate is worth.
+#include <algorithm>
 #include <cmath>
 
 #include "tests/golden/program.h"
@@ -84,15 +85,65 @@ TEST_F(Run, QuickVerdictsChangeNoVerdict) {
 
 TEST_F(Run, PeersAnswerEveryPoseThemselves) {
   const json ours = estimate_of({"box:1,1,1", "--trials", "20000"});
-  for (const auto& [name, reported] : std::initializer_list<std::pair<const char*, const char*>>{
-           {"gjk", "gjk"}, {"ccd-gjk", "ccd-gjk"}, {"ccd-mpr", "ccd-mpr"}, {"ccd", "ccd-mpr"}}) {
+  const std::vector<std::string> backends = backends_of_this_build();
+  for (const std::string& name : backends) {
     const json estimate = estimate_of({"box:1,1,1", "--trials", "20000", "--backend", name});
-    EXPECT_EQ(estimate.at("backend"), reported);
-    if (std::string(name) != "gjk") {
+    EXPECT_EQ(estimate.at("backend"), name);
+    if (name != "gjk") {
       EXPECT_EQ(estimate.at("decided_by").at("peer").get<int>() + estimate.at("undecided").get<int>(), 20000);
     }
     EXPECT_NEAR(estimate.at("hits").get<double>(), ours.at("hits").get<double>(), 5.0) << "same poses, " << name;
   }
+  for (const char* name : {"ccd-gjk", "ccd-mpr", "ccd", "fcl"}) {
+    const Words words = {"box:1,1,1", "--trials", "10", "--backend", name};
+    const bool is_built = std::ranges::find(backends, std::string(name) == "ccd" ? "ccd-mpr" : name) != backends.end();
+    if (is_built) {
+      EXPECT_EQ(run(words).exit_code, 0) << name;
+    } else {
+      expect_refusal(run(words), 2, "this build is without");
+    }
+  }
+}
+
+TEST_F(Run, APeerWithoutSuchAShapeSaysSoAndStaysOutOfACrossCheck) {
+  const std::vector<std::string> backends = backends_of_this_build();
+  const bool has_fcl = std::ranges::find(backends, "fcl") != backends.end();
+  const json document = json_of({"hemisphere:1", "--trials", "500", "--cross-check"});
+  EXPECT_EQ(document.at("cross_check").size() + document.at("cross_check_left_out").size(), backends.size());
+  EXPECT_EQ(document.at("cross_check_left_out").size(), has_fcl ? 1u : 0u);
+  if (has_fcl) {
+    expect_refusal(run({"hemisphere:1", "--backend", "fcl"}), 2, "fcl has no shape for hemisphere:1");
+    EXPECT_NE(run({"box:1,1,1", "hemisphere:1", "--trials", "500", "--cross-check"}).out.find("left out: fcl"),
+              std::string::npos);
+  }
+}
+
+TEST_F(Run, APairThatExcludesNoVolumeIsReportedWithoutARun) {
+  for (const Words& words : {Words{"needle:1", "needle:2"}, Words{"plate:1,2", "disc:1", "--orientations", "aligned"},
+                             Words{"needle:1", "--orientations", "aligned", "--trials", "1e10"}}) {
+    const json document = json_of(words);
+    EXPECT_EQ(document.at("complete"), true);
+    EXPECT_EQ(document.at("estimate").at("excluded_volume"), 0.0);
+    EXPECT_EQ(document.at("estimate").at("trials"), 0);
+    EXPECT_TRUE(document.at("z").is_null());
+    EXPECT_NE(document.at("z_reason").get<std::string>().find("no volume"), std::string::npos);
+    const Finished finished = run(words);
+    EXPECT_EQ(finished.exit_code, 0);
+    EXPECT_NE(finished.out.find("no run: "), std::string::npos) << finished.out;
+  }
+  EXPECT_GT(estimate_of({"plate:1,2", "needle:1", "--orientations", "aligned", "--trials", "2000"}).at("hits"), 0)
+      << "a needle across a plate does";
+}
+
+TEST_F(Run, FlatAndRoundedBodiesAgreeWithTheFormula) {
+  for (const Words& bodies :
+       {Words{"plate:1,2"}, Words{"disc:1", "needle:2"}, Words{"rounded:0.3,plate:1,2"},
+        Words{"rounded:0.2," + sample("gem.obj"), "disc:3"}, Words{"cone:1,1", "frustum:1,2,1"}}) {
+    Words words = bodies;
+    words.insert(words.end(), {"--rel-error", "3e-3"});
+    EXPECT_LT(std::fabs(json_of(words).at("z").get<double>()), 4.0) << bodies[0];
+  }
+  EXPECT_TRUE(json_of({"plate:1,2", "box:1,1,1", "--trials", "100"}).at("formula").at("reduced").is_null());
 }
 
 TEST_F(Run, BothDomainsAgreeWithTheFormula) {
@@ -179,8 +230,11 @@ TEST_F(Run, ADisagreementExitsWithFourAndStillReports) {
   const Finished document = run({"box:1,1,1", "--trials", "20000", "--max-z", "1e-9", "--json", "-"});
   EXPECT_EQ(document.exit_code, 4);
   EXPECT_TRUE(json::accept(document.out));
-  // A backend that is wrong is found out: libccd on bodies smaller than its tolerances.
-  EXPECT_EQ(run({"box:1e-9,1e-9,1e-9", "--trials", "5000", "--backend", "ccd-mpr"}).exit_code, 4);
+  for (const std::string& name : backends_of_this_build()) {
+    if (name.rfind("ccd", 0) != 0) continue;
+    // A backend that is wrong is found out: libccd on bodies smaller than its tolerances.
+    EXPECT_EQ(run({"box:1e-9,1e-9,1e-9", "--trials", "5000", "--backend", name}).exit_code, 4);
+  }
   EXPECT_EQ(run({"box:1e-9,1e-9,1e-9", "--trials", "5000"}).exit_code, 0);
 }
 
