@@ -12,6 +12,19 @@ set(vex_installed_programs vex_mesh)
 set(vex_installed_rooms engine shapes meshes)
 set(vex_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/vex)
 
+# The date in man pages and packages is that of the sources, so that the same sources give the same bytes.
+set(vex_source_date $ENV{SOURCE_DATE_EPOCH})
+if(NOT vex_source_date)
+  execute_process(COMMAND git log -1 --format=%ct WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+    OUTPUT_VARIABLE vex_source_date OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+endif()
+if(NOT vex_source_date)  # neither told nor a checkout
+  file(TIMESTAMP ${PROJECT_SOURCE_DIR}/CHANGELOG.md vex_source_date %s UTC)
+endif()
+
+find_program(GZIP_PROGRAM gzip)
+mark_as_advanced(GZIP_PROGRAM)
+
 # --- programs
 install(TARGETS ${vex_installed_programs} RUNTIME COMPONENT programs)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
@@ -48,3 +61,5 @@ install(CODE "
   COMPONENT development)
 install(FILES docs/derivations.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 install(DIRECTORY docs/decisions DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development FILES_MATCHING PATTERN *.md)
+
+include(cmake/package.cmake)

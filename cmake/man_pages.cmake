@@ -1,20 +1,9 @@
 # A man page for each program, made by help2man from the program's own --help; what that does not say (examples) is in
 # apps/PROGRAM/man_page.h2m. Without help2man there are no man pages; sanitized programs make none.
 find_program(HELP2MAN_PROGRAM help2man)
-find_program(GZIP_PROGRAM gzip)
-mark_as_advanced(HELP2MAN_PROGRAM GZIP_PROGRAM)
+mark_as_advanced(HELP2MAN_PROGRAM)
 if(NOT HELP2MAN_PROGRAM OR NOT GZIP_PROGRAM OR VEX_SANITIZE OR CMAKE_CROSSCOMPILING)
   return()
-endif()
-
-# The pages' date is that of the sources, so that the same sources give the same bytes.
-set(vex_source_date $ENV{SOURCE_DATE_EPOCH})
-if(NOT vex_source_date)
-  execute_process(COMMAND git log -1 --format=%ct WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
-    OUTPUT_VARIABLE vex_source_date OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-endif()
-if(NOT vex_source_date)  # neither told nor a checkout
-  file(TIMESTAMP ${PROJECT_SOURCE_DIR}/CHANGELOG.md vex_source_date %s UTC)
 endif()
 
 set(man_pages)
