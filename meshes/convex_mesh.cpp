@@ -39,10 +39,10 @@ void check_options(const MeshOptions& options) {
 }
 
 /// Measured: the checks take up to 230 bytes for a triangle whose corners are its own (STL), of which the soup is 52; a
-/// hull up to 250 for each of its points.
+/// hull up to 180 for each of its points, of which the soup is 12.
 void check_memory(const PolygonSoup& soup, bool hull) {
   const std::uint64_t needed =
-      80 * std::uint64_t{soup.corners.size()} + (hull ? 250 * std::uint64_t{soup.points.size()} : 0);
+      80 * std::uint64_t{soup.corners.size()} + (hull ? 180 * std::uint64_t{soup.points.size()} : 0);
   const std::uint64_t available = machine_memory() / 4 * 3;
   if (needed > available) {
     throw InputError("the mesh is too large for this machine (" + std::to_string(soup.points.size()) +

@@ -8,7 +8,6 @@
 #include <functional>
 #include <numbers>
 #include <random>
-#include <set>
 #include <tuple>
 
 #include "engine/numeric/errors.h"
@@ -139,6 +138,46 @@ TEST(HullOfPoints, LeavesOutWhatIsInsideFacetsAndEdges) {
     EXPECT_EQ(hull.vertices.size(), 8U);
     EXPECT_EQ(volume_of(hull), 1331.0 * (is_turned ? 27.0 : 1.0));
   }
+}
+
+TEST(HullOfPoints, KeepsAPointOfALatticeIfAndOnlyIfTheHullIsLessWithoutIt) {
+  std::mt19937_64 random(3);
+  std::size_t n_kept = 0, n_left_out = 0, n_flat = 0;
+  for (int i = 0; i < 150; ++i) {
+    std::vector<Vec3d> points;
+    const std::uint64_t size = 2 + random() % 4, n_points = 4 + random() % 30;
+    for (std::uint64_t k = 0; k < n_points; ++k) {
+      const auto coordinate = [&] { return static_cast<double>(random() % size); };
+      points.push_back({coordinate(), coordinate(), coordinate()});
+    }
+    points = welded(points);
+    // Six times the volume is a whole number.
+    const auto six_volumes = [](const std::vector<Vec3d>& some) {
+      try {
+        return std::round(6.0 * volume_of(hull_of_points(some)));
+      } catch (const InputError&) {
+        return 0.0;
+      }
+    };
+    if (six_volumes(points) == 0.0) {
+      ++n_flat;
+      continue;
+    }
+    const HullOfPoints hull = hull_of_points(points);
+    expect_hull(hull, points);
+    expect_no_point_above(hull, points);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      std::vector<Vec3d> others = points;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+      const bool is_kept =
+          std::ranges::any_of(hull.vertices, [&](const Vec3d& v) { return norm(v - points[k]) == 0.0; });
+      ++(is_kept ? n_kept : n_left_out);
+      ASSERT_EQ(is_kept, six_volumes(others) < six_volumes(points)) << i;
+    }
+  }
+  EXPECT_GT(n_kept, 800U);
+  EXPECT_GT(n_left_out, 400U);
+  EXPECT_LT(n_flat, 40U);
 }
 
 TEST(HullOfPoints, OfCirclesOfLatitudeKeepsEveryPointThatIsACorner) {
