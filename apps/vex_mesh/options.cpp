@@ -194,6 +194,7 @@ Options interpret(const CommandLine& words) {
   options.domain = domain == "ball" ? DomainChoice::ball : domain == "box" ? DomainChoice::box : DomainChoice::best;
   options.law = orientations == "aligned" ? OrientationLaw::aligned : OrientationLaw::isotropic;
   options.backend = backend_named(backend);
+  options.is_cross_check = words.cross_check;
   if (words.cross_check) {
     for (BackendKind& kind : all_backends()) {
       if (kind.name != options.backend.name) options.cross_check.push_back(std::move(kind));

@@ -37,7 +37,8 @@ struct Options {
   DomainChoice domain = DomainChoice::best;
   OrientationLaw law = OrientationLaw::isotropic;
   BackendKind backend;
-  std::vector<BackendKind> cross_check;
+  bool is_cross_check = false;
+  std::vector<BackendKind> cross_check;  // the backends beside `backend`
   bool quick_verdicts = true;
   double max_z = 6.0;
   BodyOptions bodies;

@@ -164,7 +164,7 @@ Json report_json(const MeshRun& run) {
     json["z"] = nullptr;
     json["z_reason"] = run.z_reason;
   }
-  if (!run.options.cross_check.empty()) {
+  if (run.options.is_cross_check) {
     json["n_disagreements"] = run.record.disagreements.n_all;
     json["disagreements"] = disagreements_json(run);
     json["cross_check"] = backend_names(run);
@@ -210,7 +210,7 @@ std::string report_text(const MeshRun& run) {
   if (run.record.stopped_by == StopReason::interrupted) text += " - interrupted: this is what was done until then";
   if (run.record.stopped_by == StopReason::max_trials) text += " - incomplete: --max-trials was reached first";
   text += "\n";
-  if (!run.options.cross_check.empty()) text += cross_check_text(run);
+  if (run.options.is_cross_check) text += cross_check_text(run);
 
   if (run.z) {
     text += "\nz = " + short_number(*run.z, 3) + " standard errors between Monte Carlo and formula: ";
