@@ -27,4 +27,6 @@ function(vex_library name)
   target_include_directories(vex_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
   target_link_libraries(vex_${name} PUBLIC $<BUILD_INTERFACE:vex_compile_options>)
   target_compile_features(vex_${name} PUBLIC cxx_std_20)
+  # So that a plugin or a language binding can hold it.
+  set_target_properties(vex_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
 endfunction()
