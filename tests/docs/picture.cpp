@@ -159,9 +159,11 @@ class Drawing {
     if (hull_.faces.empty()) svg_.path(svg_path(outline_, true), "fill=\"" + tone_of({0.0, 0.0, 1.0}) + "\"");
     for (const HullFace& face : hull_.faces) {
       if (dot(face.unit_normal, picture_view()) <= 0.0) continue;
-      const std::string colour = "\"" + tone_of(face.unit_normal) + "\"";
+      const std::string colour = tone_of(face.unit_normal);
+      std::string attributes = "fill=\"";
       // The stroke hides the seam between two faces.
-      svg_.path(svg_path(pixels(face.corners), true), "fill=" + colour + " stroke=" + colour + " stroke-width=\".6\"");
+      attributes.append(colour).append("\" stroke=\"").append(colour).append("\" stroke-width=\".6\"");
+      svg_.path(svg_path(pixels(face.corners), true), attributes);
     }
   }
 
