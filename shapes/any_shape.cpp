@@ -154,7 +154,10 @@ std::optional<RoundedText> parse_rounded(std::string_view text) {
     const std::string_view sizes = parts.body.substr(kRounded.name.size() + 1);
     const std::size_t comma = sizes.find(',');
     parts.radius += parse_size(sizes.substr(0, comma), text);
-    if (comma == std::string_view::npos || comma + 1 == sizes.size()) refuse_count(1, text, kRounded);
+    if (comma == std::string_view::npos || comma + 1 == sizes.size()) {
+      throw UsageError("no body to round (" + std::string(text) +
+                       ") - write rounded:r,BODY, as in rounded:0.1,box:1,2,3");
+    }
     parts.body = sizes.substr(comma + 1);
   }
   return parts;

@@ -92,7 +92,8 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
   const LoadedBody loaded_a = load_body(options.a, options.bodies);
   MeshRun run{command, options, loaded_a, options.a == options.b ? loaded_a : load_body(options.b, options.bodies)};
   if (options.dump_vertices && !run.a.is_polytope() && !run.b.is_polytope()) {
-    throw UsageError("no polytope has vertices to list (" + run.a.source + ") - leave out --dump-vertices");
+    throw UsageError("not a polytope, so it has no vertices to list (" + run.a.source +
+                     ") - leave out --dump-vertices");
   }
   choose_backends(run);
   const ConvexBody& a = run.a.shape.body;

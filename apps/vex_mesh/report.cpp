@@ -214,7 +214,9 @@ std::string report_text(const MeshRun& run) {
 
   if (run.z) {
     text += "\nz = " + short_number(*run.z, 3) + " standard errors between Monte Carlo and formula: ";
-    text += std::fabs(*run.z) <= run.options.max_z ? "they agree" : "THEY DISAGREE";
+    text += std::fabs(*run.z) <= run.options.max_z
+                ? "they agree"
+                : "THEY DISAGREE (more than --max-z " + short_number(run.options.max_z) + ")";
     if (const std::uint64_t fewest = std::min(tally.n_hits, tally.n_misses()); fewest < kMinHitsAndMisses) {
       text += ", but " + std::to_string(fewest) + (tally.n_hits == fewest ? " hits" : " misses") + " say little";
     }

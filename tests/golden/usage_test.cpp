@@ -141,7 +141,7 @@ TEST_F(Usage, ScalesAndVerticesThatMeanNothing) {
   for (const char* word : {"0", "-2", "nan", "inf", "large", "1e400"}) {
     expect_wrong({"box:1,1,1", "--scale", word}, std::string("\"") + word + "\" for --scale");
   }
-  expect_wrong({"sphere:1", "capsule:1,1", "--dump-vertices"}, "no polytope has vertices to list");
+  expect_wrong({"sphere:1", "capsule:1,1", "--dump-vertices"}, "not a polytope, so it has no vertices to list (sphere:1)");
   expect_refusal(run({"disc:1", "--unit-volume"}), 3, "no volume to scale to 1 (disc:1)");
   expect_refusal(run({"box:1,1,1", "needle:1", "--unit-volume"}), 3, "no volume to scale to 1 (needle:1)");
   expect_refusal(run({"box:1,1,1", "--scale", "1e46"}), 3, "out of range");
