@@ -1,30 +1,50 @@
 # What every target is compiled with. Floating point is the language's own, operation by operation: contraction into
 # fused multiply-adds is off everywhere, because a pose must be the same bits on every machine (docs/decisions/0003),
 # and -ffast-math is never used.
+#
+# The target vex_compile_options is what a program that is linked with vex needs too, also in a project of which vex is a
+# subfolder. All else is for this folder and those below it.
+include(CheckCXXCompilerFlag)
+
 add_library(vex_compile_options INTERFACE)
 target_compile_features(vex_compile_options INTERFACE cxx_std_20)
-target_compile_options(vex_compile_options INTERFACE
-  -ffp-contract=off
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion -Wnon-virtual-dtor
-  -Wold-style-cast -Woverloaded-virtual -Wnull-dereference -Wformat=2)
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # GCC 12 sees overlapping copies in the concatenation of strings where there are none (its bug 105329).
-  target_compile_options(vex_compile_options INTERFACE -Wno-restrict)
-endif()
-if(VEX_WARNINGS_AS_ERRORS)
-  target_compile_options(vex_compile_options INTERFACE -Werror)
-endif()
+target_compile_options(vex_compile_options INTERFACE -ffp-contract=off)
 if(VEX_SANITIZE)
   target_compile_options(vex_compile_options INTERFACE
     -fsanitize=${VEX_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(vex_compile_options INTERFACE -fsanitize=${VEX_SANITIZE})
 endif()
 
+add_compile_options(
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion -Wnon-virtual-dtor
+  -Wold-style-cast -Woverloaded-virtual -Wnull-dereference -Wformat=2)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC 12 sees overlapping copies in the concatenation of strings where there are none (its bug 105329).
+  add_compile_options(-Wno-restrict)
+endif()
+if(VEX_WARNINGS_AS_ERRORS)
+  add_compile_options(-Werror)
+endif()
+
+# Source files are named from the root of the repository, in __FILE__ and for debuggers (which find them when started
+# there): what is installed does not tell where it was built.
+check_cxx_compiler_flag(-ffile-prefix-map=/from=/to VEX_HAS_FILE_PREFIX_MAP)
+if(VEX_HAS_FILE_PREFIX_MAP)
+  add_compile_options(-ffile-prefix-map=${PROJECT_SOURCE_DIR}/= -ffile-prefix-map=${PROJECT_BINARY_DIR}=.)
+endif()
+
+# A project of which vex is a subfolder includes <vex/engine/...>, as from an installation.
+foreach(room IN ITEMS engine shapes meshes)
+  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include/vex)
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${room} ${PROJECT_BINARY_DIR}/include/vex/${room} SYMBOLIC)
+endforeach()
+
 # vex_library(NAME sources...): a static library with the options above and an alias vex::NAME.
 function(vex_library name)
   add_library(vex_${name} STATIC ${ARGN})
   add_library(vex::${name} ALIAS vex_${name})
-  target_include_directories(vex_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+  target_include_directories(vex_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+    INTERFACE $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>)
   target_link_libraries(vex_${name} PUBLIC $<BUILD_INTERFACE:vex_compile_options>)
   target_compile_features(vex_${name} PUBLIC cxx_std_20)
   # So that a plugin or a language binding can hold it.
