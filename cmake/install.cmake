@@ -8,7 +8,10 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(vex_installed_programs vex_mesh)
+set(vex_installed_programs)
+if(TARGET vex_mesh)
+  set(vex_installed_programs vex_mesh)
+endif()
 set(vex_installed_rooms engine shapes meshes)
 set(vex_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/vex)
 
@@ -26,7 +29,9 @@ find_program(GZIP_PROGRAM gzip)
 mark_as_advanced(GZIP_PROGRAM)
 
 # --- programs
-install(TARGETS ${vex_installed_programs} RUNTIME COMPONENT programs)
+if(vex_installed_programs)
+  install(TARGETS ${vex_installed_programs} RUNTIME COMPONENT programs)
+endif()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
 install(FILES README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
 include(cmake/man_pages.cmake)
@@ -62,4 +67,6 @@ install(CODE "
 install(FILES docs/derivations.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 install(DIRECTORY docs/decisions DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development FILES_MATCHING PATTERN *.md)
 
-include(cmake/package.cmake)
+if(PROJECT_IS_TOP_LEVEL AND vex_installed_programs)
+  include(cmake/package.cmake)
+endif()
