@@ -9,7 +9,7 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(vex_installed_programs)
-if(TARGET vex_mesh)
+if(VEX_BUILD_PROGRAMS)
   set(vex_installed_programs vex_mesh)
 endif()
 set(vex_installed_rooms engine shapes meshes)
