@@ -4,7 +4,7 @@
 # the first two:
 #   programs      bin/, man pages, share/doc/vex
 #   development   libraries, headers, lib/cmake/vex
-#   licence       share/doc/vex/LICENSE; a Debian package carries it as its own file `copyright`
+#   licence       share/doc/vex/LICENSE and THIRD_PARTY; a Debian package carries both as its own file `copyright`
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -33,6 +33,7 @@ if(vex_installed_programs)
   install(TARGETS ${vex_installed_programs} RUNTIME COMPONENT programs)
 endif()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
+install(FILES cmake/third_party_licenses.txt DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME THIRD_PARTY COMPONENT licence)
 install(FILES README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
 include(cmake/man_pages.cmake)
 

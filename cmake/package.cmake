@@ -47,6 +47,7 @@ string(REGEX REPLACE "^BSD 3-Clause License\n+[^\n]*\n[^\n]*\n+" "" vex_license 
 string(STRIP "${vex_license}" vex_license)
 string(REPLACE "\n\n" "\n.\n" vex_license "${vex_license}")
 string(REPLACE "\n" "\n " vex_license "${vex_license}")
+file(READ cmake/third_party_licenses.txt third_party_licenses)
 file(CONFIGURE OUTPUT ${debian_dir}/copyright @ONLY CONTENT
 "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
 Upstream-Name: vex
@@ -57,7 +58,8 @@ License: BSD-3-clause
 
 License: BSD-3-clause
  @vex_license@
-")
+
+@third_party_licenses@")
 
 set(ENV{SOURCE_DATE_EPOCH} ${vex_source_date})
 set(ENV{LC_ALL} C)

@@ -64,6 +64,13 @@ for package in "$vex" "$dev"; do
   for file in copyright changelog.Debian.gz; do
     grep -qF "./usr/share/doc/$name/$file" "$scratch/files" || fail "$name: no $file"
   done
+  dpkg-deb --fsys-tarfile "$package" | tar -xO "./usr/share/doc/$name/copyright" >"$scratch/copyright"
+  for library in vex CLI11 Random123 nlohmann_json Eigen Boost.Math FCL libccd assimp; do
+    grep -qxE "(Upstream-Name: |Files: )$library(/\*)?" "$scratch/copyright" || fail "$name: no licence of $library"
+  done
+  for license in $(sed -n '/^Files:/,/^$/s/^License: //p' "$scratch/copyright"); do
+    [ "$(grep -A 3 "^License: $license\$" "$scratch/copyright" | grep -c '^ ')" -ge 3 ] || fail "$name: no text of $license"
+  done
   if grep -vE ' (\./|\./usr/((bin|include|lib|share)/(.*)?)?)$' "$scratch/files"; then fail "$name: outside /usr"; fi
 done
 dpkg-deb -x "$vex" "$scratch/root"
