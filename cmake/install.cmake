@@ -2,7 +2,7 @@
 #
 # Components of the installation (cmake --install BUILD --component NAME); cmake/package.cmake makes a package of each of
 # the first two:
-#   programs      bin/, man pages, share/doc/vex
+#   programs      bin/, man pages, documentation in share/doc/vex
 #   development   libraries, headers, lib/cmake/vex
 #   licence       share/doc/vex/LICENSE and THIRD_PARTY; a Debian package carries both as its own file `copyright`
 include(GNUInstallDirs)
@@ -34,7 +34,10 @@ if(vex_installed_programs)
 endif()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
 install(FILES cmake/third_party_licenses.txt DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME THIRD_PARTY COMPONENT licence)
-install(FILES README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
+# The documentation lies as in the repository, so that its links lead on; headers refer to docs/derivations.md.
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs
+  FILES_MATCHING PATTERN *.md PATTERN *.svg)
 include(cmake/man_pages.cmake)
 
 # --- libraries: each room has a targets file of its own, so that who asks for the engine needs none of the others'
@@ -57,7 +60,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/vexConfigVersion.cmake CO
 install(FILES ${PROJECT_BINARY_DIR}/vexConfig.cmake ${PROJECT_BINARY_DIR}/vexConfigVersion.cmake
   DESTINATION ${vex_config_dir} COMPONENT development)
 
-# --- headers, and what their comments refer to
+# --- headers
 install(CODE "
   set(vex_source_dir \"${PROJECT_SOURCE_DIR}\")
   set(vex_rooms ${vex_installed_rooms})
@@ -65,8 +68,6 @@ install(CODE "
   set(vex_include_dir \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}\")
   include(\"${PROJECT_SOURCE_DIR}/cmake/install_headers.cmake\")"
   COMPONENT development)
-install(FILES docs/derivations.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
-install(DIRECTORY docs/decisions DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development FILES_MATCHING PATTERN *.md)
 
 if(PROJECT_IS_TOP_LEVEL AND vex_installed_programs)
   include(cmake/package.cmake)

@@ -36,6 +36,10 @@ prefix=$scratch/"moved to"/prefix
 step "nothing installed names a folder of this machine"
 if grep -rlF -e "$source_dir" -e "$build_dir" -e "$scratch" "$prefix"; then fail "these do"; fi
 
+step "links of the installed documentation lead somewhere"
+[ -f "$prefix/share/doc/vex/docs/derivations.md" ] || fail "the headers refer to docs/derivations.md"
+sh "$source_dir/tests/package/check_links.sh" "$prefix/share/doc/vex" "$source_dir" || fail "dead links"
+
 step "headers are the rooms' own, and include each other as <vex/...>"
 [ "$(ls "$prefix/include")" = vex ] || fail "include/ holds more than vex/"
 (cd "$prefix/include/vex" && find . -name '*.h' | sort) >"$scratch/headers"
