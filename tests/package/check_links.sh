@@ -4,13 +4,13 @@
 #
 #   sh tests/package/check_links.sh DOC_DIR SOURCE_DIR
 set -eu
-doc_dir=$1
 source_dir=$2
+cd -- "$1"
 links=$(mktemp)
 trap 'rm -f "$links"' EXIT
 
 # FILE TARGET, one a line, without code blocks and anchors.
-find "$doc_dir" -name '*.md' -exec awk '
+find . -name '*.md' -exec awk '
   FNR == 1 { fenced = 0 }
   /^```/ { fenced = !fenced }
   fenced || /^    / { next }
@@ -31,11 +31,11 @@ while read -r file target; do
   n_links=$((n_links + 1))
   path=$(dirname "$file")/$target
   if [ -e "$path" ]; then continue; fi
-  below=$(realpath -m --relative-to "$doc_dir" "$path")
+  below=$(realpath -m --relative-to . "$path")
   case $below in
     tests/* | apps/* | engine/* | shapes/* | meshes/* | cmake/*) if [ -e "$source_dir/$below" ]; then continue; fi ;;
   esac
-  printf 'dead link in %s: %s\n' "${file#"$doc_dir"/}" "$target"
+  printf 'dead link in %s: %s\n' "${file#./}" "$target"
   n_dead=$((n_dead + 1))
 done <"$links"
 printf '  %s local links\n' "$n_links"
