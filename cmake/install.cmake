@@ -61,11 +61,15 @@ install(FILES ${PROJECT_BINARY_DIR}/vexConfig.cmake ${PROJECT_BINARY_DIR}/vexCon
   DESTINATION ${vex_config_dir} COMPONENT development)
 
 # --- headers
+set(vex_include_dir "\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}")
+if(IS_ABSOLUTE "${CMAKE_INSTALL_INCLUDEDIR}")
+  set(vex_include_dir "${CMAKE_INSTALL_INCLUDEDIR}")
+endif()
 install(CODE "
   set(vex_source_dir \"${PROJECT_SOURCE_DIR}\")
   set(vex_rooms ${vex_installed_rooms})
   set(vex_staging_dir \"${PROJECT_BINARY_DIR}/install_headers\")
-  set(vex_include_dir \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}\")
+  set(vex_include_dir \"${vex_include_dir}\")
   include(\"${PROJECT_SOURCE_DIR}/cmake/install_headers.cmake\")"
   COMPONENT development)
 
