@@ -15,7 +15,8 @@ endif()
 set(vex_installed_rooms engine shapes meshes)
 set(vex_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/vex)
 
-# The date in man pages and packages is that of the sources, so that the same sources give the same bytes.
+# The date in man pages and packages, and of the packages' files, is that of the sources: made again from the same build,
+# they are the same bytes (tests/package/deb_test.sh).
 set(vex_source_date $ENV{SOURCE_DATE_EPOCH})
 if(NOT vex_source_date)
   execute_process(COMMAND git log -1 --format=%ct WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}

@@ -25,6 +25,14 @@ then
   cat "$scratch/log"
   fail "cpack"
 fi
+
+step "packages made again are the same bytes"
+mkdir "$scratch/again"
+# Under the same umask, which CPack gives the archive's own members.
+(cd "$scratch/again" && umask 077 && "$cpack" -G DEB -B "$scratch/again" --config "$build_dir/CPackConfig.cmake") >"$scratch/log" 2>&1 ||
+  fail "cpack"
+for package in "$scratch"/*.deb; do cmp "$package" "$scratch/again/$(basename "$package")" || fail "they differ"; done
+
 architecture=$(dpkg --print-architecture)
 vex=$scratch/vex_$version-1_$architecture.deb
 dev=$scratch/libvex-dev_$version-1_$architecture.deb
