@@ -76,6 +76,27 @@ configure engine_only -DCONSUMER_ENGINE_ONLY=ON -DCMAKE_DISABLE_FIND_PACKAGE_ass
   -DCMAKE_DISABLE_FIND_PACKAGE_Qhull=ON
 if (configure broken -DCMAKE_DISABLE_FIND_PACKAGE_assimp=ON) >/dev/null; then fail "meshes do without assimp"; fi
 
+step "an unknown component is named"
+mkdir "$scratch/typo"
+cat >"$scratch/typo/CMakeLists.txt" <<'PROJECT'
+cmake_minimum_required(VERSION 3.25)
+project(typo LANGUAGES CXX)
+find_package(vex 0.1 REQUIRED COMPONENTS engine OPTIONAL_COMPONENTS later)
+if(vex_later_FOUND OR NOT vex_engine_FOUND)
+  message(FATAL_ERROR "optional components")
+endif()
+find_package(vex 0.1 QUIET COMPONENTS mesh)
+if(vex_FOUND)
+  message(FATAL_ERROR "mesh was found")
+endif()
+find_package(vex 0.1 REQUIRED COMPONENTS mesh)
+PROJECT
+if "$cmake" -C "$cache" -G "$generator" -S "$scratch/typo" -B "$scratch/typo/build" -Dvex_ROOT="$prefix" >"$scratch/log" 2>&1 ||
+  ! grep -q 'no component "mesh"' "$scratch/log"; then
+  cat "$scratch/log"
+  fail "find_package(vex COMPONENTS mesh)"
+fi
+
 step "a project with all of it builds"
 configure all
 quietly "$cmake" --build "$scratch/all" --parallel 2
