@@ -76,6 +76,7 @@ for package in "$vex" "$dev"; do
   for library in vex CLI11 Random123 nlohmann_json Eigen Boost.Math FCL libccd assimp; do
     grep -qxE "(Upstream-Name: |Files: )$library(/\*)?" "$scratch/copyright" || fail "$name: no licence of $library"
   done
+  # shellcheck disable=SC2013  # licence names have no blanks
   for license in $(sed -n '/^Files:/,/^$/s/^License: //p' "$scratch/copyright"); do
     [ "$(grep -A 3 "^License: $license\$" "$scratch/copyright" | grep -c '^ ')" -ge 3 ] || fail "$name: no text of $license"
   done
