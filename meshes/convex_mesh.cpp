@@ -1,9 +1,12 @@
 #include "meshes/convex_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
@@ -175,24 +178,44 @@ ConvexMesh finished(Body body, const MeshOptions& options, Triangles mesh, std::
   return result;
 }
 
+/// The volume that each part of a closed surface encloses, negative where it is inside out; by the part's first vertex.
+/// Rounded: for comparing parts with each other.
+std::map<std::uint32_t, double> volume_of_each_part(const PolygonSurface& surface, const Triangles& triangles) {
+  const std::vector<std::uint32_t> component = component_of_each_vertex(surface);
+  std::map<std::uint32_t, double> volumes;
+  for (const auto& [a, b, c] : triangles.corners) {
+    const Vec3d base = surface.vertices[component[a]];
+    volumes[component[a]] +=
+        dot(surface.vertices[a] - base, cross(surface.vertices[b] - base, surface.vertices[c] - base)) / 6.0;
+  }
+  return volumes;
+}
+
 /// What the file's faces enclose, if that is defined.
 void compare_volumes(const PolygonSurface& surface, const Body& body, Triangles* mesh, MeshReport* report) {
+  const auto not_defined = [report](const std::string& why) {
+    report->hull_added_volume = std::nullopt;
+    report->notes.push_back("how much volume the hull added is not defined: " + why);
+  };
   HalfEdgePairs pairs = half_edge_pairs(surface);
   if (!pairs.problem.empty()) {
-    report->hull_added_volume = std::nullopt;
-    report->notes.push_back("how much volume the hull added is not defined: " + pairs.problem);
+    not_defined(pairs.problem);
     return;
   }
   *mesh = fan_triangles(surface, pairs.mates);
-  report->hull_added_volume = added_volume(body.solid, volume_and_centroid(*mesh));
-  if (const std::size_t n_surfaces = number_of_components(surface); n_surfaces > 1) {
-    report->notes.push_back("the file's " + std::to_string(n_surfaces) +
-                            " surfaces share no vertex: the volumes that they enclose were added as they stand to say "
-                            "how much the hull added");
+  const std::map<std::uint32_t, double> parts = volume_of_each_part(surface, *mesh);
+  const std::string n_surfaces = std::to_string(parts.size()) + " surfaces share no vertex";
+  const auto [least, most] = std::ranges::minmax(parts | std::views::values);
+  if (least < 0.0 && most > 0.0) {
+    not_defined("the file's " + n_surfaces + ", and some of them are inside out, as parts or as cavities");
+    return;
   }
+  report->hull_added_volume = added_volume(body.solid, volume_and_centroid(*mesh));
   if (*report->hull_added_volume < 0.0) {
-    report->notes.emplace_back(
-        "the file's surfaces overlap or wind several times: together they enclose more than the hull");
+    not_defined("the file's surfaces overlap or wind several times: together they enclose more than the hull");
+  } else if (parts.size() > 1) {
+    report->notes.push_back("the file's " + n_surfaces + ": the volumes that they enclose were added as they stand, " +
+                            "as if none overlapped, to say how much the hull added");
   }
 }
 

@@ -46,9 +46,10 @@ struct MeshReport {
   /// for and added volume.
   std::optional<double> reflex_depth = 0.0;
 
-  /// The hull's volume less the mesh's, which for several closed surfaces is the magnitude of their signed volumes' sum
-  /// as they stand; 0 where the mesh is convex as it is. Nothing where the file's faces enclose no defined volume, that
-  /// is unless each edge is shared by exactly two of them and runs in opposite directions in them; a note says why.
+  /// The hull's volume less the mesh's, which for several closed surfaces is the sum of theirs, as if none overlapped;
+  /// 0 where the mesh is convex as it is. Nothing, and a note says why, where the file's faces enclose no defined
+  /// volume: where an edge is not shared by exactly two of them that run oppositely along it, where some parts are
+  /// inside out and others are not, or where together they enclose more than the hull.
   std::optional<double> hull_added_volume = 0.0;
 
   std::vector<std::string> notes;  // for the user to read

@@ -16,9 +16,9 @@ namespace vex {
 /// Triangles that are convex exactly, every one with area, and above which no point lies. A point in a facet or an edge
 /// may be a corner of triangles or not. The points are joined one after another to a tetrahedron of four of them, by
 /// flips (Edelsbrunner and Shah, "Incremental topological flipping works for regular triangulations", Algorithmica 15,
-/// 1996), and every sign is exact (exact_sign.h, which says what coordinates may be). Time is near-linear; memory beyond
-/// the points is 56 bytes for each, and 48 more for each that is a corner. Nothing where all points lie in one plane, or
-/// so near to one that no point inside is a vertex and a step in double from it.
+/// 1996), and every sign is exact (exact_sign.h, which says what coordinates may be). Time is near-linear; memory
+/// beyond the points is 56 bytes for each, and 48 more for each that is a corner. Nothing where all points lie in one
+/// plane, or so near to one that no point inside is a vertex and a step in double from it.
 std::optional<Triangles> exact_hull(std::span<const Vec3d> points);
 
 }  // namespace vex

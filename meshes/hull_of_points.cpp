@@ -82,11 +82,11 @@ int dimension_of(std::span<const Vec3d> points) {
     throw InputError("no convex hull could be made of the points (they are too near to one plane, " +
                      point_text(points.front()) + " among them) - for a flat body use plate:A,B or disc:R");
   }
-  const std::string flat = dimension == 0   ? "are one point"
-                           : dimension == 1 ? "lie on one straight line"
-                                            : "lie in one plane";
-  throw InputError("the points span no volume (all " + std::to_string(points.size()) + " of them " + flat +
-                   ", the first is " + point_text(points.front()) +
+  const std::string all = "all " + std::to_string(points.size()) + " of them lie ";
+  const std::string flat = dimension == 0   ? "all of them are one point"
+                           : dimension == 1 ? all + "on one straight line"
+                                            : all + "in one plane";
+  throw InputError("the points span no volume (" + flat + ", the first is " + point_text(points.front()) +
                    ") - for a flat body use plate:A,B or disc:R, for a straight line needle:L");
 }
 

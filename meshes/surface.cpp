@@ -16,30 +16,6 @@ std::string edge_text(const PolygonSurface& surface, std::uint32_t a, std::uint3
   return "the edge from " + point_text(surface.vertices[a]) + " to " + point_text(surface.vertices[b]);
 }
 
-/// For each vertex the least of those that faces connect it with (union by least, with path halving).
-std::vector<std::uint32_t> component_of_each_vertex(const PolygonSurface& surface) {
-  std::vector<std::uint32_t> parent(surface.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&parent](std::uint32_t v) {
-    while (parent[v] != v) {
-      parent[v] = parent[parent[v]];
-      v = parent[v];
-    }
-    return v;
-  };
-  for (std::size_t f = 0; f < surface.n_faces(); ++f) {
-    for (const std::uint32_t corner : surface.face(f)) {
-      const std::uint32_t a = root(corner);
-      const std::uint32_t b = root(surface.face(f).front());
-      parent[std::max(a, b)] = std::min(a, b);
-    }
-  }
-  for (std::uint32_t v = 0; v < parent.size(); ++v) {
-    parent[v] = root(v);
-  }
-  return parent;
-}
-
 void check_one_component(const PolygonSurface& surface) {
   const std::vector<std::uint32_t> component = component_of_each_vertex(surface);
   std::size_t n_components = 0;
@@ -200,17 +176,28 @@ HalfEdgePairs half_edge_pairs(const PolygonSurface& surface) {
   return pairs;
 }
 
-std::size_t number_of_components(const PolygonSurface& surface) {
-  const std::vector<std::uint32_t> component = component_of_each_vertex(surface);
-  std::vector<bool> has_a_face(component.size(), false);
-  std::size_t n_components = 0;
-  for (const std::uint32_t corner : surface.corners) {
-    if (!has_a_face[component[corner]]) {
-      has_a_face[component[corner]] = true;
-      ++n_components;
+/// Union by least, with path halving.
+std::vector<std::uint32_t> component_of_each_vertex(const PolygonSurface& surface) {
+  std::vector<std::uint32_t> parent(surface.vertices.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&parent](std::uint32_t v) {
+    while (parent[v] != v) {
+      parent[v] = parent[parent[v]];
+      v = parent[v];
+    }
+    return v;
+  };
+  for (std::size_t f = 0; f < surface.n_faces(); ++f) {
+    for (const std::uint32_t corner : surface.face(f)) {
+      const std::uint32_t a = root(corner);
+      const std::uint32_t b = root(surface.face(f).front());
+      parent[std::max(a, b)] = std::min(a, b);
     }
   }
-  return n_components;
+  for (std::uint32_t v = 0; v < parent.size(); ++v) {
+    parent[v] = root(v);
+  }
+  return parent;
 }
 
 std::vector<std::uint32_t> checked_half_edges(const PolygonSurface& surface) {

@@ -41,7 +41,7 @@ struct HalfEdgePairs {
 };
 HalfEdgePairs half_edge_pairs(const PolygonSurface& surface);
 
-/// Into how many parts that share no vertex the faces fall.
-std::size_t number_of_components(const PolygonSurface& surface);
+/// For each vertex the least of those that faces connect it with: the name of its part.
+std::vector<std::uint32_t> component_of_each_vertex(const PolygonSurface& surface);
 
 }  // namespace vex

@@ -182,6 +182,7 @@ MeasuredBody parse_shape(std::string_view text, double scale) {
   }
   std::vector<double> sizes;
   std::string_view rest = text.substr(std::min(name.size() + 1, text.size()));
+  if (rest.empty()) refuse_count(0, text, entry->shape);
   while (true) {
     const std::size_t comma = rest.find(',');
     sizes.push_back(size_in_range(parse_size(rest.substr(0, comma), text) * scale, text));

@@ -11,6 +11,9 @@
 
 #include <exception>
 #include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "engine/numeric/errors.h"
@@ -72,14 +75,29 @@ Geometry primitive_of(const ConvexBody& body) {
 
 bool takes(const ConvexBody& body) { return body.target<Polytope>() != nullptr || primitive_of(body) != nullptr; }
 
-Geometry geometry_of(const ConvexBody& body) {
-  if (const auto* const polytope = body.target<Polytope>()) return convex_of(*polytope);
-  return primitive_of(body);
-}
+// The facets of a large hull take seconds to find: once for all threads that ask. Holds the bodies, so that a
+// polytope's address stays its own.
+class Geometries {
+ public:
+  Geometry of(const ConvexBody& body) {
+    const auto* const polytope = body.target<Polytope>();
+    if (polytope == nullptr) return primitive_of(body);
+    const std::lock_guard lock(mutex_);
+    for (const auto& [known, geometry] : known_) {
+      if (known.target<Polytope>() == polytope) return geometry;
+    }
+    known_.emplace_back(body, convex_of(*polytope));
+    return known_.back().second;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::pair<ConvexBody, Geometry>> known_;
+};
 
 class FclBackend final : public OverlapBackend {
  public:
-  FclBackend(const ConvexBody& a, const ConvexBody& b) : a_(geometry_of(a)), b_(geometry_of(b)) {
+  FclBackend(Geometry a, Geometry b) : a_(std::move(a)), b_(std::move(b)) {
     VEX_EXPECT(a_ != nullptr && b_ != nullptr);
   }
 
@@ -111,7 +129,11 @@ class FclBackend final : public OverlapBackend {
 }  // namespace
 
 BackendKind fcl_backend() {
-  return {"fcl", true, [](const ConvexBody& a, const ConvexBody& b) { return std::make_unique<FclBackend>(a, b); },
+  const auto geometries = std::make_shared<Geometries>();
+  return {"fcl", true,
+          [geometries](const ConvexBody& a, const ConvexBody& b) {
+            return std::make_unique<FclBackend>(geometries->of(a), geometries->of(b));
+          },
           takes};
 }
 

@@ -92,6 +92,7 @@ std::string cross_check_text(const MeshRun& run) {
   const FirstOf<Disagreement>& found = run.record.disagreements;
   std::string text = "\nCross-check";
   for (const std::string& name : names) text += " " + name;
+  if (names.size() == 1) text += " (alone: nothing to compare with)";
   text += ": " + std::to_string(found.n_all) + " of " + std::to_string(run.record.tally.n_trials) + " poses disputed\n";
   for (std::size_t k = 1; k < names.size(); ++k) {
     if (const std::uint64_t n = run.record.n_undecided_by_check[k - 1]; n > 0) {
@@ -109,6 +110,23 @@ std::string cross_check_text(const MeshRun& run) {
     text += "\n";
   }
   if (found.n_all > kShown) text += "   ... --json lists the first " + std::to_string(found.kept.size()) + "\n";
+  return text;
+}
+
+// What z says.
+std::string verdict_on(const MeshRun& run) {
+  const Tally& tally = run.record.tally;
+  const double undecided = static_cast<double>(tally.n_undecided) / static_cast<double>(tally.n_trials);
+  if (0.5 * undecided * run.domain.volume > 0.5 * run.estimate->std_error) {
+    return "nothing is compared, for " + short_number(100.0 * undecided, 3) +
+           " % of the trials are undecided, and that is most of the error";
+  }
+  std::string text = std::fabs(*run.z) <= run.options.max_z
+                         ? "they agree"
+                         : "THEY DISAGREE (more than --max-z " + short_number(run.options.max_z) + ")";
+  if (const std::uint64_t fewest = std::min(tally.n_hits, tally.n_misses()); fewest < kMinHitsAndMisses) {
+    text += ", but " + std::to_string(fewest) + (tally.n_hits == fewest ? " hits" : " misses") + " say little";
+  }
   return text;
 }
 
@@ -202,25 +220,24 @@ std::string report_text(const MeshRun& run) {
     text +=
         "   hits / trials                     " + std::to_string(tally.n_hits) + " / " + std::to_string(tally.n_trials);
     if (tally.n_undecided > 0) text += ", undecided " + std::to_string(tally.n_undecided);
-    text += "\n   decided by                        " + decided_by_text(tally) + "\n";
+    text += "\n";
+    if (tally.n_undecided < tally.n_trials)
+      text += "   decided by                        " + decided_by_text(tally) + "\n";
   }
   text += "   " + short_number(run.record.seconds, 3) + " s on " + std::to_string(run.options.n_threads) +
           (run.options.n_threads == 1 ? " thread, " : " threads, ") +
           short_count(static_cast<double>(tally.n_trials) / run.record.seconds) + " trials/s";
   if (run.record.stopped_by == StopReason::interrupted) text += " - interrupted: this is what was done until then";
+  if (run.record.stopped_by == StopReason::undecided) {
+    text += " - incomplete: undecided trials alone keep the error above what was asked for";
+  }
   if (run.record.stopped_by == StopReason::max_trials) text += " - incomplete: --max-trials was reached first";
   text += "\n";
   if (run.options.is_cross_check) text += cross_check_text(run);
 
   if (run.z) {
     text += "\nz = " + short_number(*run.z, 3) + " standard errors between Monte Carlo and formula: ";
-    text += std::fabs(*run.z) <= run.options.max_z
-                ? "they agree"
-                : "THEY DISAGREE (more than --max-z " + short_number(run.options.max_z) + ")";
-    if (const std::uint64_t fewest = std::min(tally.n_hits, tally.n_misses()); fewest < kMinHitsAndMisses) {
-      text += ", but " + std::to_string(fewest) + (tally.n_hits == fewest ? " hits" : " misses") + " say little";
-    }
-    text += "\n";
+    text += verdict_on(run) + "\n";
   } else {
     text += "\nz: none - " + run.z_reason + "\n";
   }

@@ -57,10 +57,21 @@ bool aligned_difference_is_flat(const ConvexBody& a, const ConvexBody& b) {
   return false;
 }
 
+bool hits_by_construction(const ConvexBody& a, const ConvexBody& b, const Domain& domain) {
+  const auto is_ball = [](const ConvexBody& body) {
+    return body.inradius() >= body.circumradius() * (1.0 - gamma(16));
+  };
+  return domain.kind == Domain::Kind::ball && is_ball(a) && is_ball(b);
+}
+
 Domain best_domain(const ConvexBody& a, const ConvexBody& b) {
   const Domain ball = ball_domain(a, b);
   const Domain box = box_domain(a, b);
-  return box.volume < ball.volume ? box : ball;
+  // Of near-balls nearly every trial in the ball hits, and the misses that an error is taken from do not come.
+  constexpr double kFewestMisses = 1e-3;
+  const double inner = (a.inradius() + b.inradius()) / ball.radius;
+  const bool lacks_misses = inner * inner * inner > 1.0 - kFewestMisses && !hits_by_construction(a, b, ball);
+  return box.volume < ball.volume || lacks_misses ? box : ball;
 }
 
 }  // namespace vex

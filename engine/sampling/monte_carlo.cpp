@@ -11,7 +11,6 @@
 
 #include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
-#include "engine/numeric/rounding.h"
 #include "engine/sampling/random_stream.h"
 #include "engine/scene/quick_verdict.h"
 
@@ -138,7 +137,11 @@ class TrialRunner {
 class Run {
  public:
   Run(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings)
-      : a_(a), b_(b), settings_(settings), certain_(hits_by_construction(a, b, settings.domain)) {
+      : a_(a),
+        b_(b),
+        settings_(settings),
+        certain_(hits_by_construction(a, b, settings.domain)),
+        is_only_rule_(settings.stop.relative_error && !settings.stop.trials && !settings.stop.seconds) {
     record_.n_undecided_by_check.assign(settings.cross_check.size(), 0);
     set_next_evaluation();
   }
@@ -193,7 +196,8 @@ class Run {
   void stop(StopReason reason) {
     stopped_ = true;
     record_.stopped_by = reason;
-    record_.complete = reason != StopReason::interrupted && reason != StopReason::max_trials;
+    record_.complete =
+        reason == StopReason::trials || reason == StopReason::relative_error || reason == StopReason::seconds;
     changed_.notify_all();
     ended_.notify_all();
   }
@@ -202,6 +206,8 @@ class Run {
   void evaluate() {
     if (settings_.stop.relative_error && reaches(*settings_.stop.relative_error, record_.tally, certain_)) {
       stop(StopReason::relative_error);
+    } else if (is_only_rule_ && is_out_of_reach(*settings_.stop.relative_error, record_.tally)) {
+      stop(StopReason::undecided);
     } else if (round_end_ == trial_limit()) {
       const bool as_asked = settings_.stop.trials && *settings_.stop.trials <= settings_.stop.max_trials;
       stop(as_asked ? StopReason::trials : StopReason::max_trials);
@@ -276,6 +282,7 @@ class Run {
   const ConvexBody& b_;
   const MonteCarloSettings& settings_;
   const bool certain_;
+  const bool is_only_rule_;  // the relative error: where it cannot be reached, nothing else ends the run
   const Clock::time_point start_ = Clock::now();
 
   std::mutex mutex_;                 // guards all below; taken once a block, not once a trial
@@ -289,13 +296,6 @@ class Run {
 };
 
 }  // namespace
-
-bool hits_by_construction(const ConvexBody& a, const ConvexBody& b, const Domain& domain) {
-  const auto is_ball = [](const ConvexBody& body) {
-    return body.inradius() >= body.circumradius() * (1.0 - gamma(16));
-  };
-  return domain.kind == Domain::Kind::ball && is_ball(a) && is_ball(b);
-}
 
 RunRecord run_hit_or_miss(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings) {
   VEX_EXPECT(settings.n_threads >= 1);

@@ -67,10 +67,6 @@ struct RunRecord {
   std::vector<std::uint64_t> n_undecided_by_check;  // of each backend in `cross_check`
 };
 
-/// Whether every trial hits by construction: two balls about their centres (to rounding, as a rounded ball is), in the
-/// ball of their radii.
-bool hits_by_construction(const ConvexBody& a, const ConvexBody& b, const Domain& domain);
-
 /// Draws trials 0, 1, 2, ... of (seed, Stream::pose) until the stop rule ends the run, and counts.
 ///
 /// The tally depends on the bodies, seed, law, domain, backend and number of trials only; never on threads. Exceptions

@@ -23,6 +23,7 @@ enum class StopReason {
   relative_error,  // as small as asked for
   seconds,         // as long as asked for
   max_trials,      // given up: incomplete
+  undecided,       // given up: undecided trials alone keep the error above what was asked for: incomplete
   interrupted,     // by the user: incomplete
 };
 
@@ -32,6 +33,7 @@ constexpr std::string_view name_of(StopReason reason) {
     case StopReason::relative_error: return "rel-error";
     case StopReason::seconds: return "seconds";
     case StopReason::max_trials: return "max-trials";
+    case StopReason::undecided: return "undecided";
     case StopReason::interrupted: break;
   }
   return "interrupted";
@@ -54,6 +56,16 @@ inline bool reaches(double relative_error, const Tally& tally, bool certain) {
   if (tally.n_hits < kMinHitsAndMisses) return false;
   if (!certain && tally.n_misses() < kMinHitsAndMisses) return false;
   return hit_or_miss_estimate(tally, 1.0).relative_error() <= relative_error;
+}
+
+/// Whether undecided trials alone keep the relative error above the one asked for, however many trials follow: half of
+/// their share is part of the standard error (hit_or_miss_estimate). Six standard deviations sure.
+inline bool is_out_of_reach(double relative_error, const Tally& tally) {
+  constexpr double kSure = 6.0;
+  if (tally.n_undecided == 0) return false;
+  const double least_share = wilson_interval(tally.n_undecided, tally.n_trials, kSure).lower;
+  const double most_hits = wilson_interval(tally.n_hits + tally.n_undecided, tally.n_trials, kSure).upper;
+  return 0.5 * least_share > relative_error * most_hits;
 }
 
 }  // namespace vex

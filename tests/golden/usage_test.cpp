@@ -126,7 +126,7 @@ TEST_F(Usage, ABodyThatDoesNotExist) {
   expect_wrong({"rounded:0.1,spher:1"}, "no body of this name (spher:1)");
   expect_wrong({"rounded:wide,sphere:1"}, "not a number (\"wide\"");
   expect_wrong({"frustum:1,2"}, "frustum:H,R1,R2");
-  expect_wrong({"box:"}, "not a number");
+  expect_wrong({"box:"}, "wrong number of sizes (0 in box:) - write box:A,B,C");
   expect_wrong({"box:1,2"}, "wrong number of sizes (2 in box:1,2) - write box:A,B,C");
   expect_wrong({"box:1,2,3,4"}, "wrong number of sizes (4");
   expect_wrong({"sphere:1,2"}, "wrong number of sizes");
@@ -141,7 +141,8 @@ TEST_F(Usage, ScalesAndVerticesThatMeanNothing) {
   for (const char* word : {"0", "-2", "nan", "inf", "large", "1e400"}) {
     expect_wrong({"box:1,1,1", "--scale", word}, std::string("\"") + word + "\" for --scale");
   }
-  expect_wrong({"sphere:1", "capsule:1,1", "--dump-vertices"}, "not a polytope, so it has no vertices to list (sphere:1)");
+  expect_wrong({"sphere:1", "capsule:1,1", "--dump-vertices"},
+               "not a polytope, so it has no vertices to list (sphere:1)");
   expect_refusal(run({"disc:1", "--unit-volume"}), 3, "no volume to scale to 1 (disc:1)");
   expect_refusal(run({"box:1,1,1", "needle:1", "--unit-volume"}), 3, "no volume to scale to 1 (needle:1)");
   expect_refusal(run({"box:1,1,1", "--scale", "1e46"}), 3, "out of range");

@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
+#include <set>
+#include <string>
 
 #include "shapes/any_shape.h"
 #include "tests/referees/bodies.h"
@@ -14,21 +15,15 @@ namespace vex {
 namespace {
 
 TEST(FclBackend, TakesItsOwnShapesAndPolytopes) {
-  const std::map<std::string, bool> expected = {
-      {"sphere", true},      {"box", true},          {"ellipsoid", true},   {"capsule", true},
-      {"cylinder", true},    {"cone", true},         {"plate", true},       {"tetrahedron", true},
-      {"octahedron", true},  {"dodecahedron", true}, {"icosahedron", true}, {"frustum", false},
-      {"hemisphere", false}, {"disc", false},        {"needle", false},     {"rounded", false}};
-  std::size_t n_kinds = 0;
-  for (const auto& [kind, taken] : expected) {
-    for (const char* text : kTestBodies) {
-      const MeasuredBody shape = parse_shape(text);
-      if (shape.kind != kind) continue;
-      EXPECT_EQ(fcl_backend().takes(shape.body), taken) << text;
-      ++n_kinds;
-    }
+  const std::set<std::string> own = {"sphere", "box", "ellipsoid", "capsule", "cylinder", "cone", "plate"};
+  std::size_t n_taken = 0;
+  for (const char* text : kTestBodies) {
+    const MeasuredBody shape = parse_shape(text);
+    const bool is_solid_polytope = !vertices_of(shape.body).empty() && shape.measures.volume > 0.0;
+    EXPECT_EQ(fcl_backend().takes(shape.body), own.contains(shape.kind) || is_solid_polytope) << text;
+    n_taken += fcl_backend().takes(shape.body) ? 1U : 0U;
   }
-  EXPECT_EQ(n_kinds, kTestBodies.size());
+  EXPECT_GE(n_taken, own.size() + 4);
 }
 
 TEST(FclBackend, HasEveryBodyWhereTheEngineHasIt) {

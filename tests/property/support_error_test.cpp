@@ -3,6 +3,7 @@
 // every length that a query uses, and those where a body's rims, faces and edges tie.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <functional>
@@ -103,6 +104,17 @@ std::vector<Formula> formulas() {
           rounded_box("needle:2", 0, 0, 0, 1),
           rounded_box("rounded:0.2,plate:1,0.8", 0.2, 0.5, 0.4, 0),
           rounded_box("rounded:1e-7,box:3,2,1", 1e-7, 1.5, 1, 0.5)};
+}
+
+TEST(SupportErrors, EveryKindOfBodyHasItsFormulaHere) {
+  const std::vector<Formula> all = formulas();
+  for (const NamedShape& shape : named_shapes()) {
+    const std::string prefix = std::string(shape.name) + ":";
+    const bool is_polyhedron = shape.name.ends_with("hedron");  // vertices of a Polytope: polytope_test
+    EXPECT_TRUE(is_polyhedron ||
+                std::ranges::any_of(all, [&](const Formula& formula) { return formula.text.rfind(prefix, 0) == 0; }))
+        << "what " << shape.name << " claims of its rounding is not tested";
+  }
 }
 
 class SupportError : public testing::TestWithParam<Formula> {

@@ -259,7 +259,7 @@ TEST(HullOfPoints, WithoutVolumeIsRefusedAndSaysWhatToUse) {
   }
   EXPECT_TRUE(contains(message_for(plane), "all 1000 of them lie in one plane"));
   EXPECT_TRUE(contains(message_for(line), "all 1000 of them lie on one straight line"));
-  EXPECT_TRUE(contains(message_for({{1, 2, 3}, {1, 2, 3}}), "all 1 of them are one point"));
+  EXPECT_TRUE(contains(message_for({{1, 2, 3}, {1, 2, 3}}), "all of them are one point"));
   EXPECT_TRUE(contains(message_for({}), "no points"));
   for (const char* advice : {"plate:A,B", "disc:R", "needle:L"}) {
     EXPECT_TRUE(contains(message_for(plane), advice));
