@@ -55,7 +55,12 @@ std::vector<Pair> pairs() {
           both_of("plates 1e-6:1:1", shape("box:1e-6,1,1")),
           both_of("needles 64:1:1", shape("box:64,1,1")),
           both_of("ellipsoids 1000:1:1", shape("ellipsoid:1000,1,1")),
-          {"cube and box 1e6:1:1", shape("box:1,1,1"), shape("box:1e6,1,1")}};
+          both_of("cones H=1 R=.5", shape("cone:1,.5")),
+          both_of("cylinders L=.1 R=1", shape("cylinder:.1,1")),
+          both_of("discs, flat", shape("disc:1")),
+          {"disc and needle", shape("disc:1"), shape("needle:2")},
+          {"cube and box 1e6:1:1", shape("box:1,1,1"), shape("box:1e6,1,1")},
+          {"sphere 1e-6 and needle", shape("sphere:1e-6"), shape("needle:1")}};
 }
 
 }  // namespace
@@ -66,7 +71,7 @@ int main() {
   std::printf("%-22s %10s %10s %10s\n", "undecided width/reach", "median", "99 %", "widest");
   for (const Pair& pair : pairs()) {
     std::mt19937_64 random(5);
-    const double longest = 1.01 * ball_domain(pair.a, pair.b).radius;
+    const double longest = 1.01 * (pair.a.reach() + pair.b.reach());
     std::vector<double> widths;
     for (int k = 0; k < 2000; ++k) widths.push_back(undecided_width(pair, longest, random));
     std::sort(widths.begin(), widths.end());
