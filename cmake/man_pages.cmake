@@ -13,8 +13,10 @@ foreach(program IN LISTS vex_installed_programs)
   add_custom_command(OUTPUT ${page}.gz
     COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/man
     COMMAND ${CMAKE_COMMAND} -E env SOURCE_DATE_EPOCH=${vex_source_date} LC_ALL=C
-      ${HELP2MAN_PROGRAM} --no-info --include=${more} --output=${page} $<TARGET_FILE:${program}>
+      ${HELP2MAN_PROGRAM} --no-info --include=${more} --output=${page} ./$<TARGET_FILE_NAME:${program}>
     COMMAND ${GZIP_PROGRAM} -9nkf ${page}
+    # From its folder: help2man takes no blank in the program's path.
+    WORKING_DIRECTORY $<TARGET_FILE_DIR:${program}>
     DEPENDS ${program} ${more}
     COMMENT "Man page of ${program}"
     VERBATIM)
