@@ -2,7 +2,7 @@
 // `cross-check` asks every backend of this build about the same poses and prints each pose on which they differ.
 //
 //   vex_every_pair table > docs/every_pair.md
-//   vex_every_pair cross-check > docs/cross_check.md
+//   vex_every_pair cross-check --poses 1 > docs/cross_check.md
 //
 // The output is Markdown. Exit code 4 where a pair of the table is off by more than 4.5 standard errors, or where exact
 // arithmetic contradicts a verdict of the engine.
@@ -182,7 +182,7 @@ bool is_contradicted(const ConvexBody& a, const ConvexBody& b, const Disagreemen
   return exact::overlap(p, exact::placed(q, found.a_from_b)) != (found.outcomes[0] == Outcome::overlap);
 }
 
-int print_cross_check(std::uint64_t n_trials, int n_threads) {
+int print_cross_check(std::uint64_t n_trials, std::uint64_t most_poses, int n_threads) {
   const std::vector<Kind> kinds = all_kinds();
   const std::vector<BackendKind> peers = peer_backends();
   std::vector<Against> totals(peers.size());
@@ -213,6 +213,7 @@ int print_cross_check(std::uint64_t n_trials, int n_threads) {
         against[of_check[c]].takes_part = true;
         against[of_check[c]].n_given_up = record.n_undecided_by_check[c];
       }
+      std::uint64_t n_listed = 0;
       for (const Disagreement& found : record.disagreements.kept) {
         std::string who;
         for (std::size_t c = 0; c < of_check.size(); ++c) {
@@ -227,13 +228,15 @@ int print_cross_check(std::uint64_t n_trials, int n_threads) {
           ++n_contradicted;
           who += " - EXACT ARITHMETIC CONTRADICTS THE ENGINE";
         }
+        if (n_listed == most_poses) continue;
+        ++n_listed;
         poses += "- " + kinds[i].name + " · " + kinds[j].name + ", trial " + std::to_string(found.index) +
                  ": the engine proves " + std::string(name_of(found.outcomes[0])) + ", against" + who + "  \n  `" +
                  pose_text(found.a_from_b) + "`\n";
       }
-      if (record.disagreements.n_all > record.disagreements.kept.size()) {
+      if (record.disagreements.n_all > n_listed) {
         poses += "- " + kinds[i].name + " · " + kinds[j].name + ": " + std::to_string(record.disagreements.n_all) +
-                 " in all, of which the first " + std::to_string(record.disagreements.kept.size()) + " are listed\n";
+                 " in all\n";
       }
       table += "| " + kinds[i].name + " | " + kinds[j].name + " | " + std::to_string(record.tally.n_undecided) + " |";
       for (std::size_t k = 0; k < peers.size(); ++k) {
@@ -250,7 +253,8 @@ int print_cross_check(std::uint64_t n_trials, int n_threads) {
                    static_cast<unsigned long long>(record.disagreements.n_all), record.seconds);
     }
   }
-  std::cout << "# Who disagrees with whom\n\nMade by `vex_every_pair cross-check` (build/release/bin after `sh "
+  std::cout << "# Who disagrees with whom\n\nMade by `vex_every_pair cross-check --poses " << most_poses
+            << "` (build/release/bin after `sh "
             << "tests/run`), " << short_number(static_cast<double>(n_trials), 3) << " random poses of each of "
             << n_pairs << " pairs of body kinds, seed 1, centre of B uniform in the ball of the circumradii; "
             << "every backend on the same poses. The engine left " << n_undecided << " of "
@@ -267,7 +271,7 @@ int print_cross_check(std::uint64_t n_trials, int n_threads) {
     std::cout << " " << one.n_missed << " / " << one.n_invented << " / " << one.n_given_up << " |";
   }
   std::cout << "\n\n## The poses\n\nB's pose in A's frame as `--matrix` of the interface writes it, r11, r12, ... r33, "
-            << "tx, ty, tz, in hexadecimal.\n\n"
+            << "tx, ty, tz, in hexadecimal; of each pair at most " << most_poses << ".\n\n"
             << (poses.empty() ? "None.\n" : poses);
   return n_contradicted == 0 ? kSuccess : kDisagreement;
 }
@@ -277,7 +281,7 @@ int print_cross_check(std::uint64_t n_trials, int n_threads) {
 
 int main(int argc, char** argv) {
   CLI::App app("Every kind of body with every other, as Markdown.", "vex_every_pair");
-  std::string what, relative_error = "1e-3", trials = "1e7";
+  std::string what, relative_error = "1e-3", trials = "1e7", poses = "1000";
   int n_threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   app.add_option("WHAT", what,
                  "table (Monte Carlo against the formula) or cross-check (every backend on the same poses)")
@@ -285,10 +289,13 @@ int main(int argc, char** argv) {
       ->required();
   app.add_option("--rel-error", relative_error, "Of each pair of the table (default 1e-3)")->type_name("E");
   app.add_option("--trials", trials, "Poses of each pair of the cross-check (default 1e7)")->type_name("N");
+  app.add_option("--poses", poses, "Disputed poses of each pair that are listed (default 1000)")->type_name("N");
   app.add_option("--threads", n_threads, "Threads (default: all cores)")->type_name("N");
   return vex::run_program(app, argc, argv, [&] {
     if (what == "table") return vex::print_table(vex::parse_number(relative_error, "--rel-error"), n_threads);
-    if (what == "cross-check") return vex::print_cross_check(vex::parse_count(trials, "--trials"), n_threads);
+    if (what == "cross-check")
+      return vex::print_cross_check(vex::parse_count(trials, "--trials"), vex::parse_count(poses, "--poses"),
+                                    n_threads);
     throw vex::UsageError("not understood (" + what + ") - write table or cross-check");
   });
 }
