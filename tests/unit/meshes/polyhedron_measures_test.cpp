@@ -5,13 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "exact_polyhedron.h"
 #include "meshes/convex_mesh.h"
 #include "meshes/data/mesh_writers.h"
+#include "meshes/exact_hull.h"
 #include "meshes/hull.h"
 #include "refusal.h"
+#include "shapes/excluded_volume.h"
 #include "soups.h"
 
 namespace vex::tests {
@@ -194,6 +199,28 @@ TEST(RoundedCentre, DoesNotDependOnHowTheFacesAreCut) {
     n_hulls += (first.report.hull_used ? 1 : 0) + (second.report.hull_used ? 1 : 0);
   }
   EXPECT_GT(n_hulls, 20);  // or this would show nothing
+}
+
+/// A right prism on a regular polygon, as high as its sides are long.
+std::vector<Vec3d> regular_prism(int n_sides) {
+  const double radius = 0.5 / std::sin(std::numbers::pi / n_sides);
+  std::vector<Vec3d> points;
+  for (int k = 0; k < n_sides; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / n_sides;
+    for (const double z : {-0.5, 0.5}) points.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
+  }
+  return points;
+}
+
+TEST(PolyhedronMeasures, OfRegularPrismsGiveTheReferenceExcludedVolumes) {
+  for (const auto& [n_sides, reduced] :
+       std::vector<std::pair<int, double>>{{3, 13.160254038}, {4, 11.0}, {6, 10.618802154}}) {
+    const std::vector<Vec3d> points = regular_prism(n_sides);
+    const std::optional<Triangles> hull = exact_hull(points);
+    ASSERT_TRUE(hull.has_value());
+    const Measures measures{volume_and_centroid(*hull).volume, surface_area(*hull), integrated_mean_curvature(*hull)};
+    EXPECT_NEAR(average_excluded_volume(measures, measures) / measures.volume, reduced, 1e-9 * reduced) << n_sides;
+  }
 }
 
 }  // namespace
