@@ -128,8 +128,7 @@ void check_scaled(const Measures& measures, double scale) {
   }
 }
 
-/// The vertices times `scale`; where these, rounded, are not convex by the same triangles, their hull's. `mesh` is the
-/// surface that the hull's volume is compared with, over `mesh_vertices`, which are scaled too.
+/// The vertices times `scale`; where these, rounded, are not convex by the same triangles, their hull's.
 Body scaled(Body body, double scale) {
   for (Vec3d& v : body.vertices) {
     v = scale * v;

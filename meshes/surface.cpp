@@ -114,6 +114,16 @@ EdgeCensus pair_half_edges(const PolygonSurface& surface, std::vector<std::uint3
   return census;
 }
 
+std::string open_text(const EdgeCensus& census) {
+  return std::to_string(census.n_open) + " of its " + std::to_string(census.n_edges) +
+         " edges are not shared by exactly two faces";
+}
+
+std::string one_way_text(const EdgeCensus& census) {
+  return std::to_string(census.n_one_way) + " of " + std::to_string(census.n_edges) +
+         " edges run the same way in both their faces";
+}
+
 }  // namespace
 
 void PolygonSurface::put_in_order() {
@@ -165,13 +175,10 @@ HalfEdgePairs half_edge_pairs(const PolygonSurface& surface) {
     return pairs;
   }
   const EdgeCensus census = pair_half_edges(surface, &pairs.mates);
-  const std::string n_edges = std::to_string(census.n_edges);
   if (census.n_open > 0) {
-    pairs.problem = "the surface is not closed: " + std::to_string(census.n_open) + " of its " + n_edges +
-                    " edges are not shared by exactly two faces";
+    pairs.problem = "the surface is not closed: " + open_text(census);
   } else if (census.n_one_way > 0) {
-    pairs.problem = "the faces are not consistently oriented: " + std::to_string(census.n_one_way) + " of " + n_edges +
-                    " edges run the same way in both their faces";
+    pairs.problem = "the faces are not consistently oriented: " + one_way_text(census);
   }
   return pairs;
 }
@@ -210,14 +217,12 @@ std::vector<std::uint32_t> checked_half_edges(const PolygonSurface& surface) {
   const EdgeCensus census = pair_half_edges(surface, &mates);
   const std::string n_edges = std::to_string(census.n_edges);
   if (census.n_open > 0) {
-    throw InputError("the surface is not closed (" + std::to_string(census.n_open) + " of its " + n_edges +
-                     " edges are not shared by exactly two faces; " + census.first_open + ")" +
+    throw InputError("the surface is not closed (" + open_text(census) + "; " + census.first_open + ")" +
                      hull_advice("close the holes and remove inner or doubled faces"));
   }
   if (census.n_one_way > 0) {
-    throw InputError("the faces are not consistently oriented (" + std::to_string(census.n_one_way) + " of " + n_edges +
-                     " edges run the same way in both their faces; one is " + census.first_one_way + ")" +
-                     hull_advice("make all faces counter-clockwise seen from outside"));
+    throw InputError("the faces are not consistently oriented (" + one_way_text(census) + "; one is " +
+                     census.first_one_way + ")" + hull_advice("make all faces counter-clockwise seen from outside"));
   }
   const auto characteristic = static_cast<long long>(surface.vertices.size()) - static_cast<long long>(census.n_edges) +
                               static_cast<long long>(surface.n_faces());

@@ -10,12 +10,6 @@
 namespace vex {
 namespace {
 
-std::string fixed(int decimals, double value) {
-  char text[512];  // the largest double has 309 digits before the point
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
-
 std::string general(int digits, double value) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*g", digits, value + 0.0);  // -0 reads 0
@@ -42,6 +36,12 @@ std::string tidy_exponent(std::string text) {
 }
 
 }  // namespace
+
+std::string fixed_number(int decimals, double value) {
+  char text[512];  // the largest double has 309 digits before the point
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
 
 std::uint64_t parse_count(std::string_view text, std::string_view option) {
   const char* const end = text.data() + text.size();
@@ -76,15 +76,17 @@ std::string with_error(double value, double std_error) {
   const bool scientific = place > 0 || value_exponent < -4;
   const int exponent = scientific ? std::max(value_exponent, place + 1) : 0;
   const double error_digits = std::round(std_error / std::pow(10.0, place));
-  std::string text =
-      fixed(std::max(0, exponent - place), value / std::pow(10.0, exponent)) + "(" + fixed(0, error_digits) + ")";
+  std::string text = fixed_number(std::max(0, exponent - place), value / std::pow(10.0, exponent)) + "(" +
+                     fixed_number(0, error_digits) + ")";
   if (scientific) text += "e" + std::to_string(exponent);
   return text;
 }
 
 std::string short_number(double value, int digits) { return tidy_exponent(general(digits, value)); }
 
-std::string short_count(double value) { return value < 1e5 ? fixed(0, value) : tidy_exponent(general(3, value)); }
+std::string short_count(double value) {
+  return value < 1e5 ? fixed_number(0, value) : tidy_exponent(general(3, value));
+}
 
 std::string hex_number(double value) {
   char text[64];

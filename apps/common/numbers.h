@@ -20,6 +20,9 @@ std::string with_error(double value, double std_error);
 /// Up to `digits` significant digits, no trailing zeros.
 std::string short_number(double value, int digits = 10);
 
+/// So many digits after the point, without an exponent.
+std::string fixed_number(int decimals, double value);
+
 /// 3.2e+06 as 3.2e6.
 std::string short_count(double value);
 

@@ -120,8 +120,7 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
   if (!options.quiet && !(json && json->is_standard_output())) std::cout << report_text(run);
   if (json) json->write(report_json(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 
-  if (run.no_run_reason.empty() && run.record.stopped_by == StopReason::interrupted)
-    return kSignalBase + interrupting_signal().load();
+  if (run.record.stopped_by == StopReason::interrupted) return kSignalBase + interrupting_signal().load();
   return run.z && std::fabs(*run.z) > options.max_z ? kDisagreement : kSuccess;
 }
 

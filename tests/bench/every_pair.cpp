@@ -64,12 +64,6 @@ std::vector<Kind> all_kinds() {
 
 std::string kind_of(const Kind& kind) { return kind.shape.kind == "polyhedron" ? "mesh" : kind.shape.kind; }
 
-std::string fixed(int decimals, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
-
 // ---------------------------------------------------------------------------------------------------- table
 
 struct Row {
@@ -114,7 +108,7 @@ int print_table(double relative_error, int n_threads) {
       rows.push_back(measure(kinds[i], kinds[j], 1 + i * n + j, relative_error, n_threads));
       const Row& row = rows.back();
       std::fprintf(stderr, "%s  %s  z = %s\n", row.a.c_str(), row.b.c_str(),
-                   row.is_run() ? fixed(2, row.z()).c_str() : "none");
+                   row.is_run() ? fixed_number(2, row.z()).c_str() : "none");
       if (!row.is_run()) continue;
       ++n_run;
       n_trials += row.n_trials;
@@ -130,9 +124,10 @@ int print_table(double relative_error, int n_threads) {
             << "z = (Monte Carlo − formula) / standard error of ⟨V_ex⟩, every ordered pair run to a relative standard "
             << "error of " << short_number(relative_error, 3) << ". " << n_run << " pairs, "
             << short_number(static_cast<double>(n_trials), 3) << " trials, " << n_undecided
-            << " undecided. Largest |z|: " << fixed(2, worst) << " (of " << n_run << " right ones about "
-            << fixed(1, std::sqrt(2.0 * std::log(static_cast<double>(n_run))))
-            << " is to be expected); root mean square: " << fixed(3, std::sqrt(sum_sq / static_cast<double>(n_run)))
+            << " undecided. Largest |z|: " << fixed_number(2, worst) << " (of " << n_run << " right ones about "
+            << fixed_number(1, std::sqrt(2.0 * std::log(static_cast<double>(n_run))))
+            << " is to be expected); root mean square: "
+            << fixed_number(3, std::sqrt(sum_sq / static_cast<double>(n_run)))
             << ". Two needles exclude no volume, so nothing is run.\n\n| A \\ B |";
   for (const Kind& kind : kinds) std::cout << " " << kind_of(kind) << " |";
   std::cout << "\n|---|";
@@ -141,15 +136,15 @@ int print_table(double relative_error, int n_threads) {
     std::cout << "\n| **" << kind_of(kinds[i]) << "** |";
     for (std::size_t j = 0; j < n; ++j) {
       const Row& row = rows[i * n + j];
-      std::cout << " " << (row.is_run() ? fixed(2, row.z()) : "–") << " |";
+      std::cout << " " << (row.is_run() ? fixed_number(2, row.z()) : "–") << " |";
     }
   }
   std::cout << "\n\n## The values\n\n| A | B | formula | Monte Carlo | z | trials |\n|---|---|---:|---:|---:|---:|\n";
   for (const Row& row : rows) {
     std::cout << "| " << row.a << " | " << row.b << " | " << short_number(row.formula, 8) << " | ";
     if (row.is_run()) {
-      std::cout << with_error(row.found.excluded_volume, row.found.std_error) << " | " << fixed(2, row.z()) << " | "
-                << row.n_trials << " |\n";
+      std::cout << with_error(row.found.excluded_volume, row.found.std_error) << " | " << fixed_number(2, row.z())
+                << " | " << row.n_trials << " |\n";
     } else {
       std::cout << "no run | – | 0 |\n";
     }

@@ -14,22 +14,8 @@ cxx=$6
 eigen=$7
 unset DESTDIR vex_DIR
 
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-trap 'exit 1' HUP INT TERM
-
-fail() {
-  printf 'FAILED: %s\n' "$*"
-  exit 1
-}
-step() { printf -- '- %s\n' "$*"; }
-# quietly COMMAND...: what it prints is shown only if it fails.
-quietly() {
-  if ! "$@" >"$scratch/log" 2>&1; then
-    cat "$scratch/log"
-    fail "$*"
-  fi
-}
+# shellcheck source=tests/package/steps.sh
+. "$(dirname -- "$0")/steps.sh"
 
 step "install, and move what was installed"
 quietly "$cmake" --install "$build_dir" --prefix "$scratch/installed"

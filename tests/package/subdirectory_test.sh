@@ -12,22 +12,8 @@ generator=$4
 unset DESTDIR CPPFLAGS
 export CXXFLAGS=-O1  # unless the cache has flags
 
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-trap 'exit 1' HUP INT TERM
-
-fail() {
-  printf 'FAILED: %s\n' "$*"
-  exit 1
-}
-step() { printf -- '- %s\n' "$*"; }
-# quietly COMMAND...: what it prints is shown only if it fails.
-quietly() {
-  if ! "$@" >"$scratch/log" 2>&1; then
-    cat "$scratch/log"
-    fail "$*"
-  fi
-}
+# shellcheck source=tests/package/steps.sh
+. "$(dirname -- "$0")/steps.sh"
 
 mkdir "$scratch/project"
 cp "$source_dir/tests/consumer/superellipsoid.cpp" "$scratch/project/"
