@@ -1,10 +1,8 @@
 #include "apps/vex_mesh/options.h"
 
 #include <algorithm>
-#include <functional>
 #include <initializer_list>
 #include <string_view>
-#include <thread>
 
 #include "apps/common/numbers.h"
 #include "apps/common/orientations.h"
@@ -15,22 +13,6 @@
 
 namespace vex {
 namespace {
-
-constexpr std::uint64_t kMaxThreads = 1024;
-
-double positive_number(const std::string& word, const char* option) {
-  const double value = parse_number(word, option);
-  if (!(value > 0.0)) {
-    throw UsageError("not positive (\"" + word + "\" for " + option + ") - give a number above 0");
-  }
-  return value;
-}
-
-std::uint64_t positive_count(const std::string& word, const char* option) {
-  const std::uint64_t value = parse_count(word, option);
-  if (value == 0) throw UsageError("not positive (\"" + word + "\" for " + option + ") - give a count above 0");
-  return value;
-}
 
 // The word is one of `built`, or it is said whether it is planned or unknown.
 void require_one_of(const std::string& word, const char* option, std::initializer_list<std::string_view> built,
@@ -184,20 +166,14 @@ Options interpret(const CommandLine& words) {
   Options options;
   options.a = words.a;
   options.b = words.b.empty() ? words.a : words.b;
-  if (!words.trials.empty()) options.stop.trials = positive_count(words.trials, "--trials");
-  if (!words.relative_error.empty()) options.stop.relative_error = positive_number(words.relative_error, "--rel-error");
-  if (!words.seconds.empty()) options.stop.seconds = positive_number(words.seconds, "--seconds");
-  if (!words.max_trials.empty()) options.stop.max_trials = positive_count(words.max_trials, "--max-trials");
+  if (!words.trials.empty()) options.stop.trials = parse_positive_count(words.trials, "--trials");
+  if (!words.relative_error.empty())
+    options.stop.relative_error = parse_positive_number(words.relative_error, "--rel-error");
+  if (!words.seconds.empty()) options.stop.seconds = parse_positive_number(words.seconds, "--seconds");
+  if (!words.max_trials.empty()) options.stop.max_trials = parse_positive_count(words.max_trials, "--max-trials");
   if (!options.stop.trials && !options.stop.relative_error && !options.stop.seconds) options.stop.relative_error = 1e-3;
   if (!words.seed.empty()) options.seed = parse_count(words.seed, "--seed");
-  if (words.threads.empty()) {
-    options.n_threads =
-        static_cast<int>(std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, kMaxThreads));
-  } else {
-    const std::uint64_t n = positive_count(words.threads, "--threads");
-    if (n > kMaxThreads) throw UsageError("too many threads (" + words.threads + ") - at most 1024");
-    options.n_threads = static_cast<int>(n);
-  }
+  options.n_threads = parse_threads(words.threads);
   if (estimator == "hit-or-miss-fitted") {
     if (!words.domain.empty()) {
       throw UsageError("hit-or-miss-fitted has its own domains (\"" + words.domain + "\" for --domain) - leave out " +
@@ -216,7 +192,7 @@ Options interpret(const CommandLine& words) {
     }
   }
   options.quick_verdicts = !words.no_quick_verdicts;
-  if (!words.max_z.empty()) options.max_z = positive_number(words.max_z, "--max-z");
+  if (!words.max_z.empty()) options.max_z = parse_positive_number(words.max_z, "--max-z");
   if (!words.convex_tolerance.empty()) {
     options.bodies.convex_tolerance = parse_number(words.convex_tolerance, "--convex-tolerance");
     if (options.bodies.convex_tolerance < 0.0 || options.bodies.convex_tolerance > 0.1) {
@@ -225,7 +201,7 @@ Options interpret(const CommandLine& words) {
   }
   options.bodies.hull = words.hull;
   options.bodies.unit_volume = words.unit_volume;
-  if (!words.scale.empty()) options.bodies.scale = positive_number(words.scale, "--scale");
+  if (!words.scale.empty()) options.bodies.scale = parse_positive_number(words.scale, "--scale");
   options.dump_vertices = words.dump_vertices;
   options.json = words.json;
   options.quiet = words.quiet;
