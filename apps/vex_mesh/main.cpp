@@ -42,14 +42,16 @@ std::string why_no_volume(const MeshRun& run, double formula) {
   return "";
 }
 
-// Which of the two bodies the backend has no representation of; nothing where it takes both.
+// Which of the two bodies the backend has no representation of, or that it has no test of the two; nothing where it
+// takes the pair.
 std::optional<std::string> why_left_out(const BackendKind& kind, const MeshRun& run) {
+  if (kind.takes(run.a.shape.body, run.b.shape.body)) return std::nullopt;
   for (const LoadedBody* loaded : {&run.a, &run.b}) {
-    if (kind.takes && !kind.takes(loaded->shape.body)) {
+    if (!kind.takes(loaded->shape.body, loaded->shape.body)) {
       return kind.name + " has no shape for " + loaded->source + " (" + loaded->shape.kind + ")";
     }
   }
-  return std::nullopt;
+  return kind.name + " has no test of " + run.a.shape.kind + " and " + run.b.shape.kind;
 }
 
 void choose_backends(MeshRun& run) {
