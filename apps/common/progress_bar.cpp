@@ -38,10 +38,9 @@ double fraction_done(const Progress& progress, const StopRule& stop) {
   if (stop.seconds) fraction = std::max(fraction, progress.seconds / *stop.seconds);
   if (stop.relative_error && progress.tally.n_hits > 0 && progress.tally.n_misses() > 0) {
     // The error falls with the square root of the trials; and neither hits nor misses may be too few.
-    const double error = hit_or_miss_estimate(progress.tally, 1.0).relative_error();
     const double enough = static_cast<double>(std::min(progress.tally.n_hits, progress.tally.n_misses())) /
                           static_cast<double>(kMinHitsAndMisses);
-    fraction = std::max(fraction, std::min(enough, std::pow(*stop.relative_error / error, 2.0)));
+    fraction = std::max(fraction, std::min(enough, std::pow(*stop.relative_error / progress.relative_error, 2.0)));
   }
   return std::clamp(fraction, 0.0, 1.0);
 }
@@ -69,7 +68,7 @@ std::string progress_line(const Progress& progress, const StopRule& stop, std::s
   if (fraction > 0.0) text += duration(progress.seconds * (1.0 - fraction) / fraction) + " left  ";
   text += short_count(n) + " trials  " + short_count(n / progress.seconds) + "/s";
   if (progress.tally.n_hits > 0) {
-    text += "  rel. error " + short_number(hit_or_miss_estimate(progress.tally, 1.0).relative_error(), 2);
+    text += "  rel. error " + short_number(progress.relative_error, 2);
   }
   // A line that reaches the terminal's edge goes on in the next one, where erasing it does not reach.
   constexpr std::size_t kWidest = 30;

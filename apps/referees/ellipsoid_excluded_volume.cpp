@@ -4,7 +4,6 @@
 #include <boost/math/special_functions/ellint_rg.hpp>
 #include <numbers>
 
-
 namespace vex {
 namespace {
 

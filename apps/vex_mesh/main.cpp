@@ -9,17 +9,19 @@
 #include "apps/vex_mesh/options.h"
 #include "apps/vex_mesh/report.h"
 #include "engine/numeric/errors.h"
+#include "engine/sampling/fitted_domain.h"
 
 namespace vex {
 namespace {
 
-Domain choose_domain(DomainChoice choice, const ConvexBody& a, const ConvexBody& b) {
-  switch (choice) {
-    case DomainChoice::ball: return ball_domain(a, b);
-    case DomainChoice::box: return box_domain(a, b);
-    case DomainChoice::best: break;
+Domain choose_domain(std::optional<Domain::Kind> kind, const ConvexBody& a, const ConvexBody& b) {
+  if (!kind) return best_domain(a, b);
+  switch (*kind) {
+    case Domain::Kind::ball: return ball_domain(a, b);
+    case Domain::Kind::box: return box_domain(a, b);
+    case Domain::Kind::fitted: break;
   }
-  return best_domain(a, b);
+  return fitted_domain(a, b);
 }
 
 void require_finite(double value, const char* what) {
@@ -34,7 +36,7 @@ void require_finite(double value, const char* what) {
 // Why B can lie nowhere inside A, whatever the orientations; empty where it can.
 std::string why_no_volume(const MeshRun& run, double formula) {
   if (formula == 0.0) return "two needles exclude no volume, in no orientation: <V_ex> = 0";
-  if (run.options.law == OrientationLaw::aligned && aligned_difference_is_flat(run.a.shape.body, run.b.shape.body)) {
+  if (difference_is_flat(run.a.shape.body, run.b.shape.body, run.options.law)) {
     return "flat bodies in parallel planes exclude no volume: <V_ex> = 0";
   }
   return "";
@@ -100,11 +102,10 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
   const ConvexBody& b = run.b.shape.body;
   const FormulaResult formula = formula_result(run.a.shape.measures, run.b.shape.measures);
   if (formula.excluded_volume != 0.0) require_finite(formula.excluded_volume, "the excluded volume");
-  if (options.law == OrientationLaw::isotropic) {
+  if (options.law.kind() == OrientationLaw::Kind::isotropic) {
     run.formula = formula;
   } else {
-    run.formula_reason =
-        "the formula holds for isotropic orientations, not for " + std::string(name_of(options.law)) + " ones";
+    run.formula_reason = "the formula holds for isotropic orientations, not for " + options.law.name() + " ones";
   }
   run.domain = choose_domain(options.domain, a, b);
   require_finite(run.domain.volume, "the sampling volume");

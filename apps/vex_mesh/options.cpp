@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "apps/common/numbers.h"
+#include "apps/common/orientations.h"
 #include "apps/common/run_program.h"
 #include "apps/peers/peers.h"
 #include "engine/numeric/errors.h"
@@ -82,11 +83,18 @@ void declare_options(CLI::App& app, CommandLine& words) {
       ->group(stop);
 
   const std::string sampling = "Sampling";
-  app.add_option("--orientations", words.orientations,
-                 "isotropic (default) or aligned (R = I); later also fixed:W,X,Y,Z cone:DEG onsager:ALPHA")
+  app.add_option(
+         "--orientations", words.orientations,
+         "isotropic (default); aligned; fixed:W,X,Y,Z, B's quaternion in A's frame; cone:DEG, both z axes within this "
+         "angle of +-z; onsager:ALPHA, both z axes by the density cosh(ALPHA cos theta)")
       ->type_name("LAW")
       ->group(sampling);
-  app.add_option("--estimator", words.estimator, "hit-or-miss; others come later")->type_name("NAME")->group(sampling);
+  app.add_option(
+         "--estimator", words.estimator,
+         "hit-or-miss (default), or hit-or-miss-fitted, whose domain is fitted to each trial's orientation: for thin "
+         "bodies; others come later")
+      ->type_name("NAME")
+      ->group(sampling);
   app.add_option("--sequence", words.sequence, "random; sobol comes later")->type_name("NAME")->group(sampling);
   app.add_option("--domain", words.domain, "Sampling domain of hit-or-miss: ball, box, or best (default): the smaller")
       ->type_name("NAME")
@@ -168,11 +176,10 @@ Options interpret(const CommandLine& words) {
   const std::string domain = or_default(words.domain, "best");
   const std::string backend = or_default(words.backend, "gjk");
   const std::string orientations = or_default(words.orientations, "isotropic");
-  require_one_of(estimator, "--estimator", {"hit-or-miss"},
-                 {"hit-or-miss-fitted", "stratified", "radial", "mixed-volume", "mean-width"});
+  require_one_of(estimator, "--estimator", {"hit-or-miss", "hit-or-miss-fitted"},
+                 {"stratified", "radial", "mixed-volume", "mean-width"});
   require_one_of(sequence, "--sequence", {"random"}, {"sobol"});
   require_one_of(domain, "--domain", {"ball", "box", "best"}, {});
-  require_one_of(orientations, "--orientations", {"isotropic", "aligned"}, {"fixed", "cone", "onsager"});
 
   Options options;
   options.a = words.a;
@@ -191,8 +198,16 @@ Options interpret(const CommandLine& words) {
     if (n > kMaxThreads) throw UsageError("too many threads (" + words.threads + ") - at most 1024");
     options.n_threads = static_cast<int>(n);
   }
-  options.domain = domain == "ball" ? DomainChoice::ball : domain == "box" ? DomainChoice::box : DomainChoice::best;
-  options.law = orientations == "aligned" ? OrientationLaw::aligned : OrientationLaw::isotropic;
+  if (estimator == "hit-or-miss-fitted") {
+    if (!words.domain.empty()) {
+      throw UsageError("hit-or-miss-fitted has its own domains (\"" + words.domain + "\" for --domain) - leave out " +
+                       "--domain");
+    }
+    options.domain = Domain::Kind::fitted;
+  } else if (domain != "best") {
+    options.domain = domain == "ball" ? Domain::Kind::ball : Domain::Kind::box;
+  }
+  options.law = parse_orientations(orientations, "--orientations");
   options.backend = backend_named(backend);
   options.is_cross_check = words.cross_check;
   if (words.cross_check) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,16 +27,14 @@ struct CommandLine {
 /// Declares the options; parsing fills `words`, which must outlive `app`.
 void declare_options(CLI::App& app, CommandLine& words);
 
-enum class DomainChoice { ball, box, best };
-
 /// What the words mean.
 struct Options {
   std::string a, b;
   StopRule stop;
   std::uint64_t seed = 1;
   int n_threads = 1;
-  DomainChoice domain = DomainChoice::best;
-  OrientationLaw law = OrientationLaw::isotropic;
+  std::optional<Domain::Kind> domain;  // the best of ball and box where none was asked for
+  OrientationLaw law;
   BackendKind backend;
   bool is_cross_check = false;
   std::vector<BackendKind> cross_check;  // the backends beside `backend`

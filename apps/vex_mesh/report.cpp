@@ -34,17 +34,17 @@ Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : 
 Json estimate_json(const MeshRun& run) {
   const Tally& tally = run.record.tally;
   Json json;
-  json["estimator"] = "hit-or-miss";
+  json["estimator"] = estimator_name(run.domain.kind);
   json["sequence"] = "random";
   json["backend"] = run.options.backend.name;
-  json["orientations"] = name_of(run.options.law);
+  json["orientations"] = run.options.law.name();
   json["excluded_volume"] = run.estimate ? number_or_null(run.estimate->excluded_volume) : Json(nullptr);
   json["std_error"] = run.estimate ? number_or_null(run.estimate->std_error) : Json(nullptr);
   json["ci95"] = run.estimate ? Json{run.estimate->ci95.lower, run.estimate->ci95.upper} : Json(nullptr);
   json["trials"] = tally.n_trials;
   json["hits"] = tally.n_hits;
   json["undecided"] = tally.n_undecided;
-  json["sampling_volume"] = run.domain.volume;
+  json["sampling_volume"] = mean_sampling_volume(tally, run.domain);
   json["domain"] = name_of(run.domain.kind);
   json["quick_verdicts"] = run.options.quick_verdicts && !run.options.backend.is_peer;
   json["seconds"] = run.record.seconds;
@@ -95,7 +95,7 @@ std::string cross_check_text(const MeshRun& run) {
   if (names.size() == 1) text += " (alone: nothing to compare with)";
   text += ": " + std::to_string(found.n_all) + " of " + std::to_string(run.record.tally.n_trials) + " poses disputed\n";
   for (std::size_t k = 1; k < names.size(); ++k) {
-    if (const std::uint64_t n = run.record.n_undecided_by_check[k - 1]; n > 0) {
+    if (const std::uint64_t n = run.record.comparisons[k - 1].n_undecided; n > 0) {
       text += "   " + names[k] + " gave up on " + std::to_string(n) + "\n";
     }
   }
@@ -117,7 +117,7 @@ std::string cross_check_text(const MeshRun& run) {
 std::string verdict_on(const MeshRun& run) {
   const Tally& tally = run.record.tally;
   const double undecided = static_cast<double>(tally.n_undecided) / static_cast<double>(tally.n_trials);
-  if (0.5 * undecided * run.domain.volume > 0.5 * run.estimate->std_error) {
+  if (0.5 * undecided * mean_sampling_volume(tally, run.domain) > 0.5 * run.estimate->std_error) {
     return "nothing is compared, for " + short_number(100.0 * undecided, 3) +
            " % of the trials are undecided, and that is most of the error";
   }
@@ -147,10 +147,10 @@ void compare(MeshRun& run) {
     run.z_reason = "no trial was done";
     return;
   }
-  run.estimate = hit_or_miss_estimate(run.record.tally, run.domain.volume);
+  run.estimate = volume_estimate(run.record.tally, run.domain);
   if (!run.formula) {
     run.z_reason = run.formula_reason;
-  } else if (hits_by_construction(run.a.shape.body, run.b.shape.body, run.domain)) {
+  } else if (hits_by_construction(run.a.shape.body, run.b.shape.body, run.options.law, run.domain)) {
     run.z_reason = "every trial hits by construction: the domain is the excluded volume itself";
   } else {
     run.z = (run.estimate->excluded_volume - run.formula->excluded_volume) / run.estimate->std_error;
@@ -210,9 +210,11 @@ std::string report_text(const MeshRun& run) {
   if (!run.no_run_reason.empty()) return text + "\nMonte Carlo  no run: " + run.no_run_reason + "\n";
 
   const Tally& tally = run.record.tally;
-  text += "\nMonte Carlo  hit-or-miss, " + std::string(name_of(run.options.law)) + " orientations, " +
-          std::string(name_of(run.domain.kind)) + " domain of volume " + short_number(run.domain.volume, 6) + ", " +
-          run.options.backend.name + ", seed " + std::to_string(run.options.seed) + "\n";
+  text += "\nMonte Carlo  " + std::string(estimator_name(run.domain.kind)) + ", " + run.options.law.name() +
+          " orientations, " + std::string(name_of(run.domain.kind)) +
+          (run.domain.kind == Domain::Kind::fitted ? " domains of mean volume " : " domain of volume ") +
+          short_number(mean_sampling_volume(tally, run.domain), 6) + ", " + run.options.backend.name + ", seed " +
+          std::to_string(run.options.seed) + "\n";
   if (run.estimate) {
     const VolumeEstimate& estimate = *run.estimate;
     text += "   <V_ex>                            " + with_error(estimate.excluded_volume, estimate.std_error) +

@@ -1,8 +1,8 @@
-// sincospi and cbrt from + - * / and square root alone, over lanes.
+// sincospi, cbrt and a logarithm from + - * / and square root alone, over lanes.
 //
 // A trial's pose must be the same bits on every machine, compiler and register width, or the same seed would not give
 // the same hits; the C library's functions promise no such thing. Errors are proven in docs/derivations.md: at most 4 u
-// for sincospi (E3) and 2 u for cbrt (E4), both below 2^-50 relative.
+// for sincospi (E3), 2 u for cbrt (E4) and 8 u for the logarithm (E10), all within 2^-50 relative.
 #pragma once
 
 #include "engine/numeric/expect.h"
@@ -69,6 +69,37 @@ L cube_root(L x) {
     t = t + t * ((x - cube) / ((cube + cube) + x));
   }
   return t;
+}
+
+/// -log(1 - t) for 0 <= t <= 1 - 2^-53, within 8 u relative (E10), also where t is so small that 1 - t rounds to 1.
+///
+/// 1 - t = x + c with x rounded and c exact; x = 2^k m with m in [sqrt(1/2), sqrt(2)); log m is the series of
+/// 2 artanh((m - 1)/(m + 1)), and c adds c/x.
+template <class L>
+L minus_log_of_complement(L t) {
+  const L one = L(1.0);
+  const L x = one - t;
+  const L c = (one - x) - t;
+  // Adding 1 - sqrt(1/2), in units of the last place, carries into the exponent from sqrt(1/2) on.
+  const BitsOf<L> bits = bits_of(x);
+  const BitsOf<L> exponent = (bits + BitsOf<L>(0x3ff0000000000000u - 0x3fe6a09e667f3bcdu)) >> 52;  // k + 1023
+  const L k = from_bits(exponent + BitsOf<L>(0x4330000000000000u)) - L(0x1p52 + 1023.0);
+  const L m = from_bits((bits - (exponent << 52)) + BitsOf<L>(0x3ff0000000000000u));
+  const L f = m - one;  // exact
+  const L s = f / (m + one);
+  const L y = s * s;
+  L series = L(1.0 / 21.0);
+  series = L(1.0 / 19.0) + y * series;
+  series = L(1.0 / 17.0) + y * series;
+  series = L(1.0 / 15.0) + y * series;
+  series = L(1.0 / 13.0) + y * series;
+  series = L(1.0 / 11.0) + y * series;
+  series = L(1.0 / 9.0) + y * series;
+  series = L(1.0 / 7.0) + y * series;
+  series = L(1.0 / 5.0) + y * series;
+  series = L(1.0 / 3.0) + y * series;
+  const L log_m = (s + s) + (s + s) * (y * series);
+  return -(L(0x1.62e42fefa39efp-1) * k + (log_m + c / x));
 }
 
 }  // namespace vex

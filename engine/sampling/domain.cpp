@@ -1,5 +1,7 @@
 #include "engine/sampling/domain.h"
 
+#include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "engine/numeric/rounding.h"
@@ -47,21 +49,30 @@ Domain box_domain(const ConvexBody& a, const ConvexBody& b) {
   return domain;
 }
 
-bool aligned_difference_is_flat(const ConvexBody& a, const ConvexBody& b) {
-  const auto is_flat_along = [](const ConvexBody& body, const Vec3d& unit_axis) {
-    return dot(unit_axis, body.support(unit_axis)) == dot(unit_axis, body.support(-unit_axis));
+bool is_ball(const ConvexBody& body) { return body.inradius() >= body.circumradius() * (1.0 - gamma(16)); }
+
+bool difference_is_flat(const ConvexBody& a, const ConvexBody& b, const OrientationLaw& law) {
+  if (law.dimension() > 0 && law != OrientationLaw::cone(0.0)) return false;
+  constexpr double kRounding = 0x1p-44;  // of a rotation (kDrawnRotationError), four times
+  const auto is_flat_along = [](const ConvexBody& body, const Vec3d& dir) {
+    const double width = dot(dir, body.support(dir)) + dot(-dir, body.support(-dir));
+    return width <= kRounding * body.reach();
   };
-  for (const Vec3d& unit_axis : {Vec3d{1.0, 0.0, 0.0}, Vec3d{0.0, 1.0, 0.0}, Vec3d{0.0, 0.0, 1.0}}) {
-    if (is_flat_along(a, unit_axis) && is_flat_along(b, unit_axis)) return true;
+  // Orientations that differ in every angle; of a law of one orientation all the same.
+  const std::array<std::array<double, OrientationLaw::kMaxDimension>, 3> points = {
+      {{0.1, 0.2, 0.3, 0.4, 0.55}, {0.9, 0.3, 0.85, 0.15, 0.7}, {0.4, 0.6, 0.05, 0.65, 0.35}}};
+  const auto is_flat_always = [&](const auto& axis_in_a) {
+    return std::ranges::all_of(points, [&](const auto& point) {
+      const Transformd rotation = law.rotation(std::span<const double>(point));
+      const Vec3d axis = axis_in_a(rotation);
+      return is_flat_along(a, axis) && is_flat_along(b, rotation.direction_to_b(axis));
+    });
+  };
+  for (const Vec3d& axis : {Vec3d{1.0, 0.0, 0.0}, Vec3d{0.0, 1.0, 0.0}, Vec3d{0.0, 0.0, 1.0}}) {
+    if (is_flat_always([&](const Transformd&) { return axis; })) return true;
+    if (is_flat_always([&](const Transformd& rotation) { return rotation(axis); })) return true;
   }
   return false;
-}
-
-bool hits_by_construction(const ConvexBody& a, const ConvexBody& b, const Domain& domain) {
-  const auto is_ball = [](const ConvexBody& body) {
-    return body.inradius() >= body.circumradius() * (1.0 - gamma(16));
-  };
-  return domain.kind == Domain::Kind::ball && is_ball(a) && is_ball(b);
 }
 
 Domain best_domain(const ConvexBody& a, const ConvexBody& b) {
@@ -70,7 +81,7 @@ Domain best_domain(const ConvexBody& a, const ConvexBody& b) {
   // Of near-balls nearly every trial in the ball hits, and the misses that an error is taken from do not come.
   constexpr double kFewestMisses = 1e-3;
   const double inner = (a.inradius() + b.inradius()) / ball.radius;
-  const bool lacks_misses = inner * inner * inner > 1.0 - kFewestMisses && !hits_by_construction(a, b, ball);
+  const bool lacks_misses = inner * inner * inner > 1.0 - kFewestMisses && !(is_ball(a) && is_ball(b));
   return box.volume < ball.volume || lacks_misses ? box : ball;
 }
 

@@ -7,6 +7,25 @@
 #include "engine/numeric/rounding.h"
 
 namespace vex {
+namespace {
+
+constexpr double kZ95 = 1.959963984540054;
+
+// Half the width of Wilson's interval at z = 1: what an event that never came, or always, may still be in error by.
+double one_sigma_half_width(std::uint64_t n_hits, std::uint64_t n_trials) {
+  const Interval95 one_sigma = wilson_interval(n_hits, n_trials, 1.0);
+  return 0.5 * (one_sigma.upper - one_sigma.lower);
+}
+
+// Standard error of the mean of n numbers of which `first` is the sum and `second` that of their squares, each square
+// short of the truth by less than FixedPointSum::kUnit.
+double error_of_mean(double first, double second, double n) {
+  const double mean = first / n;
+  const double variance = std::max(0.0, second / n + FixedPointSum::kUnit - mean * mean);
+  return std::sqrt(variance / std::max(1.0, n - 1.0));
+}
+
+}  // namespace
 
 Interval95 wilson_interval(std::uint64_t n_hits, std::uint64_t n_trials, double z) {
   VEX_EXPECT(n_trials > 0 && n_hits <= n_trials);
@@ -21,15 +40,13 @@ Interval95 wilson_interval(std::uint64_t n_hits, std::uint64_t n_trials, double 
 
 VolumeEstimate hit_or_miss_estimate(const Tally& tally, double domain_volume) {
   VEX_EXPECT(tally.n_trials > 0);
-  constexpr double kZ95 = 1.959963984540054;
   const double n = static_cast<double>(tally.n_trials);
   const double undecided = static_cast<double>(tally.n_undecided) / n;
   const double p = static_cast<double>(tally.n_hits) / n + 0.5 * undecided;
 
   double std_error = std::sqrt(p * (1.0 - p) / n);
   if (tally.n_hits == 0 || tally.n_misses() == 0) {
-    const Interval95 one_sigma = wilson_interval(tally.n_hits + tally.n_undecided / 2, tally.n_trials, 1.0);
-    std_error = std::max(std_error, 0.5 * (one_sigma.upper - one_sigma.lower));
+    std_error = std::max(std_error, one_sigma_half_width(tally.n_hits + tally.n_undecided / 2, tally.n_trials));
   }
   std_error = std::hypot(std_error, 0.5 * undecided);
   std_error = std::max(std_error, gamma(16) * p);
@@ -37,6 +54,51 @@ VolumeEstimate hit_or_miss_estimate(const Tally& tally, double domain_volume) {
   const Interval95 low = wilson_interval(tally.n_hits, tally.n_trials, kZ95);
   const Interval95 high = wilson_interval(tally.n_hits + tally.n_undecided, tally.n_trials, kZ95);
   return {domain_volume * p, domain_volume * std_error, {domain_volume * low.lower, domain_volume * high.upper}};
+}
+
+VolumeEstimate fitted_estimate(const Tally& tally, double domain_volume) {
+  VEX_EXPECT(tally.n_trials > 0);
+  const double n = static_cast<double>(tally.n_trials);
+  const double hits = tally.hits.first.value(), undecided = tally.undecided.first.value();
+  const double mean = (hits + 0.5 * undecided) / n;
+  double sampling_error =
+      error_of_mean(hits + 0.5 * undecided, tally.hits.second.value() + 0.25 * tally.undecided.second.value(), n);
+  if (tally.n_hits == 0 || tally.n_misses() == 0) {
+    const double unseen = one_sigma_half_width(tally.n_hits + tally.n_undecided / 2, tally.n_trials);
+    sampling_error = std::hypot(sampling_error, tally.all.first.value() / n * unseen);
+  }
+  double std_error = std::hypot(sampling_error, 0.5 * undecided / n);
+  std_error = std::max(std_error, gamma(16) * mean);
+  const double lower = std::max(0.0, hits / n - kZ95 * sampling_error);
+  const double upper = (hits + undecided) / n + kZ95 * sampling_error;
+  return {domain_volume * mean, domain_volume * std_error, {domain_volume * lower, domain_volume * upper}};
+}
+
+VolumeEstimate volume_estimate(const Tally& tally, const Domain& domain) {
+  return domain.kind == Domain::Kind::fitted ? fitted_estimate(tally, domain.volume)
+                                             : hit_or_miss_estimate(tally, domain.volume);
+}
+
+double mean_sampling_volume(const Tally& tally, const Domain& domain) {
+  if (domain.kind != Domain::Kind::fitted || tally.n_trials == 0) return domain.volume;
+  return domain.volume * (tally.all.first.value() / static_cast<double>(tally.n_trials));
+}
+
+VolumeEstimate excess_over_other(const Tally& tally, const Comparison& comparison, const Domain& domain) {
+  VEX_EXPECT(tally.n_trials > 0);
+  const double n = static_cast<double>(tally.n_trials);
+  const double sum = comparison.only_run.first.value() - comparison.only_other.first.value();
+  const double mean_share = mean_sampling_volume(tally, domain) / domain.volume;
+  double std_error = error_of_mean(sum, comparison.only_run.second.value() + comparison.only_other.second.value(), n);
+  if (comparison.n_only_run + comparison.n_only_other == 0) {
+    std_error = std::hypot(std_error, mean_share * one_sigma_half_width(0, tally.n_trials));
+  }
+  const double not_compared = static_cast<double>(tally.n_trials - comparison.n_compared) / n;
+  std_error = std::hypot(std_error, not_compared);  // a share is at most 1
+  const double excess = sum / n;
+  return {domain.volume * excess,
+          domain.volume * std_error,
+          {domain.volume * (excess - kZ95 * std_error), domain.volume * (excess + kZ95 * std_error)}};
 }
 
 }  // namespace vex

@@ -31,4 +31,21 @@ struct VolumeEstimate {
 
 VolumeEstimate hit_or_miss_estimate(const Tally& tally, double domain_volume);
 
+/// The excluded volume by hit-or-miss-fitted: the mean over the trials of the volume that the trial's position was
+/// drawn from times 1 for a hit, 1/2 for an undecided trial, 0 for a miss. `std_error` from the sample variance; what
+/// undecided trials, and hits or misses that have not come yet, add to it is as above. The interval is the normal one.
+VolumeEstimate fitted_estimate(const Tally& tally, double domain_volume);
+
+/// The one of the two that belongs to the domain.
+VolumeEstimate volume_estimate(const Tally& tally, const Domain& domain);
+
+/// Mean volume of what positions were drawn from: of a ball or a box its own.
+double mean_sampling_volume(const Tally& tally, const Domain& domain);
+
+/// By how much the excluded volume that the run's backend gives exceeds that of another one on the same trials, in
+/// length^3. Where the run's backend is exact this is the other one's deficit, and <V_ex>, if it is known, minus this
+/// is the other one's value with the exact test as a control variate: nothing but the disputed trials adds to its
+/// error. Trials that one of them did not decide are part of the error.
+VolumeEstimate excess_over_other(const Tally& tally, const Comparison& comparison, const Domain& domain);
+
 }  // namespace vex

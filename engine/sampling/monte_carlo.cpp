@@ -4,6 +4,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <limits>
 #include <mutex>
 #include <string>
 #include <system_error>
@@ -11,7 +12,8 @@
 
 #include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
-#include "engine/sampling/random_stream.h"
+#include "engine/query/overlap.h"
+#include "engine/sampling/pose_map.h"
 #include "engine/scene/quick_verdict.h"
 
 namespace vex {
@@ -41,7 +43,7 @@ struct BlockRecord {
   Tally tally;
   FirstOf<UndecidedTrial> undecided;
   FirstOf<Disagreement> disagreements;
-  std::vector<std::uint64_t> n_undecided_by_check;
+  std::vector<Comparison> comparisons;
 };
 
 // One thread's means of answering trials: its own backends and buffers, filled a batch at a time.
@@ -49,16 +51,18 @@ class TrialRunner {
  public:
   TrialRunner(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings)
       : settings_(settings),
-        centre_b_(b.centre()),
+        sampler_(a, b, settings.seed, settings.law, settings.domain),
+        is_fitted_(settings.domain.kind == Domain::Kind::fitted),
         quick_verdict_(a, b, kDrawnRotationError),
         uses_quick_verdicts_(settings.quick_verdicts && !settings.backend.is_peer),
         backend_(settings.backend.make(a, b)) {
     for (const BackendKind& kind : settings.cross_check) checks_.push_back(kind.make(a, b));
+    checked_verdicts_.resize(checks_.size());
   }
 
   BlockRecord run(std::uint64_t begin, std::uint64_t end) {
     BlockRecord record;
-    record.n_undecided_by_check.assign(checks_.size(), 0);
+    record.comparisons.resize(checks_.size());
     for (std::uint64_t first = begin; first < end; first += kBatch) {
       run_batch(first, static_cast<std::size_t>(std::min<std::uint64_t>(kBatch, end - first)), record);
     }
@@ -71,9 +75,9 @@ class TrialRunner {
   void run_batch(std::uint64_t first, std::size_t n, BlockRecord& record) {
     std::size_t n_open = 0;
     for (std::size_t k = 0; k < n; ++k) {
-      std::array<double, kPoseDimension> point;
-      draw_unit_cube(settings_.seed, Stream::pose, first + k, point);
-      poses_[k] = pose_at(point, settings_.law, settings_.domain, centre_b_);
+      const PosedTrial trial = sampler_(first + k);
+      poses_[k] = trial.a_from_b;
+      shares_[k] = trial.domain_share;
       if (uses_quick_verdicts_) {
         const QuickVerdict::Answer<double> quick = quick_verdict_(poses_[k]);
         if (quick.disjoint) {
@@ -92,7 +96,11 @@ class TrialRunner {
     backend_->decide({open_poses_.data(), n_open}, {open_verdicts_.data(), n_open});
     for (std::size_t j = 0; j < n_open; ++j) verdicts_[open_[j]] = open_verdicts_[j];
     for (std::size_t k = 0; k < n; ++k) {
-      record.tally.add(verdicts_[k]);
+      if (is_fitted_) {
+        record.tally.add(verdicts_[k], shares_[k]);
+      } else {
+        record.tally.add(verdicts_[k]);
+      }
       if (verdicts_[k].outcome == Outcome::undecided) {
         ++record.undecided.n_all;
         record.undecided.kept.push_back({first + k, verdicts_[k].reason});
@@ -102,33 +110,36 @@ class TrialRunner {
   }
 
   void cross_check(std::uint64_t first, std::size_t n, BlockRecord& record) {
-    std::array<std::vector<Outcome>, kBatch> outcomes;
-    for (std::size_t k = 0; k < n; ++k) outcomes[k].push_back(verdicts_[k].outcome);
     for (std::size_t c = 0; c < checks_.size(); ++c) {
-      checks_[c]->decide({poses_.data(), n}, {open_verdicts_.data(), n});
-      for (std::size_t k = 0; k < n; ++k) {
-        outcomes[k].push_back(open_verdicts_[k].outcome);
-        if (open_verdicts_[k].outcome == Outcome::undecided) ++record.n_undecided_by_check[c];
-      }
+      checks_[c]->decide({poses_.data(), n}, {checked_verdicts_[c].data(), n});
+      for (std::size_t k = 0; k < n; ++k) record.comparisons[c].add(verdicts_[k], checked_verdicts_[c][k], shares_[k]);
     }
     for (std::size_t k = 0; k < n; ++k) {
-      const auto says = [&](Outcome outcome) { return std::ranges::find(outcomes[k], outcome) != outcomes[k].end(); };
+      const auto says = [&](Outcome outcome) {
+        return verdicts_[k].outcome == outcome || std::ranges::any_of(checked_verdicts_, [&](const auto& verdicts) {
+                 return verdicts[k].outcome == outcome;
+               });
+      };
       if (!says(Outcome::disjoint) || !says(Outcome::overlap)) continue;
       ++record.disagreements.n_all;
-      if (record.disagreements.kept.size() < FirstOf<Disagreement>::kKept) {
-        record.disagreements.kept.push_back({first + k, poses_[k], outcomes[k]});
-      }
+      if (record.disagreements.kept.size() == FirstOf<Disagreement>::kKept) continue;
+      Disagreement found{first + k, poses_[k], {verdicts_[k].outcome}};
+      for (const auto& verdicts : checked_verdicts_) found.outcomes.push_back(verdicts[k].outcome);
+      record.disagreements.kept.push_back(std::move(found));
     }
   }
 
   const MonteCarloSettings& settings_;
-  Vec3d centre_b_;
+  PoseSampler sampler_;
+  bool is_fitted_;
   QuickVerdict quick_verdict_;
   bool uses_quick_verdicts_;
   std::unique_ptr<OverlapBackend> backend_;
   std::vector<std::unique_ptr<OverlapBackend>> checks_;
   std::array<Transformd, kBatch> poses_, open_poses_;
+  std::array<double, kBatch> shares_{};
   std::array<Verdict, kBatch> verdicts_, open_verdicts_;
+  std::vector<std::array<Verdict, kBatch>> checked_verdicts_;  // of each of checks_
   std::array<std::size_t, kBatch> open_{};
 };
 
@@ -140,9 +151,9 @@ class Run {
       : a_(a),
         b_(b),
         settings_(settings),
-        certain_(hits_by_construction(a, b, settings.domain)),
+        certain_(hits_by_construction(a, b, settings.law, settings.domain)),
         is_only_rule_(settings.stop.relative_error && !settings.stop.trials && !settings.stop.seconds) {
-    record_.n_undecided_by_check.assign(settings.cross_check.size(), 0);
+    record_.comparisons.resize(settings.cross_check.size());
     set_next_evaluation();
   }
 
@@ -204,9 +215,10 @@ class Run {
 
   // Called with the lock held, when all trials up to round_end_ are done.
   void evaluate() {
-    if (settings_.stop.relative_error && reaches(*settings_.stop.relative_error, record_.tally, certain_)) {
+    if (settings_.stop.relative_error &&
+        reaches(*settings_.stop.relative_error, record_.tally, settings_.domain, certain_)) {
       stop(StopReason::relative_error);
-    } else if (is_only_rule_ && is_out_of_reach(*settings_.stop.relative_error, record_.tally)) {
+    } else if (is_only_rule_ && is_out_of_reach(*settings_.stop.relative_error, record_.tally, settings_.domain)) {
       stop(StopReason::undecided);
     } else if (round_end_ == trial_limit()) {
       const bool as_asked = settings_.stop.trials && *settings_.stop.trials <= settings_.stop.max_trials;
@@ -257,9 +269,7 @@ class Run {
     record_.tally += done.tally;
     append(record_.undecided, std::move(done.undecided));
     append(record_.disagreements, std::move(done.disagreements));
-    for (std::size_t c = 0; c < done.n_undecided_by_check.size(); ++c) {
-      record_.n_undecided_by_check[c] += done.n_undecided_by_check[c];
-    }
+    for (std::size_t c = 0; c < done.comparisons.size(); ++c) record_.comparisons[c] += done.comparisons[c];
     if (!stopped_ && record_.tally.n_trials == round_end_) evaluate();
   }
 
@@ -270,7 +280,10 @@ class Run {
       if (stopped_) break;
       if (interrupted()) stop(StopReason::interrupted);
       if (settings_.on_progress) {
-        const Progress progress{record_.tally, seconds_since(start_)};
+        Progress progress{record_.tally, std::numeric_limits<double>::infinity(), seconds_since(start_)};
+        if (record_.tally.n_trials > 0) {
+          progress.relative_error = volume_estimate(record_.tally, settings_.domain).relative_error();
+        }
         lock.unlock();
         settings_.on_progress(progress);
         lock.lock();
@@ -304,11 +317,25 @@ RunRecord run_hit_or_miss(const ConvexBody& a, const ConvexBody& b, const MonteC
   return Run(a, b, settings).go();
 }
 
-Transformd trial_pose(std::uint64_t seed, std::uint64_t index, OrientationLaw law, const Domain& domain,
-                      const ConvexBody& b) {
-  std::array<double, kPoseDimension> point;
-  draw_unit_cube(seed, Stream::pose, index, point);
-  return pose_at(point, law, domain, b.centre());
+Transformd trial_pose(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings,
+                      std::uint64_t index) {
+  return PoseSampler(a, b, settings.seed, settings.law, settings.domain)(index).a_from_b;
+}
+
+bool hits_by_construction(const ConvexBody& a, const ConvexBody& b, const OrientationLaw& law, const Domain& domain) {
+  if (domain.kind == Domain::Kind::ball) return is_ball(a) && is_ball(b);
+  if (domain.kind != Domain::Kind::fitted || law.dimension() > 0) return false;
+  // A - B is convex: it is all of the parallelepiped if the eight corners are in it, drawn in by a part in 2^30.
+  constexpr double kNearlyNothing = 0x1p-30;
+  const std::array<double, OrientationLaw::kMaxDimension> any_point{};
+  Transformd pose = law.rotation(std::span<const double>(any_point));
+  const Parallelepiped set = FittedDomain(a, b).at(pose);
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const auto end = [corner](unsigned k) { return (corner >> k & 1u) != 0 ? 1.0 - kNearlyNothing : kNearlyNothing; };
+    pose.translation = set.position(end(0), end(1), end(2));
+    if (overlap(a, b, pose).outcome != Outcome::overlap) return false;
+  }
+  return true;
 }
 
 }  // namespace vex

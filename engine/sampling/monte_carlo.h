@@ -9,7 +9,7 @@
 #include "engine/query/overlap_backend.h"
 #include "engine/sampling/domain.h"
 #include "engine/sampling/estimate.h"
-#include "engine/sampling/pose_map.h"
+#include "engine/sampling/orientation_law.h"
 #include "engine/sampling/stop_rule.h"
 #include "engine/sampling/tally.h"
 
@@ -17,15 +17,16 @@ namespace vex {
 
 /// What a run is doing, several times a second.
 struct Progress {
-  Tally tally;  // of all blocks finished so far
+  Tally tally;                  // of all blocks finished so far
+  double relative_error = 0.0;  // infinite as long as there is no hit
   double seconds = 0.0;
 };
 
 struct MonteCarloSettings {
   std::uint64_t seed = 1;
   int n_threads = 1;
-  OrientationLaw law = OrientationLaw::isotropic;
-  Domain domain;
+  OrientationLaw law;
+  Domain domain;  // its kind is the estimator: hit-or-miss-fitted where it is fitted, otherwise hit-or-miss
   bool quick_verdicts = true;  // never before a peer
   StopRule stop;
   BackendKind backend = gjk_backend();
@@ -64,7 +65,7 @@ struct RunRecord {
   double seconds = 0.0;
   FirstOf<UndecidedTrial> undecided;
   FirstOf<Disagreement> disagreements;
-  std::vector<std::uint64_t> n_undecided_by_check;  // of each backend in `cross_check`
+  std::vector<Comparison> comparisons;  // with each backend of `cross_check`
 };
 
 /// Draws trials 0, 1, 2, ... of (seed, Stream::pose) until the stop rule ends the run, and counts.
@@ -74,7 +75,11 @@ struct RunRecord {
 RunRecord run_hit_or_miss(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings);
 
 /// The pose of one trial, as the driver draws it: for replaying an undecided or disputed one.
-Transformd trial_pose(std::uint64_t seed, std::uint64_t index, OrientationLaw law, const Domain& domain,
-                      const ConvexBody& b);
+Transformd trial_pose(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings,
+                      std::uint64_t index);
+
+/// Whether every trial hits by construction: of two balls (is_ball) in the ball of their radii; and where there is one
+/// orientation and the fitted domain is all of A - B, as of two aligned boxes.
+bool hits_by_construction(const ConvexBody& a, const ConvexBody& b, const OrientationLaw& law, const Domain& domain);
 
 }  // namespace vex

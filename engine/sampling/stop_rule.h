@@ -50,22 +50,36 @@ constexpr std::uint64_t next_evaluation(std::uint64_t n_trials) {
   return n_trials + (growth > kStep ? growth : kStep);
 }
 
+/// As many trials of a fitted domain stand for the misses, which it may nearly never have: the allowance for unseen
+/// ones is then part of the error (fitted_estimate).
+inline constexpr std::uint64_t kFittedTrialsWithoutMisses = 1u << 20;
+
 /// Whether the relative error asked for is reached. `certain`: every trial hits by construction, so no miss is waited
 /// for.
-inline bool reaches(double relative_error, const Tally& tally, bool certain) {
+inline bool reaches(double relative_error, const Tally& tally, const Domain& domain, bool certain) {
   if (tally.n_hits < kMinHitsAndMisses) return false;
-  if (!certain && tally.n_misses() < kMinHitsAndMisses) return false;
-  return hit_or_miss_estimate(tally, 1.0).relative_error() <= relative_error;
+  const bool may_lack_misses =
+      certain || (domain.kind == Domain::Kind::fitted && tally.n_trials >= kFittedTrialsWithoutMisses);
+  if (!may_lack_misses && tally.n_misses() < kMinHitsAndMisses) return false;
+  return volume_estimate(tally, domain).relative_error() <= relative_error;
 }
 
 /// Whether undecided trials alone keep the relative error above the one asked for, however many trials follow: half of
 /// their share is part of the standard error (hit_or_miss_estimate). Six standard deviations sure.
-inline bool is_out_of_reach(double relative_error, const Tally& tally) {
+inline bool is_out_of_reach(double relative_error, const Tally& tally, const Domain& domain) {
   constexpr double kSure = 6.0;
   if (tally.n_undecided == 0) return false;
-  const double least_share = wilson_interval(tally.n_undecided, tally.n_trials, kSure).lower;
-  const double most_hits = wilson_interval(tally.n_hits + tally.n_undecided, tally.n_trials, kSure).upper;
-  return 0.5 * least_share > relative_error * most_hits;
+  const std::uint64_t n_not_missed = tally.n_hits + tally.n_undecided;
+  // Mean shares of the sampling volume, 1 where it is constant, turn fractions of trials into volumes.
+  double of_undecided = 1.0, of_not_missed = 1.0;
+  if (domain.kind == Domain::Kind::fitted) {
+    const double undecided = tally.undecided.first.value();
+    of_undecided = undecided / static_cast<double>(tally.n_undecided);
+    of_not_missed = (tally.hits.first.value() + undecided) / static_cast<double>(n_not_missed);
+  }
+  const double least_undecided = wilson_interval(tally.n_undecided, tally.n_trials, kSure).lower * of_undecided;
+  const double most_hits = wilson_interval(n_not_missed, tally.n_trials, kSure).upper * of_not_missed;
+  return 0.5 * least_undecided > relative_error * most_hits;
 }
 
 }  // namespace vex

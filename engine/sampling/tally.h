@@ -1,18 +1,39 @@
-// What a run counts. Whole numbers only: the same for any number of threads.
+// What a run counts. Whole numbers only, fixed-point sums among them: the same for any number of threads.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
+#include "engine/numeric/fixed_point_sum.h"
 #include "engine/query/verdict.h"
 
 namespace vex {
+
+/// Of the sampling volumes of some of the trials, in units of Domain::volume.
+struct ShareSums {
+  FixedPointSum first;   // of the shares
+  FixedPointSum second;  // of their squares
+
+  void add(double share) {
+    first.add(share);
+    second.add(share * share);
+  }
+  ShareSums& operator+=(const ShareSums& other) {
+    first += other.first;
+    second += other.second;
+    return *this;
+  }
+  friend bool operator==(const ShareSums&, const ShareSums&) = default;
+};
 
 struct Tally {
   std::uint64_t n_trials = 0;
   std::uint64_t n_hits = 0;
   std::uint64_t n_undecided = 0;
   std::array<std::uint64_t, kNDecidedBy> n_decided_by{};  // by DecidedBy; undecided trials are in none of them
+
+  /// With a fitted domain only; a constant one's follow from the counts.
+  ShareSums all, hits, undecided;
 
   std::uint64_t n_misses() const { return n_trials - n_hits - n_undecided; }
 
@@ -26,15 +47,57 @@ struct Tally {
     }
   }
 
+  /// A trial of a fitted domain, of this share.
+  void add(const Verdict& verdict, double share) {
+    add(verdict);
+    all.add(share);
+    if (verdict.outcome == Outcome::overlap) hits.add(share);
+    if (verdict.outcome == Outcome::undecided) undecided.add(share);
+  }
+
   Tally& operator+=(const Tally& other) {
     n_trials += other.n_trials;
     n_hits += other.n_hits;
     n_undecided += other.n_undecided;
     for (std::size_t k = 0; k < n_decided_by.size(); ++k) n_decided_by[k] += other.n_decided_by[k];
+    all += other.all;
+    hits += other.hits;
+    undecided += other.undecided;
     return *this;
   }
 
   friend bool operator==(const Tally&, const Tally&) = default;
+};
+
+/// How another backend answered the trials of a run.
+struct Comparison {
+  std::uint64_t n_undecided = 0;   // of the other backend
+  std::uint64_t n_compared = 0;    // trials that both decided
+  std::uint64_t n_only_run = 0;    // hits of the run's backend that the other one missed
+  std::uint64_t n_only_other = 0;  // hits of the other one that the run's missed
+  ShareSums only_run, only_other;
+
+  void add(const Verdict& run, const Verdict& other, double share) {
+    if (other.outcome == Outcome::undecided) ++n_undecided;
+    if (other.outcome == Outcome::undecided || run.outcome == Outcome::undecided) return;
+    ++n_compared;
+    if (run.outcome == other.outcome) return;
+    const bool is_hit = run.outcome == Outcome::overlap;
+    ++(is_hit ? n_only_run : n_only_other);
+    (is_hit ? only_run : only_other).add(share);
+  }
+
+  Comparison& operator+=(const Comparison& other) {
+    n_undecided += other.n_undecided;
+    n_compared += other.n_compared;
+    n_only_run += other.n_only_run;
+    n_only_other += other.n_only_other;
+    only_run += other.only_run;
+    only_other += other.only_other;
+    return *this;
+  }
+
+  friend bool operator==(const Comparison&, const Comparison&) = default;
 };
 
 }  // namespace vex

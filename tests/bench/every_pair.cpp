@@ -85,7 +85,7 @@ Row measure(const Kind& a, const Kind& b, std::uint64_t seed, double relative_er
   settings.n_threads = n_threads;
   // Of two balls every trial in a ball hits; in a box they are a test like any other.
   settings.domain = best_domain(a.shape.body, b.shape.body);
-  if (hits_by_construction(a.shape.body, b.shape.body, settings.domain)) {
+  if (hits_by_construction(a.shape.body, b.shape.body, settings.law, settings.domain)) {
     settings.domain = box_domain(a.shape.body, b.shape.body);
   }
   settings.stop.relative_error = relative_error;
@@ -206,7 +206,7 @@ int print_cross_check(std::uint64_t n_trials, std::uint64_t most_poses, int n_th
       std::vector<Against> against(peers.size());
       for (std::size_t c = 0; c < of_check.size(); ++c) {
         against[of_check[c]].takes_part = true;
-        against[of_check[c]].n_given_up = record.n_undecided_by_check[c];
+        against[of_check[c]].n_given_up = record.comparisons[c].n_undecided;
       }
       std::uint64_t n_listed = 0;
       for (const Disagreement& found : record.disagreements.kept) {

@@ -42,8 +42,9 @@ constexpr std::size_t kPoses = 1 << 17;
 
 std::vector<Transformd> stored_poses(const ConvexBody& body) {
   std::vector<Transformd> poses;
-  const Domain domain = ball_domain(body, body);
-  for (std::size_t k = 0; k < kPoses; ++k) poses.push_back(trial_pose(1, k, OrientationLaw::isotropic, domain, body));
+  MonteCarloSettings settings;
+  settings.domain = ball_domain(body, body);
+  for (std::size_t k = 0; k < kPoses; ++k) poses.push_back(trial_pose(body, body, settings, k));
   return poses;
 }
 

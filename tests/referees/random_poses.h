@@ -29,7 +29,7 @@ inline Transformd random_rotation(std::mt19937_64& random) {
 inline Transformd random_pose(std::mt19937_64& random, const Domain& domain, const ConvexBody& b) {
   std::array<double, kPoseDimension> point;
   for (double& u : point) u = random_in_unit_interval(random);
-  return pose_at(point, OrientationLaw::isotropic, domain, b.centre());
+  return pose_at(point, OrientationLaw::isotropic(), domain, b.centre());
 }
 
 }  // namespace vex

@@ -16,17 +16,18 @@ namespace {
 
 TEST(CollinearStart, DoesNotKeepBallsFromBeingDecided) {
   const ConvexBody a = Sphere(1.0), b = Sphere(2.0);
-  const Domain domain = ball_domain(a, b);
+  MonteCarloSettings settings;
+  settings.domain = ball_domain(a, b);
   for (const std::uint64_t index : {440477ull, 1142340ull, 3063674ull, 3092604ull}) {
     OverlapCertificate proof;
-    const Transformd pose = trial_pose(1, index, OrientationLaw::isotropic, domain, b);
+    const Transformd pose = trial_pose(a, b, settings, index);
     EXPECT_EQ(overlap(a, b, pose, &proof).outcome, Outcome::overlap) << index;
   }
   std::int64_t n_support_calls = 0;
   constexpr std::uint64_t n = 20000;
   for (std::uint64_t k = 0; k < n; ++k) {
     OverlapCertificate proof;
-    ASSERT_EQ(overlap(a, b, trial_pose(1, k, OrientationLaw::isotropic, domain, b), &proof).outcome, Outcome::overlap);
+    ASSERT_EQ(overlap(a, b, trial_pose(a, b, settings, k), &proof).outcome, Outcome::overlap);
     n_support_calls += proof.n_support_calls;
   }
   EXPECT_LT(static_cast<double>(n_support_calls) / n, 6.0);

@@ -18,6 +18,8 @@ RunRecord run_to_a_thousandth(const MeasuredBody& a, const MeasuredBody& b, Mont
   return run_hit_or_miss(a.body, b.body, settings);
 }
 
+const Domain kUnit{Domain::Kind::box, {}, 0.0, {}, 1.0};
+
 TEST(EndlessRun, OfNearBallsEndsInTheBox) {
   for (const char* text : {"ellipsoid:1,1,1.0000001", "rounded:1e9,box:1,1,1", "rounded:1e6,needle:1"}) {
     const MeasuredBody body = parse_shape(text);
@@ -53,12 +55,12 @@ TEST(EndlessRun, IsSureBeforeItGivesUp) {
   tally.n_trials = 4096;
   tally.n_hits = 2048;
   tally.n_undecided = 3;
-  EXPECT_FALSE(is_out_of_reach(1e-4, tally)) << "three may be chance";
+  EXPECT_FALSE(is_out_of_reach(1e-4, tally, kUnit)) << "three may be chance";
   tally.n_undecided = 400;
-  EXPECT_TRUE(is_out_of_reach(1e-3, tally));
-  EXPECT_FALSE(is_out_of_reach(0.2, tally)) << "half of a tenth, of a half";
+  EXPECT_TRUE(is_out_of_reach(1e-3, tally, kUnit));
+  EXPECT_FALSE(is_out_of_reach(0.2, tally, kUnit)) << "half of a tenth, of a half";
   tally.n_undecided = 0;
-  EXPECT_FALSE(is_out_of_reach(1e-12, tally));
+  EXPECT_FALSE(is_out_of_reach(1e-12, tally, kUnit));
 }
 
 }  // namespace

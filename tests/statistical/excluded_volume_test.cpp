@@ -81,7 +81,7 @@ TEST(TrueValuesOfAlignedBodies, CubesAndBoxesAndEllipsoids) {
   const auto aligned = [](const std::string& a, const std::string& b) {
     const ConvexBody body_a = parse_shape(a).body, body_b = parse_shape(b).body;
     MonteCarloSettings settings = to_relative_error(best_domain(body_a, body_b), 1e-3);
-    settings.law = OrientationLaw::aligned;
+    settings.law = OrientationLaw::aligned();
     return estimate(body_a, body_b, settings);
   };
   EXPECT_LE(std::fabs(z_of(aligned("box:1,1,1", "box:1,1,1"), 8.0)), 4.0);

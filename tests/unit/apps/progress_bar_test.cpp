@@ -9,6 +9,7 @@ Progress progress_of(std::uint64_t trials, std::uint64_t hits, double seconds) {
   Progress progress;
   progress.tally.n_trials = trials;
   progress.tally.n_hits = hits;
+  progress.relative_error = hit_or_miss_estimate(progress.tally, 1.0).relative_error();
   progress.seconds = seconds;
   return progress;
 }

@@ -72,7 +72,7 @@ TEST(MonteCarlo, TalliesAreTheTrialsOnePerOne) {
   const QuickVerdict quick(a, b, kDrawnRotationError);
   const std::unique_ptr<OverlapBackend> gjk = gjk_backend().make(a, b);
   for (std::uint64_t k = 0; k < 1000; ++k) {
-    const Transformd pose = trial_pose(settings.seed, k, settings.law, settings.domain, b);
+    const Transformd pose = trial_pose(a, b, settings, k);
     const QuickVerdict::Answer<double> answer = quick(pose);
     Verdict verdict;
     if (answer.disjoint) {
@@ -108,13 +108,13 @@ TEST(MonteCarlo, WhereEveryTrialHitsItEndsAndClaimsAnError) {
   settings.domain = ball_domain(a, b);
   settings.stop.trials.reset();
   settings.stop.relative_error = 1e-3;
-  ASSERT_TRUE(hits_by_construction(a, b, settings.domain));
+  ASSERT_TRUE(hits_by_construction(a, b, settings.law, settings.domain));
   const RunRecord record = run_hit_or_miss(a, b, settings);
   EXPECT_EQ(record.stopped_by, StopReason::relative_error);
   EXPECT_EQ(record.tally.n_hits, record.tally.n_trials);
   EXPECT_GT(hit_or_miss_estimate(record.tally, settings.domain.volume).std_error, 0.0);
-  EXPECT_FALSE(hits_by_construction(a, b, box_domain(a, b)));
-  EXPECT_FALSE(hits_by_construction(Box(1, 1, 1), b, ball_domain(Box(1, 1, 1), b)));
+  EXPECT_FALSE(hits_by_construction(a, b, settings.law, box_domain(a, b)));
+  EXPECT_FALSE(hits_by_construction(Box(1, 1, 1), b, settings.law, ball_domain(Box(1, 1, 1), b)));
 }
 
 TEST(MonteCarlo, WhereNoTrialHitsItEndsAtTheLimitIncomplete) {
@@ -156,7 +156,7 @@ TEST(MonteCarlo, CountsAndListsUndecidedTrialsAndNeverCallsThemHitsOrMisses) {
     if (k > 0) {
       ASSERT_LT(record.undecided.kept[k - 1].index, record.undecided.kept[k].index);
     }
-    ASSERT_GT(trial_pose(1, record.undecided.kept[k].index, settings.law, settings.domain, a).translation.x, 0.0);
+    ASSERT_GT(trial_pose(a, a, settings, record.undecided.kept[k].index).translation.x, 0.0);
   }
 }
 
@@ -165,7 +165,7 @@ TEST(MonteCarlo, ListsTrialsInTheirOrderWhateverThreadIsLast) {
   const ConvexBody a = Sphere(1.0);
   MonteCarloSettings settings = settings_for(a, a, 5000);
   settings.n_threads = 3;
-  const double first_x = trial_pose(1, 0, settings.law, settings.domain, a).translation.x;
+  const double first_x = trial_pose(a, a, settings, 0).translation.x;
   settings.backend = scripted("unsure and slow", [first_x](const Transformd& pose) {
     if (pose.translation.x == first_x) std::this_thread::sleep_for(std::chrono::milliseconds(200));
     return Verdict::undecided(DecidedBy::peer, UndecidedReason::rounding);
@@ -200,7 +200,7 @@ TEST(MonteCarlo, CrossCheckFindsALiar) {
     ASSERT_EQ(found.outcomes.size(), 2u);
     EXPECT_EQ(found.outcomes[0], Outcome::overlap);
     EXPECT_EQ(found.outcomes[1], Outcome::disjoint);
-    EXPECT_EQ(found.a_from_b.translation.x, trial_pose(1, found.index, settings.law, settings.domain, a).translation.x)
+    EXPECT_EQ(found.a_from_b.translation.x, trial_pose(a, a, settings, found.index).translation.x)
         << "the pose can be replayed";
   }
   settings.cross_check.clear();

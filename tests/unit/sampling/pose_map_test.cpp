@@ -106,11 +106,15 @@ TEST(PoseMap, PutsBsCentreWhereTheDomainSays) {
 
 TEST(PoseMap, LeavesAlignedBodiesUnturned) {
   const ConvexBody a = Box(1, 2, 3);
-  const Transformd pose = trial_pose(1, 5, OrientationLaw::aligned, ball_domain(a, a), a);
+  MonteCarloSettings settings;
+  settings.domain = ball_domain(a, a);
+  settings.law = OrientationLaw::aligned();
+  const Transformd pose = trial_pose(a, a, settings, 5);
   EXPECT_EQ(pose.row_x.x, 1.0);
   EXPECT_EQ(pose.row_x.y, 0.0);
   EXPECT_EQ(pose.row_z.z, 1.0);
-  const Transformd turned = trial_pose(1, 5, OrientationLaw::isotropic, ball_domain(a, a), a);
+  settings.law = OrientationLaw::isotropic();
+  const Transformd turned = trial_pose(a, a, settings, 5);
   EXPECT_EQ(pose.translation.x, turned.translation.x) << "the law does not change the position drawn";
 }
 
@@ -128,9 +132,9 @@ TEST(PoseMap, LanesGiveTheBitsOfOneLane) {
           packet[j].lane[k] = points[k][j];
         }
       }
-      const Transform<ArrayLanes<W>> wide = pose_at(packet, OrientationLaw::isotropic, domain, b.centre());
+      const Transform<ArrayLanes<W>> wide = pose_at(packet, OrientationLaw::isotropic(), domain, b.centre());
       for (std::size_t k = 0; k < W; ++k) {
-        const Transformd one = pose_at(points[k], OrientationLaw::isotropic, domain, b.centre());
+        const Transformd one = pose_at(points[k], OrientationLaw::isotropic(), domain, b.centre());
         ASSERT_EQ(bits_of(wide.row_x.y.lane[k]), bits_of(one.row_x.y));
         ASSERT_EQ(bits_of(wide.row_z.x.lane[k]), bits_of(one.row_z.x));
         ASSERT_EQ(bits_of(wide.translation.x.lane[k]), bits_of(one.translation.x));
@@ -145,7 +149,9 @@ TEST(PoseMap, OfThisStreamVersionIsTheseBits) {
   // test.
   ASSERT_EQ(kStreamVersion, 1);
   const ConvexBody cube = Box(1, 1, 1);
-  const Transformd pose = trial_pose(1, 1000000007, OrientationLaw::isotropic, ball_domain(cube, cube), cube);
+  MonteCarloSettings settings;
+  settings.domain = ball_domain(cube, cube);
+  const Transformd pose = trial_pose(cube, cube, settings, 1000000007);
   EXPECT_EQ(bits_of(pose.row_x.x), 0x3fcd432df44178f4ull);
   EXPECT_EQ(bits_of(pose.row_y.z), 0x3fd7d04ba5ed2031ull);
   EXPECT_EQ(bits_of(pose.row_z.y), 0xbfd56ff72b258787ull);

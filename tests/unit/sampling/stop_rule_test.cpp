@@ -12,6 +12,8 @@ Tally tally_of(std::uint64_t trials, std::uint64_t hits) {
   return tally;
 }
 
+const Domain kUnit{Domain::Kind::box, {}, 0.0, {}, 1.0};
+
 TEST(StopRule, EvaluationsAreAFixedGrowingSequence) {
   std::uint64_t n = 0;
   for (int k = 0; k < 400; ++k) {
@@ -25,17 +27,17 @@ TEST(StopRule, EvaluationsAreAFixedGrowingSequence) {
 }
 
 TEST(StopRule, WaitsForAHundredHitsAndAHundredMisses) {
-  EXPECT_FALSE(reaches(0.5, tally_of(100000, 99), false));
-  EXPECT_TRUE(reaches(0.5, tally_of(100000, 100), false));
-  EXPECT_FALSE(reaches(0.5, tally_of(100000, 100000 - 99), false));
-  EXPECT_TRUE(reaches(0.5, tally_of(100000, 100000 - 100), false));
-  EXPECT_TRUE(reaches(0.5, tally_of(100000, 100000), true)) << "where no miss can come, none is waited for";
+  EXPECT_FALSE(reaches(0.5, tally_of(100000, 99), kUnit, false));
+  EXPECT_TRUE(reaches(0.5, tally_of(100000, 100), kUnit, false));
+  EXPECT_FALSE(reaches(0.5, tally_of(100000, 100000 - 99), kUnit, false));
+  EXPECT_TRUE(reaches(0.5, tally_of(100000, 100000 - 100), kUnit, false));
+  EXPECT_TRUE(reaches(0.5, tally_of(100000, 100000), kUnit, true)) << "where no miss can come, none is waited for";
 }
 
 TEST(StopRule, ComparesTheRelativeError) {
   // p = 1/2: relative error 1 / sqrt(n).
-  EXPECT_TRUE(reaches(1.001e-2, tally_of(10000, 5000), false));
-  EXPECT_FALSE(reaches(0.999e-2, tally_of(10000, 5000), false));
+  EXPECT_TRUE(reaches(1.001e-2, tally_of(10000, 5000), kUnit, false));
+  EXPECT_FALSE(reaches(0.999e-2, tally_of(10000, 5000), kUnit, false));
 }
 
 }  // namespace

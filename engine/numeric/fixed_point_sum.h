@@ -1,0 +1,62 @@
+// A sum of numbers between 0 and 1 that does not depend on the order in which they are added.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "engine/numeric/expect.h"
+#include "engine/numeric/lane.h"
+
+namespace vex {
+
+/// A whole number of units of 2^-448 in 512 bits. Each number is cut to that unit once, when it is added, and all else
+/// is exact: sums are the same for any number of threads. Numbers below 2^-395 lose digits, less than `kUnit` each.
+/// Room for 2^64 numbers.
+class FixedPointSum {
+ public:
+  static constexpr double kUnit = 0x1p-448;
+
+  /// 0 <= x <= 1.
+  void add(double x) {
+    VEX_EXPECT(x >= 0.0 && x <= 1.0);
+    // x = mantissa 2^(exponent - 1075), and a subnormal adds nothing
+    const std::uint64_t bits = bits_of(x);
+    const int shift = static_cast<int>(bits >> 52) - 1075 + 448;  // of the mantissa's last bit; at most 396, for x = 1
+    if (shift <= -53) return;
+    const std::uint64_t mantissa = (bits & 0x000fffffffffffffu) | 0x0010000000000000u;
+    if (shift <= 0) {
+      add_word(0, mantissa >> -shift);
+    } else {
+      const auto word = static_cast<std::size_t>(shift / 64);
+      const int offset = shift % 64;
+      add_word(word, mantissa << offset);
+      if (offset > 11) add_word(word + 1, mantissa >> (64 - offset));
+    }
+  }
+
+  FixedPointSum& operator+=(const FixedPointSum& other) {
+    for (std::size_t k = 0; k < words_.size(); ++k) add_word(k, other.words_[k]);
+    return *this;
+  }
+
+  /// Within 2 u, relative.
+  double value() const {
+    double sum = 0.0;
+    for (const std::uint64_t word : words_) sum = static_cast<double>(word) + 0x1p-64 * sum;
+    return sum;
+  }
+
+  friend bool operator==(const FixedPointSum&, const FixedPointSum&) = default;
+
+ private:
+  void add_word(std::size_t k, std::uint64_t word) {
+    words_[k] += word;
+    if (words_[k] >= word) return;  // nothing to carry
+    while (++k < words_.size() && ++words_[k] == 0) {
+    }
+  }
+
+  std::array<std::uint64_t, 8> words_{};  // the least first
+};
+
+}  // namespace vex

@@ -1,0 +1,139 @@
+// How the relative orientation R of B in A's frame is distributed: an inversion map from the unit cube, without
+// rejection, for each law.
+//
+// Without rejection every trial uses the same coordinates for the same purpose, so random and quasi-random points share
+// the map. No C library function and no fused operation: a rotation is the same bits everywhere (elementary.h).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "engine/numeric/elementary.h"
+#include "engine/numeric/transform.h"
+
+namespace vex {
+
+/// The matrices drawn by any law are rotations to within this (E6).
+inline constexpr double kDrawnRotationError = 0x1p-46;
+
+/// The rows of a uniformly distributed rotation (K. Shoemake, "Uniform random rotations", Graphics Gems III, 1992).
+template <class L>
+Transform<L> uniform_rotation(const L& u, const L& v, const L& w) {
+  const SinCos<L> first = sincospi(v + v);
+  const SinCos<L> second = sincospi(w + w);
+  const L short_leg = square_root(L(1.0) - u);
+  const L long_leg = square_root(u);
+  const L qx = short_leg * first.sin, qy = short_leg * first.cos;
+  const L qz = long_leg * second.sin, qw = long_leg * second.cos;
+  const L one = L(1.0), two = L(2.0);
+  return {{one - two * (qy * qy + qz * qz), two * (qx * qy - qw * qz), two * (qx * qz + qw * qy)},
+          {two * (qx * qy + qw * qz), one - two * (qx * qx + qz * qz), two * (qy * qz - qw * qx)},
+          {two * (qx * qz - qw * qy), two * (qy * qz + qw * qx), one - two * (qx * qx + qy * qy)},
+          {}};
+}
+
+/// A value: cheap to copy, never changes.
+class OrientationLaw {
+ public:
+  enum class Kind {
+    isotropic,  // uniform over all rotations
+    aligned,    // R = I
+    fixed,      // one R
+    cone,       // both z axes within an angle of +-z
+    onsager,    // both z axes by Onsager's trial function
+  };
+
+  OrientationLaw() = default;  // isotropic
+  static OrientationLaw isotropic() { return {}; }
+  static OrientationLaw aligned();
+  /// B's quaternion in A's frame, of any length but 0 (rotation_from_quaternion).
+  static OrientationLaw fixed(double w, double x, double y, double z);
+  /// Each body's z axis independently, about a common axis: cos(theta) uniform on [cos(degrees), 1] times a random
+  /// sign, all other angles uniform (Balberg, Anderson, Alexander, Wagner, Phys. Rev. B 30, 3933, 1984). 0 <= degrees
+  /// <= 90.
+  static OrientationLaw cone(double degrees);
+  /// Each body's z axis independently with a density proportional to cosh(alpha cos(theta)) in solid angle (L. Onsager,
+  /// Ann. N.Y. Acad. Sci. 51, 627, 1949), all other angles uniform. alpha >= 0; 0 is isotropic.
+  static OrientationLaw onsager(double alpha);
+
+  Kind kind() const { return kind_; }
+  /// isotropic, aligned, fixed:1,0,0,0, cone:30, onsager:5.
+  std::string name() const;
+
+  friend bool operator==(const OrientationLaw& x, const OrientationLaw& y) {
+    return x.kind_ == y.kind_ && x.parameter_ == y.parameter_ && x.quaternion_ == y.quaternion_;
+  }
+
+  static constexpr int kMaxDimension = 5;
+  /// How many coordinates of the unit cube `rotation` uses; 0 where there is but one orientation.
+  int dimension() const;
+
+  /// R for a point of the open unit cube (at least `dimension()` coordinates); no translation.
+  template <class L>
+  Transform<L> rotation(std::span<const L> point) const;
+
+ private:
+  template <class L>
+  struct Polar {
+    L sin, cos;
+  };
+  template <class L>
+  Polar<L> polar_angle(const L& u) const;
+
+  Kind kind_ = Kind::isotropic;
+  Transformd fixed_{};  // of fixed
+  std::array<double, 4> quaternion_{1.0, 0.0, 0.0, 0.0};
+  double parameter_ = 0.0;  // degrees, or alpha
+  double height_ = 0.0;     // of cone: 1 - cos(degrees); of onsager: 1 - exp(-2 alpha)
+};
+
+/// sin and cos of one body's polar angle. The coordinate's upper bit is the sign of cos, the rest is spread over
+/// d = 1 - |cos| (cone), or over 1 - cos of the density exp(alpha cos), of which with both signs cosh is made
+/// (onsager).
+template <class L>
+OrientationLaw::Polar<L> OrientationLaw::polar_angle(const L& u) const {
+  const L one = L(1.0), twice = u + u;
+  const MaskOf<L> up = twice > one;
+  const L v = select(up, twice - one, twice);  // exact, and never 0 or 1: u is an odd multiple of 2^-53
+  L d;
+  if (kind_ == Kind::cone) {
+    d = L(height_) * v;
+  } else if (parameter_ < 0x1p-60) {
+    d = v + v;  // exp(alpha cos) is 1 to rounding
+  } else {
+    d = minus_log_of_complement(L(height_) * v) / L(parameter_);
+  }
+  const L cos = one - d;
+  // d <= 2 but for rounding
+  return {square_root(d * larger(L(2.0) - d, L(0.0))), select(up, cos, -cos)};
+}
+
+/// Of cone and onsager: with R_X = Rz(phi) Ry(theta) Rz(psi) for each body, R = R_A^T R_B depends on the difference of
+/// the two phi alone, which is uniform.
+template <class L>
+Transform<L> OrientationLaw::rotation(std::span<const L> point) const {
+  switch (kind_) {
+    case Kind::isotropic: return uniform_rotation(point[0], point[1], point[2]);
+    case Kind::aligned: return {};
+    case Kind::fixed: return {broadcast<L>(fixed_.row_x), broadcast<L>(fixed_.row_y), broadcast<L>(fixed_.row_z), {}};
+    case Kind::cone:
+    case Kind::onsager: break;
+  }
+  const Polar<L> a = polar_angle(point[0]), b = polar_angle(point[1]);
+  const SinCos<L> phi = sincospi(point[2] + point[2]);
+  const SinCos<L> psi_a = sincospi(point[3] + point[3]), psi_b = sincospi(point[4] + point[4]);
+  // X = Ry(-theta_A) Rz(phi) Ry(theta_B)
+  const Vec3<L> x{(a.cos * phi.cos) * b.cos + a.sin * b.sin, -(a.cos * phi.sin),
+                  (a.cos * phi.cos) * b.sin - a.sin * b.cos};
+  const Vec3<L> y{phi.sin * b.cos, phi.cos, phi.sin * b.sin};
+  const Vec3<L> z{(a.sin * phi.cos) * b.cos - a.cos * b.sin, -(a.sin * phi.sin),
+                  (a.sin * phi.cos) * b.sin + a.cos * b.cos};
+  const auto turned = [&psi_b](const Vec3<L>& row) -> Vec3<L> {  // row Rz(psi_B)
+    return {psi_b.cos * row.x + psi_b.sin * row.y, psi_b.cos * row.y - psi_b.sin * row.x, row.z};
+  };
+  return {turned(psi_a.cos * x + psi_a.sin * y), turned(psi_a.cos * y - psi_a.sin * x), turned(z), {}};
+}
+
+}  // namespace vex
