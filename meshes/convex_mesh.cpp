@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <ranges>
 #include <string>
@@ -83,14 +84,30 @@ Measures measures_of(const Body& body) {
   return {body.solid.volume, surface_area(body.triangles), integrated_mean_curvature(body.triangles)};
 }
 
-ConvexMesh finished(const Body& body, MeshReport report) {
+/// The surface, kept for whoever asks where it faces.
+struct KeptSurface {
+  std::vector<Vec3d> vertices;
+  Triangles triangles;
+};
+
+NormalMeasures normals_of(Body body) {
+  const auto kept = std::make_shared<KeptSurface>();
+  kept->vertices = std::move(body.vertices);
+  kept->triangles = std::move(body.triangles);
+  kept->triangles.vertices = kept->vertices;
+  return {[kept] { return area_measure(kept->triangles); }, [kept] { return mean_curvature_measure(kept->triangles); }};
+}
+
+ConvexMesh finished(Body body, MeshReport report) {
   report.n_vertices = body.vertices.size();
   report.n_triangles = body.triangles.size();
   report.size = bounding_diagonal(body.vertices);
   const double widest_inradius = inscribed_radius(body.triangles, body.solid.centroid);
   const Vec3d centre = rounded_centre(body.solid.centroid, widest_inradius, report.size);
   const double inradius = inscribed_radius(body.triangles, {centre, {}});
-  return {Polytope(body.vertices, centre, inradius), measures_of(body), std::move(report)};
+  ConvexMesh mesh{Polytope(body.vertices, centre, inradius), measures_of(body), std::move(report)};
+  mesh.normals = normals_of(std::move(body));
+  return mesh;
 }
 
 /// What the hull adds to surfaces that enclose `mesh`: 0 where no rounding tells them apart.
@@ -156,7 +173,7 @@ Body scaled(Body body, double scale) {
 ConvexMesh finished(Body body, const MeshOptions& options, Triangles mesh, std::vector<Vec3d> mesh_vertices,
                     MeshReport report) {
   if (!options.scale) {
-    return finished(body, std::move(report));
+    return finished(std::move(body), std::move(report));
   }
   const double scale = options.scale(measures_of(body));
   if (!(scale > 0.0) || !std::isfinite(scale)) {
@@ -172,7 +189,7 @@ ConvexMesh finished(Body body, const MeshOptions& options, Triangles mesh, std::
     mesh.vertices = mesh_vertices;
     report.hull_added_volume = added_volume(body.solid, volume_and_centroid(mesh));
   }
-  ConvexMesh result = finished(body, std::move(report));
+  ConvexMesh result = finished(std::move(body), std::move(report));
   check_scaled(result.measures, scale);
   return result;
 }

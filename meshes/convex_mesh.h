@@ -10,6 +10,7 @@
 
 #include "meshes/polygon_soup.h"
 #include "shapes/measures.h"
+#include "shapes/normal_measure.h"
 #include "shapes/polytope.h"
 
 namespace vex {
@@ -63,6 +64,9 @@ struct ConvexMesh {
   Polytope body;
   Measures measures;
   MeshReport report;
+
+  /// The measures on normals of the surface that was measured, made from it each time they are asked for.
+  NormalMeasures normals{};
 };
 
 /// Reads, welds, checks and measures. Throws InputError naming the first condition that fails, where, and by how much.

@@ -41,17 +41,27 @@ VolumeAndCentroid volume_and_centroid(const Triangles& triangles) {
   return result;
 }
 
-double surface_area(const Triangles& triangles) {
-  DoubleDouble twice_area;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const Vec3d a = triangles.corner(t, 0);
-    twice_area += norm(cross(exact_difference(triangles.corner(t, 1), a), exact_difference(triangles.corner(t, 2), a)));
-  }
-  return twice_area.value() / 2.0;
+namespace {
+
+/// Twice the area, along the outward normal.
+DoubleDoubleVec3 dir_normal_of(const Triangles& triangles, std::size_t t) {
+  const Vec3d a = triangles.corner(t, 0);
+  return cross(exact_difference(triangles.corner(t, 1), a), exact_difference(triangles.corner(t, 2), a));
 }
 
-double integrated_mean_curvature(const Triangles& triangles) {
-  DoubleDouble twice_curvature;
+Vec3d normalised(const DoubleDoubleVec3& v) {
+  const Vec3d dir = scaled_to_unit_exponent(v.value());
+  return (1.0 / norm(dir)) * dir;
+}
+
+/// An edge and the angle by which the surface turns there.
+struct Edge {
+  DoubleDoubleVec3 along, dir_normal_left;
+  double length = 0.0, exterior_angle_rad = 0.0;
+};
+
+template <class Visit>
+void for_each_edge(const Triangles& triangles, const Visit& visit) {
   for (std::uint32_t h = 0; h < triangles.mates.size(); ++h) {
     const std::uint32_t back = triangles.mates[h];
     if (back < h) {
@@ -67,9 +77,52 @@ double integrated_mean_curvature(const Triangles& triangles) {
     const double length = norm(edge);
     const double sine = -dot(dir_normal_left, to_right).value() * length;
     const double cosine = dot(dir_normal_left, dir_normal_right).value();
-    twice_curvature += length * std::atan2(sine, cosine);
+    visit(Edge{edge, dir_normal_left, length, std::atan2(sine, cosine)});
   }
+}
+
+}  // namespace
+
+double surface_area(const Triangles& triangles) {
+  DoubleDouble twice_area;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    twice_area += norm(dir_normal_of(triangles, t));
+  }
+  return twice_area.value() / 2.0;
+}
+
+double integrated_mean_curvature(const Triangles& triangles) {
+  DoubleDouble twice_curvature;
+  for_each_edge(triangles, [&](const Edge& edge) { twice_curvature += edge.length * edge.exterior_angle_rad; });
   return twice_curvature.value() / 2.0;
+}
+
+NormalMeasure area_measure(const Triangles& triangles) {
+  NormalMeasure area;
+  area.reserve(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const DoubleDoubleVec3 dir_normal = dir_normal_of(triangles, t);
+    const double twice_area = norm(dir_normal);
+    if (twice_area > 0.0) {
+      area.add(NormalAtom{normalised(dir_normal), 0.5 * twice_area});
+    }
+  }
+  return area;
+}
+
+NormalMeasure mean_curvature_measure(const Triangles& triangles) {
+  NormalMeasure curvature;
+  curvature.reserve(triangles.mates.size() / 2);
+  for_each_edge(triangles, [&](const Edge& edge) {
+    if (edge.exterior_angle_rad > 0.0) {
+      // Across the edge, from the face on its left: the rotation from that face's normal to the other's is about e.
+      const Vec3d from = normalised(edge.dir_normal_left);
+      const Vec3d across = cross(normalised(edge.along), from);
+      curvature.add(NormalArc{from, (1.0 / norm(across)) * across, edge.exterior_angle_rad,
+                              0.5 * edge.length * edge.exterior_angle_rad});
+    }
+  });
+  return curvature;
 }
 
 double bounding_diagonal(std::span<const Vec3d> vertices) {

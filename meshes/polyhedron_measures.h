@@ -6,6 +6,7 @@
 #include "meshes/determinant.h"
 #include "meshes/triangles.h"
 #include "shapes/measures.h"
+#include "shapes/normal_measure.h"
 
 namespace vex {
 
@@ -41,6 +42,14 @@ double surface_area(const Triangles& triangles);
 /// M = 1/2 sum over edges of length times exterior angle, the angle between the outward normals (REFERENCE.md, section
 /// 3): 0 where two triangles are coplanar, negative where an edge is reflex. No triangle may be without area.
 double integrated_mean_curvature(const Triangles& triangles);
+
+/// The surface area measure: an atom for each triangle that has an area, in the order of the triangles; those of one
+/// plane stay apart. Its mass is `surface_area`.
+NormalMeasure area_measure(const Triangles& triangles);
+
+/// The mean-curvature measure: an arc for each edge whose exterior angle is positive. The surface must be convex, and
+/// no triangle without area; then its mass is `integrated_mean_curvature`.
+NormalMeasure mean_curvature_measure(const Triangles& triangles);
 
 /// The diagonal of the bounding box: what tolerances are fractions of.
 double bounding_diagonal(std::span<const Vec3d> vertices);

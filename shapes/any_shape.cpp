@@ -34,13 +34,14 @@ template <class Shape>
 MeasuredBody measured(const Shape& shape) {
   MeasuredBody made{{}, ConvexBody(shape), shape.measures()};
   if constexpr (requires { shape.n_faces(); }) made.n_faces = shape.n_faces();
+  made.normals = normal_measures_of(shape);
   return made;
 }
 
 // A regular polyhedron is its vertices; as what it was made does not matter any more.
 template <std::derived_from<Polytope> Polyhedron>
 MeasuredBody measured(const Polyhedron& shape) {
-  return {{}, ConvexBody(Polytope(shape)), shape.measures(), shape.n_faces()};
+  return {{}, ConvexBody(Polytope(shape)), shape.measures(), shape.n_faces(), normal_measures_of(shape)};
 }
 
 struct Entry {
@@ -166,6 +167,9 @@ std::optional<RoundedText> parse_rounded(std::string_view text) {
 MeasuredBody rounded(const MeasuredBody& body, double radius, std::string_view source) {
   const Rounded<ConvexBody> shape(body.body, body.measures, size_in_range(radius, source));
   MeasuredBody made{std::string(kRounded.name), ConvexBody(shape), shape.measures()};
+  if (body.normals.area && body.normals.mean_curvature) {
+    made.normals = parallel_body_normal_measures(body.normals, radius);
+  }
   require_size_in_range(made.body, made.measures, source);
   return made;
 }

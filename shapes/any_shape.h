@@ -9,6 +9,7 @@
 
 #include "engine/support/convex_body.h"
 #include "shapes/measures.h"
+#include "shapes/normal_measure.h"
 
 namespace vex {
 
@@ -17,7 +18,8 @@ struct MeasuredBody {
   std::string kind;  // sphere, box, ...; polyhedron for a mesh
   ConvexBody body;
   Measures measures;
-  std::size_t n_faces = 0;  // of a polytope, sides of a plate; 0 for what has curved parts
+  std::size_t n_faces = 0;   // of a polytope, sides of a plate; 0 for what has curved parts
+  NormalMeasures normals{};  // none of a body that somebody made without
 };
 
 /// The vertices of a polytope, exactly: it is their convex hull. None for a body with curved parts.

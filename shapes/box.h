@@ -9,6 +9,7 @@
 #include "engine/numeric/rounding.h"
 #include "engine/support/support_mapping.h"
 #include "shapes/measures.h"
+#include "shapes/normal_measure.h"
 
 namespace vex {
 
@@ -45,6 +46,31 @@ class Box {
   Measures measures() const {
     const auto [a, b, c] = edges();
     return {a * b * c, 2.0 * (a * b + b * c + c * a), std::numbers::pi * (a + b + c)};
+  }
+
+  NormalMeasure area_measure() const {
+    const auto [a, b, c] = edges();
+    NormalMeasure area;
+    for (const double s : {-1.0, 1.0}) {
+      area.add(NormalAtom{{s, 0.0, 0.0}, b * c});
+      area.add(NormalAtom{{0.0, s, 0.0}, c * a});
+      area.add(NormalAtom{{0.0, 0.0, s}, a * b});
+    }
+    return area;
+  }
+  /// An edge of length l and exterior angle pi/2 has pi/4 l.
+  NormalMeasure mean_curvature_measure() const {
+    const auto [a, b, c] = edges();
+    constexpr double quarter = 0.25 * std::numbers::pi, right_angle = 0.5 * std::numbers::pi;
+    NormalMeasure curvature;
+    for (const double s : {-1.0, 1.0}) {
+      for (const double t : {-1.0, 1.0}) {
+        curvature.add(NormalArc{{0.0, s, 0.0}, {0.0, 0.0, t}, right_angle, quarter * a});
+        curvature.add(NormalArc{{0.0, 0.0, s}, {t, 0.0, 0.0}, right_angle, quarter * b});
+        curvature.add(NormalArc{{s, 0.0, 0.0}, {0.0, t, 0.0}, right_angle, quarter * c});
+      }
+    }
+    return curvature;
   }
 
  private:

@@ -7,6 +7,7 @@
 
 #include "engine/support/combinators.h"
 #include "shapes/measures.h"
+#include "shapes/normal_measure.h"
 
 namespace vex {
 
@@ -33,6 +34,24 @@ class Cylinder {
     constexpr double pi = std::numbers::pi;
     const double l = length(), r = radius_;
     return {pi * r * r * l, 2.0 * pi * r * (l + r), pi * (l + pi * r)};
+  }
+
+  NormalMeasure area_measure() const {
+    constexpr double pi = std::numbers::pi;
+    NormalMeasure area;
+    area.add(NormalAtom{{0.0, 0.0, -1.0}, pi * radius_ * radius_});
+    area.add(NormalAtom{{0.0, 0.0, 1.0}, pi * radius_ * radius_});
+    area.add(NormalRing{0.0, 1.0, 2.0 * pi * radius_ * length()});
+    return area;
+  }
+  /// The needle's, and the disc's in two halves, for the two rims: of a sum of bodies it is the sum.
+  NormalMeasure mean_curvature_measure() const {
+    constexpr double pi = std::numbers::pi;
+    NormalMeasure curvature;
+    curvature.add(NormalRing{0.0, 1.0, pi * length()});
+    curvature.add(NormalRim{0.0, 0.5 * pi, 0.5 * pi * pi * radius_});
+    curvature.add(NormalRim{0.5 * pi, pi, 0.5 * pi * pi * radius_});
+    return curvature;
   }
 
  private:

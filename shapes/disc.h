@@ -5,6 +5,7 @@
 
 #include "engine/support/combinators.h"
 #include "shapes/measures.h"
+#include "shapes/normal_measure.h"
 
 namespace vex {
 
@@ -25,6 +26,21 @@ class Disc {
   Measures measures() const {
     constexpr double pi = std::numbers::pi;
     return {0.0, 2.0 * pi * radius_ * radius_, pi * pi * radius_};
+  }
+
+  NormalMeasure area_measure() const {
+    NormalMeasure area;
+    for (const double side : {-1.0, 1.0}) {
+      area.add(NormalAtom{{0.0, 0.0, side}, std::numbers::pi * radius_ * radius_});
+    }
+    return area;
+  }
+  /// The rim, an edge of length 2 pi R with exterior angle pi.
+  NormalMeasure mean_curvature_measure() const {
+    constexpr double pi = std::numbers::pi;
+    NormalMeasure curvature;
+    curvature.add(NormalRim{0.0, pi, pi * pi * radius_});
+    return curvature;
   }
 
  private:

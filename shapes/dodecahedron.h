@@ -9,6 +9,7 @@
 #include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
 #include "shapes/measures.h"
+#include "shapes/normal_measure.h"
 #include "shapes/polytope.h"
 
 namespace vex {
@@ -29,7 +30,21 @@ class Dodecahedron : public Polytope {
             15.0 * e * std::atan(2.0)};
   }
 
+  NormalMeasure area_measure() const { return regular_polyhedron_area(face_directions(), measures()); }
+  NormalMeasure mean_curvature_measure() const {
+    return regular_polyhedron_mean_curvature(face_directions(), measures());
+  }
+
  private:
+  /// The corners of an icosahedron.
+  static std::vector<Vec3d> face_directions() {
+    constexpr double p = std::numbers::phi;
+    std::vector<Vec3d> dirs;
+    for (const double s : {-1.0, 1.0}) {
+      for (const double t : {-p, p}) dirs.insert(dirs.end(), {{0, t, s}, {t, s, 0}, {s, 0, t}});
+    }
+    return dirs;
+  }
   static std::vector<Vec3d> corners(double edge) {
     VEX_EXPECT(edge > 0.0);
     const double a = edge * (0.5 * std::numbers::phi);  // half the edge of the cube

@@ -5,6 +5,7 @@
 
 #include "engine/support/combinators.h"
 #include "shapes/measures.h"
+#include "shapes/normal_measure.h"
 
 namespace vex {
 
@@ -33,6 +34,17 @@ class Ellipsoid {
   /// S = 4 pi R_G(a^2 b^2, a^2 c^2, b^2 c^2) and M = 4 pi R_G(a^2, b^2, c^2), Carlson's symmetric integral
   /// (DLMF 19.33).
   Measures measures() const;
+
+  NormalMeasure area_measure() const {
+    NormalMeasure area;
+    area.add(EllipsoidNormals{axes_, measures().surface_area});
+    return area;
+  }
+  NormalMeasure mean_curvature_measure() const {
+    NormalMeasure curvature;
+    curvature.add(EllipsoidCurvature{axes_, measures().integrated_mean_curvature});
+    return curvature;
+  }
 
  private:
   Vec3d axes_;

@@ -7,6 +7,7 @@
 
 #include "engine/support/combinators.h"
 #include "shapes/measures.h"
+#include "shapes/normal_measure.h"
 
 namespace vex {
 
@@ -46,6 +47,29 @@ class Frustum {
     const double lower_angle = std::atan2(h, q - p), upper_angle = std::atan2(h, p - q);  // pi/2 +- alpha
     return {pi / 3.0 * h * (p * p + p * q + q * q), pi * (p * p + q * q + (p + q) * slant),
             pi * (h + p * lower_angle + q * upper_angle)};
+  }
+
+  NormalMeasure area_measure() const {
+    constexpr double pi = std::numbers::pi;
+    const double p = lower_radius_, q = upper_radius_;
+    const double slant = std::hypot(height_, p - q);
+    NormalMeasure area;
+    if (p > 0.0) area.add(NormalAtom{{0.0, 0.0, -1.0}, pi * p * p});
+    if (q > 0.0) area.add(NormalAtom{{0.0, 0.0, 1.0}, pi * q * q});
+    area.add(NormalRing{(p - q) / slant, height_ / slant, pi * (p + q) * slant});
+    return area;
+  }
+  /// The mantle's pi H, and the two rims, edges of exterior angle pi/2 +- alpha. An apex has none.
+  NormalMeasure mean_curvature_measure() const {
+    constexpr double pi = std::numbers::pi;
+    const double p = lower_radius_, q = upper_radius_;
+    const double slant = std::hypot(height_, p - q);
+    const double lower_angle = std::atan2(height_, q - p), upper_angle = std::atan2(height_, p - q);
+    NormalMeasure curvature;
+    curvature.add(NormalRing{(p - q) / slant, height_ / slant, pi * height_});
+    if (p > 0.0) curvature.add(NormalRim{upper_angle, pi, pi * p * lower_angle});
+    if (q > 0.0) curvature.add(NormalRim{0.0, upper_angle, pi * q * upper_angle});
+    return curvature;
   }
 
  private:

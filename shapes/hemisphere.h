@@ -6,6 +6,7 @@
 
 #include "engine/support/combinators.h"
 #include "shapes/measures.h"
+#include "shapes/normal_measure.h"
 
 namespace vex {
 
@@ -30,6 +31,21 @@ class Hemisphere {
     constexpr double pi = std::numbers::pi;
     const double r = radius_;
     return {2.0 / 3.0 * pi * r * r * r, 3.0 * pi * r * r, pi * r * (2.0 + 0.5 * pi)};
+  }
+
+  NormalMeasure area_measure() const {
+    constexpr double pi = std::numbers::pi;
+    NormalMeasure area;
+    area.add(NormalAtom{{0.0, 0.0, -1.0}, pi * radius_ * radius_});
+    area.add(NormalZone{0.0, 1.0, 2.0 * pi * radius_ * radius_});
+    return area;
+  }
+  NormalMeasure mean_curvature_measure() const {
+    constexpr double pi = std::numbers::pi;
+    NormalMeasure curvature;
+    curvature.add(NormalZone{0.0, 1.0, 2.0 * pi * radius_});
+    curvature.add(NormalRim{0.5 * pi, pi, 0.5 * pi * pi * radius_});
+    return curvature;
   }
 
  private:

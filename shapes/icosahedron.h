@@ -9,6 +9,7 @@
 #include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
 #include "shapes/measures.h"
+#include "shapes/normal_measure.h"
 #include "shapes/polytope.h"
 
 namespace vex {
@@ -30,7 +31,24 @@ class Icosahedron : public Polytope {
             15.0 * e * std::acos(std::sqrt(5.0) / 3.0)};
   }
 
+  NormalMeasure area_measure() const { return regular_polyhedron_area(face_directions(), measures()); }
+  NormalMeasure mean_curvature_measure() const {
+    return regular_polyhedron_mean_curvature(face_directions(), measures());
+  }
+
  private:
+  /// The corners of a dodecahedron.
+  static std::vector<Vec3d> face_directions() {
+    constexpr double p = std::numbers::phi;
+    std::vector<Vec3d> dirs;
+    for (const double s : {-1.0, 1.0}) {
+      for (const double t : {-1.0, 1.0}) {
+        for (const double x : {-1.0, 1.0}) dirs.push_back({x, s, t});
+        dirs.insert(dirs.end(), {{0, s * p, t / p}, {s * p, t / p, 0}, {t / p, 0, s * p}});
+      }
+    }
+    return dirs;
+  }
   static std::vector<Vec3d> corners(double edge) {
     VEX_EXPECT(edge > 0.0);
     const double q = 0.5 * edge, p = q * std::numbers::phi;

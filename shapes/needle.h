@@ -7,6 +7,7 @@
 #include "engine/numeric/expect.h"
 #include "engine/support/support_mapping.h"
 #include "shapes/measures.h"
+#include "shapes/normal_measure.h"
 
 namespace vex {
 
@@ -30,6 +31,15 @@ class Needle {
 
   /// The limit of a thin cylinder: a needle has no area, but a mean width.
   Measures measures() const { return {0.0, 0.0, std::numbers::pi * length()}; }
+
+  /// Nothing: a needle has no area.
+  NormalMeasure area_measure() const { return {}; }
+  /// All normals at a right angle to it, alike.
+  NormalMeasure mean_curvature_measure() const {
+    NormalMeasure curvature;
+    curvature.add(NormalRing{0.0, 1.0, std::numbers::pi * length()});
+    return curvature;
+  }
 
  private:
   double half_length_;

@@ -8,6 +8,7 @@
 #include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
 #include "shapes/measures.h"
+#include "shapes/normal_measure.h"
 #include "shapes/polytope.h"
 
 namespace vex {
@@ -26,7 +27,22 @@ class Octahedron : public Polytope {
     return {std::numbers::sqrt2 / 3.0 * e * e * e, 2.0 * std::numbers::sqrt3 * e * e, 6.0 * e * std::acos(1.0 / 3.0)};
   }
 
+  NormalMeasure area_measure() const { return regular_polyhedron_area(face_directions(), measures()); }
+  NormalMeasure mean_curvature_measure() const {
+    return regular_polyhedron_mean_curvature(face_directions(), measures());
+  }
+
  private:
+  /// The corners of a cube.
+  static std::vector<Vec3d> face_directions() {
+    std::vector<Vec3d> dirs;
+    for (const double x : {-1.0, 1.0}) {
+      for (const double y : {-1.0, 1.0}) {
+        for (const double z : {-1.0, 1.0}) dirs.push_back({x, y, z});
+      }
+    }
+    return dirs;
+  }
   static std::vector<Vec3d> corners(double edge) {
     VEX_EXPECT(edge > 0.0);
     const double a = edge * (0.5 * std::numbers::sqrt2);

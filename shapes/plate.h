@@ -8,6 +8,7 @@
 #include "engine/numeric/rounding.h"
 #include "engine/support/support_mapping.h"
 #include "shapes/measures.h"
+#include "shapes/normal_measure.h"
 
 namespace vex {
 
@@ -36,8 +37,22 @@ class Plate {
   std::size_t n_faces() const { return 2; }  // its two sides
 
   /// Both sides count: S = 2 a b, and M = pi P / 2 with the perimeter P.
-  Measures measures() const {
-    return {0.0, 2.0 * edge_x() * edge_y(), std::numbers::pi * (edge_x() + edge_y())};
+  Measures measures() const { return {0.0, 2.0 * edge_x() * edge_y(), std::numbers::pi * (edge_x() + edge_y())}; }
+
+  NormalMeasure area_measure() const {
+    NormalMeasure area;
+    for (const double side : {-1.0, 1.0}) area.add(NormalAtom{{0.0, 0.0, side}, edge_x() * edge_y()});
+    return area;
+  }
+  /// Four edges of exterior angle pi.
+  NormalMeasure mean_curvature_measure() const {
+    constexpr double pi = std::numbers::pi;
+    NormalMeasure curvature;
+    for (const double side : {-1.0, 1.0}) {
+      curvature.add(NormalArc{{0.0, 0.0, 1.0}, {side, 0.0, 0.0}, pi, 0.5 * pi * edge_y()});
+      curvature.add(NormalArc{{0.0, 0.0, 1.0}, {0.0, side, 0.0}, pi, 0.5 * pi * edge_x()});
+    }
+    return curvature;
   }
 
  private:

@@ -6,6 +6,7 @@
 
 #include "engine/support/combinators.h"
 #include "shapes/measures.h"
+#include "shapes/normal_measure.h"
 
 namespace vex {
 
@@ -15,6 +16,27 @@ inline Measures parallel_body_measures(const Measures& body, double radius) {
   constexpr double pi = std::numbers::pi;
   const double s = body.surface_area, m = body.integrated_mean_curvature, r = radius;
   return {body.volume + r * (s + r * (m + 4.0 / 3.0 * pi * r)), s + r * (2.0 * m + 4.0 * pi * r), m + 4.0 * pi * r};
+}
+
+/// The surface area measure of K + ball of radius r, from S_K and H_K: S_K + 2 r H_K + r^2 S_B, the same formula normal
+/// by normal (Schneider, section 4.2).
+inline NormalMeasure parallel_body_area_measure(NormalMeasure area, const NormalMeasure& mean_curvature,
+                                                double radius) {
+  area.add(mean_curvature, 2.0 * radius);
+  area.add(uniform_normals(4.0 * std::numbers::pi), radius * radius);
+  return area;
+}
+
+/// The mean-curvature measure of K + ball of radius r: H_K + r H_B.
+inline NormalMeasure parallel_body_mean_curvature_measure(NormalMeasure mean_curvature, double radius) {
+  mean_curvature.add(uniform_normals(4.0 * std::numbers::pi), radius);
+  return mean_curvature;
+}
+
+/// Both, for measures that are made when asked for.
+inline NormalMeasures parallel_body_normal_measures(const NormalMeasures& body, double radius) {
+  return {[body, radius] { return parallel_body_area_measure(body.area(), body.mean_curvature(), radius); },
+          [body, radius] { return parallel_body_mean_curvature_measure(body.mean_curvature(), radius); }};
 }
 
 /// `rounded:r,BODY`.

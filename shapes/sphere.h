@@ -5,6 +5,7 @@
 
 #include "engine/support/combinators.h"
 #include "shapes/measures.h"
+#include "shapes/normal_measure.h"
 
 namespace vex {
 
@@ -26,6 +27,9 @@ class Sphere {
     constexpr double pi = std::numbers::pi;
     return {4.0 / 3.0 * pi * radius_ * radius_ * radius_, 4.0 * pi * radius_ * radius_, 4.0 * pi * radius_};
   }
+
+  NormalMeasure area_measure() const { return uniform_normals(measures().surface_area); }
+  NormalMeasure mean_curvature_measure() const { return uniform_normals(measures().integrated_mean_curvature); }
 
  private:
   double radius_;

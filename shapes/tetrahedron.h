@@ -8,6 +8,7 @@
 #include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
 #include "shapes/measures.h"
+#include "shapes/normal_measure.h"
 #include "shapes/polytope.h"
 
 namespace vex {
@@ -26,7 +27,14 @@ class Tetrahedron : public Polytope {
     return {e * e * e / (6.0 * std::numbers::sqrt2), std::numbers::sqrt3 * e * e, 3.0 * e * std::acos(-1.0 / 3.0)};
   }
 
+  NormalMeasure area_measure() const { return regular_polyhedron_area(face_directions(), measures()); }
+  NormalMeasure mean_curvature_measure() const {
+    return regular_polyhedron_mean_curvature(face_directions(), measures());
+  }
+
  private:
+  /// The faces look away from the corners opposite.
+  static std::vector<Vec3d> face_directions() { return {{-1, -1, -1}, {-1, 1, 1}, {1, -1, 1}, {1, 1, -1}}; }
   static std::vector<Vec3d> corners(double edge) {
     VEX_EXPECT(edge > 0.0);
     const double a = edge * (0.25 * std::numbers::sqrt2);  // half the edge of the cube

@@ -86,6 +86,7 @@ LoadedBody load_body(const std::string& text, const BodyOptions& options) {
   }
   ConvexMesh mesh = load_naming_the_file(core, mesh_options);
   LoadedBody loaded{text, {"polyhedron", ConvexBody(std::move(mesh.body)), mesh.measures}, scale, mesh.report};
+  loaded.shape.normals = std::move(mesh.normals);
   loaded.shape.n_faces = options.hull ? mesh.report.n_triangles : mesh.report.n_faces;
   require_size_in_range(loaded.shape.body, loaded.shape.measures, text);
   if (round) loaded.shape = rounded(loaded.shape, radius * scale, text);

@@ -18,6 +18,7 @@
 #include "refusal.h"
 #include "shapes/excluded_volume.h"
 #include "soups.h"
+#include "tests/referees/normal_integral.h"
 
 namespace vex::tests {
 namespace {
@@ -221,6 +222,40 @@ TEST(PolyhedronMeasures, OfRegularPrismsGiveTheReferenceExcludedVolumes) {
     const Measures measures{volume_and_centroid(*hull).volume, surface_area(*hull), integrated_mean_curvature(*hull)};
     EXPECT_NEAR(average_excluded_volume(measures, measures) / measures.volume, reduced, 1e-9 * reduced) << n_sides;
   }
+}
+
+// The measures on normals, held against V, S and M of the same surface.
+void expect_normals_of(const PolygonSoup& soup) {
+  const ConvexMesh mesh = convex_mesh_from(soup);
+  const NormalMeasure area = mesh.normals.area(), curvature = mesh.normals.mean_curvature();
+  const auto [v, s, m] = mesh.measures;
+  const double size = mesh.body.circumradius();
+  expect_near_relative(area.total_mass(), s, 1e-14, "S");
+  expect_near_relative(curvature.total_mass(), m, 1e-14, "M");
+  for (const Vec3d& axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) {
+    const auto along = [&](const Vec3d& n) { return dot(axis, n); };
+    EXPECT_NEAR(integral_over(area, along), 0.0, 1e-13 * s);
+    EXPECT_NEAR(integral_over(curvature, along), 0.0, 1e-13 * m);
+  }
+  const auto height = [&](const Vec3d& n) { return dot(n, mesh.body.support(n) - mesh.body.centre()); };
+  EXPECT_NEAR(integral_over(area, height) / 3.0, v, 1e-13 * s * size);
+  EXPECT_NEAR(integral_over(curvature, height), s, 1e-13 * m * size);
+}
+
+TEST(NormalMeasuresOfAMesh, AgreeWithItsMeasures) {
+  expect_normals_of(box_soup({-1, 0, 0.25}, {1, 3, 0.5}));
+  expect_normals_of(tetrahedron_soup());
+  expect_normals_of(dodecahedron_soup());
+  expect_normals_of(hull_soup(random_points(5, 200)));
+  expect_normals_of(sphere_soup(6, [](const Vec3d& p) { return Vec3d{1000.0 + p.x, 2.0 * p.y - 500.0, 0.5 * p.z}; }));
+}
+
+TEST(NormalMeasuresOfAMesh, AreTheScaledBodysWhereItIsScaled) {
+  MeshOptions options;
+  options.scale = [](const Measures&) { return 3.0; };
+  const ConvexMesh mesh = convex_mesh_from(box_soup({0, 0, 0}, {1, 1, 1}), options);
+  EXPECT_NEAR(mesh.normals.area().total_mass(), 54.0, 1e-12);
+  EXPECT_NEAR(mesh.normals.mean_curvature().total_mass(), 9.0 * kPi, 1e-12);
 }
 
 }  // namespace

@@ -1,0 +1,147 @@
+#include "shapes/normal_measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "engine/numeric/double_double.h"
+#include "engine/numeric/elementary.h"
+#include "engine/numeric/expect.h"
+
+namespace vex {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Vec3d around_z(double cos_polar, double sin_polar, double w) {
+  const SinCos<double> azimuth = sincospi(w + w);
+  return {sin_polar * azimuth.cos, sin_polar * azimuth.sin, cos_polar};
+}
+
+/// Uniform on the unit sphere.
+Vec3d on_sphere(double v, double w) { return around_z((v + v) - 1.0, 2.0 * std::sqrt(v * (1.0 - v)), w); }
+
+Vec3d scaled_by(const Vec3d& factors, const Vec3d& a) { return {factors.x * a.x, factors.y * a.y, factors.z * a.z}; }
+
+struct NormalAt {
+  double v, w;
+
+  WeightedNormal operator()(const NormalAtom& atom) const { return {atom.unit_normal, atom.mass}; }
+  WeightedNormal operator()(const NormalArc& arc) const {
+    const double angle = v * arc.angle_rad;
+    return {std::cos(angle) * arc.unit_from + std::sin(angle) * arc.unit_across, arc.mass};
+  }
+  WeightedNormal operator()(const NormalRing& ring) const {
+    return {around_z(ring.cos_polar, ring.sin_polar, w), ring.mass};
+  }
+  WeightedNormal operator()(const NormalZone& zone) const {
+    const double cos_polar = zone.cos_from + v * (zone.cos_to - zone.cos_from);
+    return {around_z(cos_polar, std::sqrt((1.0 - cos_polar) * (1.0 + cos_polar)), w), zone.mass};
+  }
+  WeightedNormal operator()(const NormalRim& rim) const {
+    const double polar = rim.polar_from_rad + v * (rim.polar_to_rad - rim.polar_from_rad);
+    return {around_z(std::cos(polar), std::sin(polar), w), rim.mass};
+  }
+  WeightedNormal operator()(const EllipsoidNormals& ellipsoid) const {
+    const auto [a, b, c] = ellipsoid.semi_axes;
+    // det D D^-1 u; no axis divides another.
+    const Vec3d dir_normal = scaled_by({b * c, c * a, a * b}, on_sphere(v, w));
+    const double length = norm(dir_normal);
+    return {(1.0 / length) * dir_normal, 4.0 * kPi * ellipsoid.factor * length};
+  }
+  WeightedNormal operator()(const EllipsoidCurvature& ellipsoid) const {
+    const Vec3d unit_normal = on_sphere(v, w);
+    const Vec3d axes = ellipsoid.semi_axes;
+    const Vec3d image = scaled_by(axes, unit_normal);
+    const double height = norm(image);
+    const Vec3d touching = (1.0 / height) * scaled_by(axes, image);  // the surface's point of this normal
+    const double sum_of_radii = (dot(axes, axes) - dot(touching, touching)) / height;
+    return {unit_normal, 2.0 * kPi * ellipsoid.factor * sum_of_radii};
+  }
+};
+
+struct Edge {
+  std::size_t i, j;
+};
+
+std::vector<Edge> closest_pairs(std::span<const Vec3d> dirs) {
+  double closest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < dirs.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) closest = std::max(closest, dot(dirs[i], dirs[j]));
+  }
+  // Of the five bodies' normals the second closest pairs are far away: this is no matter of rounding.
+  const double nearly = closest - 0.01 * dot(dirs[0], dirs[0]);
+  std::vector<Edge> pairs;
+  for (std::size_t i = 0; i < dirs.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (dot(dirs[i], dirs[j]) > nearly) pairs.push_back({i, j});
+    }
+  }
+  return pairs;
+}
+
+Vec3d normalised(const Vec3d& a) { return (1.0 / norm(a)) * a; }
+
+}  // namespace
+
+void NormalMeasure::add(const NormalMeasure& other, double factor) {
+  VEX_EXPECT(factor >= 0.0 && &other != this);
+  components_.reserve(components_.size() + other.components_.size());
+  for (Component component : other.components_) {
+    if (auto* const area = std::get_if<EllipsoidNormals>(&component)) {
+      area->factor *= factor;
+    } else if (auto* const curvature = std::get_if<EllipsoidCurvature>(&component)) {
+      curvature->factor *= factor;
+    }
+    std::visit([factor](auto& c) { c.mass *= factor; }, component);
+    components_.push_back(component);
+  }
+}
+
+double NormalMeasure::total_mass() const {
+  DoubleDouble sum;
+  for (const Component& component : components_) sum += mass_of(component);
+  return sum.value();
+}
+
+double mass_of(const NormalMeasure::Component& component) {
+  return std::visit([](const auto& c) { return c.mass; }, component);
+}
+
+WeightedNormal normal_at(const NormalMeasure::Component& component, double v, double w) {
+  return std::visit(NormalAt{v, w}, component);
+}
+
+CoordinatesUsed coordinates_used(const NormalMeasure::Component& component) {
+  if (std::holds_alternative<NormalAtom>(component)) return {false, false};
+  return {!std::holds_alternative<NormalRing>(component), !std::holds_alternative<NormalArc>(component)};
+}
+
+NormalMeasure uniform_normals(double mass) {
+  NormalMeasure uniform;
+  uniform.add(NormalZone{-1.0, 1.0, mass});
+  return uniform;
+}
+
+NormalMeasure regular_polyhedron_area(std::span<const Vec3d> dir_normals, const Measures& measures) {
+  NormalMeasure area;
+  for (const Vec3d& dir : dir_normals) {
+    area.add(NormalAtom{normalised(dir), measures.surface_area / static_cast<double>(dir_normals.size())});
+  }
+  return area;
+}
+
+NormalMeasure regular_polyhedron_mean_curvature(std::span<const Vec3d> dir_normals, const Measures& measures) {
+  NormalMeasure curvature;
+  const std::vector<Edge> edges = closest_pairs(dir_normals);
+  for (const auto [i, j] : edges) {
+    const Vec3d from = normalised(dir_normals[i]), to = normalised(dir_normals[j]);
+    const Vec3d axis = cross(from, to);
+    curvature.add(NormalArc{from, normalised(cross(axis, from)), std::atan2(norm(axis), dot(from, to)),
+                            measures.integrated_mean_curvature / static_cast<double>(edges.size())});
+  }
+  return curvature;
+}
+
+}  // namespace vex

@@ -1,0 +1,130 @@
+// Measures on the unit normals of a convex body: where its surface, and where its mean curvature, faces.
+//
+// S_K, the surface area measure: S_K(w) is the area of the part of K's surface whose outward normals lie in w. H_K, the
+// mean-curvature measure: the same with the area weighted by the mean curvature, which for edges, rims and flat bodies
+// is the limit of K's parallel bodies: S_(K + rB) = S_K + 2 r H_K + r^2 S_B (Steiner's formula, normal by normal). With
+// H. Minkowski (Math. Ann. 57, 447, 1903) they give mixed volumes: 3 V(K, K, L) is the integral of h_L over S_K, and
+// 3 V(K, B, L) that of h_L over H_K. R. Schneider, Convex Bodies: The Brunn-Minkowski Theory, 2nd ed.,
+// sections 4.2, 5.1.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "engine/numeric/vec3.h"
+#include "shapes/measures.h"
+
+namespace vex {
+
+/// A flat face: all of the mass at one normal.
+struct NormalAtom {
+  Vec3d unit_normal;
+  double mass = 0.0;
+};
+
+/// A straight edge: normals from `unit_from` by `angle_rad`, at most pi, towards `unit_across`, which is at a right
+/// angle to it. Uniform in the angle.
+struct NormalArc {
+  Vec3d unit_from, unit_across;
+  double angle_rad = 0.0;
+  double mass = 0.0;
+};
+
+/// A mantle about the z axis: normals at one polar angle, uniform about the axis.
+struct NormalRing {
+  double cos_polar = 0.0, sin_polar = 1.0;
+  double mass = 0.0;
+};
+
+/// A part of a sphere: normals between two cosines of the polar angle, uniform in solid angle. A whole sphere unless
+/// told.
+struct NormalZone {
+  double cos_from = -1.0, cos_to = 1.0;
+  double mass = 0.0;
+};
+
+/// A circular edge about the z axis: normals between two polar angles, uniform in the angle and about the axis.
+struct NormalRim {
+  double polar_from_rad = 0.0, polar_to_rad = 0.0;
+  double mass = 0.0;
+};
+
+/// An ellipsoid's surface, u on the unit sphere being the point D u of it, D = diag(semi_axes): the normal is along
+/// D^-1 u, and an area of the sphere counts det D |D^-1 u| times.
+struct EllipsoidNormals {
+  Vec3d semi_axes;
+  double mass = 0.0;    // factor times S
+  double factor = 1.0;  // how often it counts: not 1 in a sum of measures
+};
+
+/// An ellipsoid's mean curvature. Over normals that are uniform on the sphere its density is the mean of the radii of
+/// curvature, half the Laplacian of h(n) = |D n|: (tr D^2 / h - |D^2 n|^2 / h^3) / 2.
+struct EllipsoidCurvature {
+  Vec3d semi_axes;
+  double mass = 0.0;  // factor times M
+  double factor = 1.0;
+};
+
+/// The image of a point of the unit square: a unit normal (to a few roundings), and what it counts for.
+struct WeightedNormal {
+  Vec3d unit_normal;
+  double weight = 0.0;
+};
+
+/// A measure on unit normals, in a body's own frame: the sum of its components. Masses are in the units of S (length^2)
+/// or of M (length).
+class NormalMeasure {
+ public:
+  using Component =
+      std::variant<NormalAtom, NormalArc, NormalRing, NormalZone, NormalRim, EllipsoidNormals, EllipsoidCurvature>;
+
+  void add(const Component& component) { components_.push_back(component); }
+  /// Every component of `other`, `factor` times.
+  void add(const NormalMeasure& other, double factor);
+  void reserve(std::size_t n) { components_.reserve(n); }
+
+  std::span<const Component> components() const { return components_; }
+  /// The sum of the masses: S or M of the body.
+  double total_mass() const;
+
+ private:
+  std::vector<Component> components_;
+};
+
+/// The part of a measure that is the component's own.
+double mass_of(const NormalMeasure::Component& component);
+
+/// For (v, w) uniform in the open unit square, the mean of weight * f(unit_normal) is the integral of f over the
+/// component. v goes along an arc or from pole to pole, w around the z axis.
+WeightedNormal normal_at(const NormalMeasure::Component& component, double v, double w);
+
+/// Which of the two `normal_at` looks at: an atom at none, a ring at w alone, an arc at v alone.
+struct CoordinatesUsed {
+  bool v = false, w = false;
+};
+CoordinatesUsed coordinates_used(const NormalMeasure::Component& component);
+
+/// The uniform measure on the sphere: r^2 times it is S, r times it H, of a ball of radius r, for mass 4 pi.
+NormalMeasure uniform_normals(double mass);
+
+/// S and H of a regular polyhedron whose faces look along these directions of equal length: faces share an edge where
+/// no other pair is closer together.
+NormalMeasure regular_polyhedron_area(std::span<const Vec3d> dir_normals, const Measures& measures);
+NormalMeasure regular_polyhedron_mean_curvature(std::span<const Vec3d> dir_normals, const Measures& measures);
+
+/// S and H of a body, made when they are asked for: those of a large mesh are larger than the mesh.
+struct NormalMeasures {
+  std::function<NormalMeasure()> area;            // S_K
+  std::function<NormalMeasure()> mean_curvature;  // H_K
+};
+
+/// Those of a shape that has both as member functions. Keeps a copy of it.
+template <class Shape>
+NormalMeasures normal_measures_of(const Shape& shape) {
+  return {[shape] { return shape.area_measure(); }, [shape] { return shape.mean_curvature_measure(); }};
+}
+
+}  // namespace vex
