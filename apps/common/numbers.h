@@ -27,6 +27,9 @@ std::string with_error(double value, double std_error);
 /// Up to `digits` significant digits, no trailing zeros.
 std::string short_number(double value, int digits = 10);
 
+/// The shortest text that reads back as the same double.
+std::string shortest_number(double value);
+
 /// So many digits after the point, without an exponent.
 std::string fixed_number(int decimals, double value);
 

@@ -65,6 +65,14 @@ void choose_backends(MeshRun& run) {
   });
 }
 
+// The second value where the formula does not hold; none where it was interrupted before it was known at all.
+void average_exactly(MeshRun& run) {
+  ExactAverageSettings settings;
+  settings.interrupt = &interrupting_signal();
+  const ExactAverage average = exact_average(run.a.shape, run.b.shape, run.options.law, settings);
+  if (std::isfinite(average.error)) run.exact_average = average;
+}
+
 void sample(MeshRun& run) {
   const Options& options = run.options;
   MonteCarloSettings settings;
@@ -76,7 +84,6 @@ void sample(MeshRun& run) {
   settings.stop = options.stop;
   settings.backend = options.backend;
   settings.cross_check = run.options.cross_check;
-  catch_interrupts();
   settings.interrupt = &interrupting_signal();
   {
     ProgressBar bar(!options.quiet, options.stop);
@@ -114,6 +121,8 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
 
   run.no_run_reason = why_no_volume(run, formula.excluded_volume);
   if (run.no_run_reason.empty()) {
+    catch_interrupts();
+    if (!run.formula) average_exactly(run);
     sample(run);
   } else {
     run.record.complete = true;

@@ -8,6 +8,7 @@
 #include "apps/common/orientations.h"
 #include "apps/common/run_program.h"
 #include "apps/peers/peers.h"
+#include "apps/referees/specialised_backend.h"
 #include "engine/numeric/errors.h"
 #include "shapes/any_shape.h"
 
@@ -25,11 +26,18 @@ void require_one_of(const std::string& word, const char* option, std::initialize
   throw UsageError("not a choice (\"" + word + "\" for " + option + ") - there are " + choices);
 }
 
+// The engine's own first, then the peers, and the tests made for one kind of pair.
+std::vector<BackendKind> every_backend() {
+  std::vector<BackendKind> kinds = all_backends();
+  kinds.push_back(specialised_backend());
+  return kinds;
+}
+
 // `ccd` means `ccd-mpr`. Throws UsageError where there is no such backend, or this build was made without it.
 BackendKind backend_named(const std::string& word) {
   const std::string name = word == "ccd" ? "ccd-mpr" : word;
   std::string choices;
-  for (BackendKind& kind : all_backends()) {
+  for (BackendKind& kind : every_backend()) {
     if (kind.name == name) return std::move(kind);
     choices += (choices.empty() ? "" : ", ") + kind.name;
   }
@@ -39,7 +47,6 @@ BackendKind backend_named(const std::string& word) {
                        std::string(peer.build_option) + "=ON");
     }
   }
-  if (name == "specialised") not_built_yet("--backend " + word);
   throw UsageError("not a choice (\"" + word + "\" for --backend) - there are " + choices);
 }
 
@@ -87,8 +94,10 @@ void declare_options(CLI::App& app, CommandLine& words) {
   app.add_option("--threads", words.threads, "Threads (default: all cores)")->type_name("N")->group(sampling);
 
   const std::string query = "Overlap query";
-  app.add_option("--backend", words.backend,
-                 "gjk (default), ccd-gjk or ccd-mpr (libccd; ccd means ccd-mpr), fcl; specialised comes later")
+  app.add_option(
+         "--backend", words.backend,
+         "gjk (default); ccd-gjk or ccd-mpr (libccd; ccd means ccd-mpr); fcl; specialised (tests made for two boxes, "
+         "ellipsoids or capsules, or a sphere and one of them)")
       ->type_name("NAME")
       ->group(query);
   app.add_flag("--no-quick-verdicts", words.no_quick_verdicts,
@@ -187,7 +196,7 @@ Options interpret(const CommandLine& words) {
   options.backend = backend_named(backend);
   options.is_cross_check = words.cross_check;
   if (words.cross_check) {
-    for (BackendKind& kind : all_backends()) {
+    for (BackendKind& kind : every_backend()) {
       if (kind.name != options.backend.name) options.cross_check.push_back(std::move(kind));
     }
   }

@@ -19,8 +19,8 @@ namespace {
 // Numbers of the cases of each part: 1 ..., 101 ...
 enum FirstNumber : int { kTableOne = 1, kTableTwo = 101, kText = 201, kErratum = 301, kReferees = 401 };
 
-std::string box_of(double ratio) { return "box:" + short_number(ratio, 17) + ",1,1"; }
-std::string spheroid_of(double ratio) { return "ellipsoid:" + short_number(ratio, 17) + ",1,1"; }
+std::string box_of(double ratio) { return "box:" + shortest_number(ratio) + ",1,1"; }
+std::string spheroid_of(double ratio) { return "ellipsoid:" + shortest_number(ratio) + ",1,1"; }
 
 // The printed digits of "Calculated" cannot tell smaller differences from rounding.
 constexpr double kPrintedDigits = 6e-4;
