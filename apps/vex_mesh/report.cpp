@@ -220,7 +220,9 @@ std::string report_text(const MeshRun& run) {
   } else {
     text += "   none: " + run.formula_reason + "\n";
     if (run.exact_average) {
-      text += "Exact average  over " + run.options.law.name() + " orientations, from mixed volumes\n";
+      text += run.options.law.dimension() == 0 ? "Exact value  at this one orientation"
+                                               : "Exact average  over these orientations";
+      text += ", from mixed volumes\n";
       text += "   <V_ex>                            " + exact_average_text(*run.exact_average) + "\n";
     }
   }
