@@ -64,7 +64,8 @@ TEST(ExactReferee, PythagorasHolds) {
   EXPECT_EQ(exact_outcome(body("box:2,2,2"), body("sphere:5"), at(4, 5.0000000000000009, 0)), Outcome::disjoint);
   EXPECT_EQ(exact_outcome(body("sphere:7"), body("box:2,2,2"), at(3, 4, 7)), Outcome::overlap);
   EXPECT_EQ(exact_outcome(body("sphere:7"), body("box:2,2,2"), at(3, 4, 7.0000000000000009)), Outcome::disjoint);
-  EXPECT_EQ(exact_outcome(body("capsule:2,2"), body("sphere:5"), at(2, 3, 7)), Outcome::overlap);  // 2, 3, 6 from its end
+  EXPECT_EQ(exact_outcome(body("capsule:2,2"), body("sphere:5"), at(2, 3, 7)),
+            Outcome::overlap);  // 2, 3, 6 from its end
   EXPECT_EQ(exact_outcome(body("capsule:2,2"), body("sphere:5"), at(2, 3, 7.0000000000000009)), Outcome::disjoint);
 }
 
@@ -106,10 +107,10 @@ TEST(ExactReferee, SpheresAreEllipsoidsAndCapsulesWithoutLength) {
 
 TEST(ExactReferee, AgreesWithTheEngineWhereThatDecides) {
   std::mt19937_64 random(4);
-  const char* const pairs[][2] = {{"box:1,2,3", "box:1,1,2"},           {"ellipsoid:1,2,3", "ellipsoid:0.3,1,1"},
-                                  {"capsule:2,0.3", "capsule:1,0.5"},   {"sphere:0.7", "box:1,2,3"},
-                                  {"box:1,2,3", "sphere:0.7"},          {"sphere:0.7", "capsule:2,0.3"},
-                                  {"ellipsoid:1,2,3", "sphere:0.7"},    {"sphere:0.7", "ellipsoid:1,2,3"},
+  const char* const pairs[][2] = {{"box:1,2,3", "box:1,1,2"},         {"ellipsoid:1,2,3", "ellipsoid:0.3,1,1"},
+                                  {"capsule:2,0.3", "capsule:1,0.5"}, {"sphere:0.7", "box:1,2,3"},
+                                  {"box:1,2,3", "sphere:0.7"},        {"sphere:0.7", "capsule:2,0.3"},
+                                  {"ellipsoid:1,2,3", "sphere:0.7"},  {"sphere:0.7", "ellipsoid:1,2,3"},
                                   {"capsule:2,0.3", "sphere:0.7"}};
   for (const auto& [a, b] : pairs) {
     const ConvexBody body_a = body(a), body_b = body(b);
@@ -130,7 +131,8 @@ TEST(ExactReferee, TakesAnyInvertibleMatrix) {
   const Transformd stretch{{2, 0, 0}, {0, -0.5, 0}, {0, 0, 4}, {}};
   expect_contact("ellipsoid:1,1,1", "ellipsoid:1,1,1", 3.0, {1, 0, 0}, stretch);
   expect_contact("ellipsoid:1,1,1", "ellipsoid:1,1,1", 1.5, {0, 1, 0}, stretch);
-  expect_contact("capsule:2,0.5", "capsule:2,0.5", 6.0, {0, 0, 1}, stretch);  // the axis is stretched, the balls are not
+  expect_contact("capsule:2,0.5", "capsule:2,0.5", 6.0, {0, 0, 1},
+                 stretch);  // the axis is stretched, the balls are not
   expect_contact("sphere:1", "sphere:1", 2.0, {0, 0, 1}, stretch);
 }
 
