@@ -77,6 +77,7 @@ int run_vex_paper(const PaperCommandLine& words, const std::string& command) {
       {run.options.table_2, table_two, into(run.table_2)},
       {run.options.text, cases_of_the_text, into(run.text)},
       {run.options.erratum, erratum_cases, wrong_into(run.erratum)},
+      {run.options.erratum, erratum_orientations, wrong_into(run.erratum_orientations)},
       {run.options.curve, curve_cases, wrong_into(run.curve)},
       {run.options.referees, referee_cases, [&run](const Case& what, const Sampling& sampling) {
          const std::vector<RefereeRow> rows = measure_referees(what, sampling);

@@ -125,6 +125,18 @@ std::string erratum_text(const PaperRun& run) {
   const ChiSquared all = chi_squared(run.erratum);
   text += "  chi^2 = " + fixed_number(1, all.value) + " for " + std::to_string(run.erratum.size()) +
           " rows, p = " + short_number(all.p, 2) + ". Identified numerically; not the authors' statement.\n";
+  if (!run.erratum_orientations.empty()) {
+    std::vector<std::vector<std::string>> fixed = {{"unit cubes", "exact", "one-sided test", "deficit"}};
+    for (const ErratumRow& row : run.erratum_orientations) {
+      const WrongValue& one_sided = row.values.front();
+      const double percent = 100.0 / row.exact;
+      fixed.push_back(
+          {row.what.label, short_number(row.exact, 10), with_error(one_sided.excluded_volume, one_sided.std_error),
+           one_sided.deficit == 0.0 ? "none found"
+                                    : with_error(percent * one_sided.deficit, percent * one_sided.std_error) + " %"});
+    }
+    text += "\nThe one-sided test at fixed relative orientations\n" + table_text(fixed);
+  }
   text += "\nOther wrong tests on the same poses: what they give for <V_ex>\n" + table_text(others);
   return text;
 }
@@ -208,6 +220,8 @@ Json pose_json(const Transformd& pose) {
 Json erratum_json(const ErratumRow& row) {
   Json json;
   const WrongValue& one_sided = row.values.front();
+  json["label"] = row.what.label;
+  json["orientations"] = row.what.orientations;
   json["aspect_ratio"] = number_or_null(row.what.aspect_ratio);
   json["exact"] = row.exact;
   json["excluded_volume"] = one_sided.excluded_volume;
@@ -275,6 +289,8 @@ Json report_json(const PaperRun& run) {
   json["text"] = rows_json(run.text);
   json["erratum"] = Json::array();
   for (const ErratumRow& row : run.erratum) json["erratum"].push_back(erratum_json(row));
+  json["erratum_orientations"] = Json::array();
+  for (const ErratumRow& row : run.erratum_orientations) json["erratum_orientations"].push_back(erratum_json(row));
   json["curve"] = Json::array();
   for (const ErratumRow& row : run.curve) json["curve"].push_back(erratum_json(row));
   json["referees"] = Json::array();

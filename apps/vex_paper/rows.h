@@ -79,6 +79,8 @@ struct ErratumRow {
 };
 
 std::vector<Case> erratum_cases();
+/// Cubes at fixed relative orientations: which of them show that the test is wrong.
+std::vector<Case> erratum_orientations();
 /// The same bodies at other aspect ratios, of which the paper says nothing.
 std::vector<Case> curve_cases();
 std::optional<ErratumRow> measure_erratum(const Case& what, const Sampling& sampling);
