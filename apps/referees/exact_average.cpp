@@ -27,7 +27,7 @@ namespace vex {
 namespace {
 
 constexpr std::size_t kMostSummed = 64;  // components of one sort: more are sampled
-constexpr std::size_t kLargestScan = 128;
+constexpr std::size_t kLargestScan = 512;
 
 // What the measures of a mesh are good to (meshes/convex_mesh.h), and more than the matrix of a law is off a rotation
 // by.
@@ -53,7 +53,7 @@ class Heights {
   }
   /// In about nanoseconds, as measured.
   double cost() const {
-    return tree_ ? 4.0 * std::sqrt(static_cast<double>(n_vertices_)) + 400.0
+    return tree_ ? 25.0 * std::sqrt(static_cast<double>(n_vertices_))
                  : 20.0 + 2.0 * static_cast<double>(n_vertices_);
   }
   double error() const { return core_.support_error() + gamma(16) * core_.reach(); }
@@ -303,6 +303,7 @@ ExactAverage exact_average(const MeasuredBody& a, const MeasuredBody& b, const O
   Side side_a(a.normals.area(), law), side_b(b.normals.area(), law);
   const auto n_faces = static_cast<int>(side_a.n_all() + side_b.n_all());
   const auto with_rounding = [&](const ExactAverage& average) {
+    if (std::isinf(average.error)) return average;  // interrupted
     const double rounding = (gamma(256 + n_faces) + kMeasuresError) * average.excluded_volume +
                             a.measures.surface_area * heights_b.error() + b.measures.surface_area * heights_a.error();
     return ExactAverage{average.excluded_volume, average.error + rounding};
@@ -316,7 +317,7 @@ ExactAverage exact_average(const MeasuredBody& a, const MeasuredBody& b, const O
 
   const std::optional<Vec3d> axes_a = semi_axes_of(a.body), axes_b = semi_axes_of(b.body);
   if (axes_a && axes_b && law.kind() != OrientationLaw::Kind::isotropic) {
-    constexpr double kCost = 1500.0;
+    constexpr double kCost = 3000.0;
     return with_rounding(averaged(law.dimension(), kCost, [&](const Transformd& r, std::span<const double>) {
       return ellipsoid_excluded_volume(*axes_a, *axes_b, r);
     }));
