@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <thread>
 
 #include "engine/numeric/errors.h"
 
@@ -37,6 +38,12 @@ std::string tidy_exponent(std::string text) {
 
 }  // namespace
 
+std::string shortest_number(double value) {
+  char text[32];
+  const auto result = std::to_chars(text, text + sizeof text, value);
+  return {text, result.ptr};
+}
+
 std::string fixed_number(int decimals, double value) {
   char text[512];  // the largest double has 309 digits before the point
   std::snprintf(text, sizeof text, "%.*f", decimals, value);
@@ -65,6 +72,28 @@ double parse_number(std::string_view text, std::string_view option) {
     not_a("a number", text, option, "write it like 0.5 or 1e-3");
   }
   return value;
+}
+
+std::uint64_t parse_positive_count(std::string_view text, std::string_view option) {
+  const std::uint64_t value = parse_count(text, option);
+  if (value == 0) not_a("positive", text, option, "give a count above 0");
+  return value;
+}
+
+double parse_positive_number(std::string_view text, std::string_view option) {
+  const double value = parse_number(text, option);
+  if (!(value > 0.0)) not_a("positive", text, option, "give a number above 0");
+  return value;
+}
+
+int parse_threads(std::string_view text) {
+  constexpr std::uint64_t kMaxThreads = 1024;
+  if (text.empty()) {
+    return static_cast<int>(std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, kMaxThreads));
+  }
+  const std::uint64_t n = parse_positive_count(text, "--threads");
+  if (n > kMaxThreads) throw UsageError("too many threads (" + std::string(text) + ") - at most 1024");
+  return static_cast<int>(n);
 }
 
 std::string with_error(double value, double std_error) {

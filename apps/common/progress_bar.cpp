@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "apps/common/numbers.h"
 
@@ -45,8 +46,8 @@ double fraction_done(const Progress& progress, const StopRule& stop) {
   return std::clamp(fraction, 0.0, 1.0);
 }
 
-ProgressBar::ProgressBar(bool wanted, const StopRule& stop)
-    : enabled_(wanted && isatty(STDERR_FILENO) != 0), stop_(stop) {}
+ProgressBar::ProgressBar(bool wanted, const StopRule& stop, std::string label)
+    : enabled_(wanted && isatty(STDERR_FILENO) != 0), stop_(stop), label_(std::move(label)) {}
 
 ProgressBar::~ProgressBar() {
   if (drawn_) std::fputs("\r\033[K", stderr);
@@ -55,7 +56,10 @@ ProgressBar::~ProgressBar() {
 void ProgressBar::show(const Progress& progress) {
   if (!enabled_ || progress.tally.n_trials == 0 || progress.seconds < next_seconds_) return;
   next_seconds_ = progress.seconds + kSecondsBetween;
-  const std::string line = "\r\033[K" + progress_line(progress, stop_, terminal_width());
+  const std::size_t width = terminal_width();
+  const std::size_t label_width = std::min(label_.size(), width);
+  const std::string line =
+      "\r\033[K" + label_.substr(0, label_width) + progress_line(progress, stop_, width - label_width);
   std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
   drawn_ = true;

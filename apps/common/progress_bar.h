@@ -11,7 +11,8 @@ namespace vex {
 /// Drawn on standard error, only where that is a terminal and `wanted`; erased at the end.
 class ProgressBar {
  public:
-  ProgressBar(bool wanted, const StopRule& stop);
+  /// `label` stands before all else.
+  ProgressBar(bool wanted, const StopRule& stop, std::string label = "");
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -25,6 +26,7 @@ class ProgressBar {
   bool drawn_ = false;
   double next_seconds_ = kSecondsBetween;  // so that a run over in a blink draws nothing
   StopRule stop_;
+  std::string label_;
 };
 
 /// How much of a run is done, 0 to 1: the largest share over its stop rules.

@@ -134,7 +134,7 @@ BackendKind fcl_backend() {
           [geometries](const ConvexBody& a, const ConvexBody& b) {
             return std::make_unique<FclBackend>(geometries->of(a), geometries->of(b));
           },
-          takes};
+          [](const ConvexBody& a, const ConvexBody& b) { return takes(a) && takes(b); }};
 }
 
 }  // namespace vex

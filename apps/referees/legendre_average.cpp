@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/numeric/errors.h"
+#include "shapes/rounded.h"
 
 namespace vex {
 namespace {
@@ -100,6 +101,11 @@ bool is_affordable(const NormalMeasure& measure) {
   return measure.components().size() <= kMostComponents && std::ranges::all_of(measure.components(), spheroid);
 }
 
+std::size_t n_core_vertices(ConvexBody body) {
+  while (const auto* const rounded = body.target<Rounded<ConvexBody>>()) body = ConvexBody(rounded->body());
+  return vertices_of(body).size();
+}
+
 /// <P_l(cos theta)> of an axis, for even l; a bound on the sum of <P_l>^2 / l over the even l above the last.
 struct AxisMoments {
   Series by_degree;
@@ -154,8 +160,8 @@ std::optional<SeriesAverage> legendre_average(const MeasuredBody& a, const Measu
   const bool is_cone = law.kind() == OrientationLaw::Kind::cone;
   if (!is_cone && law.kind() != OrientationLaw::Kind::onsager) return std::nullopt;
   if (is_cone ? !(law.parameter() > 0.0) : law.parameter() > kLargestAlpha) return std::nullopt;
-  // Those of faces and edges together are as many as a mesh has, and are asked for only where it is small.
-  if (vertices_of(a.body).size() > kMostComponents || vertices_of(b.body).size() > kMostComponents) return std::nullopt;
+  // A large mesh's measures are not even asked for.
+  if (n_core_vertices(a.body) > kMostComponents || n_core_vertices(b.body) > kMostComponents) return std::nullopt;
   const NormalMeasure area_a = a.normals.area(), area_b = b.normals.area();
   const NormalMeasure curvature_a = a.normals.mean_curvature(), curvature_b = b.normals.mean_curvature();
   for (const NormalMeasure* const measure : {&area_a, &area_b, &curvature_a, &curvature_b}) {

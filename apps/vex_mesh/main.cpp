@@ -42,14 +42,16 @@ std::string why_no_volume(const MeshRun& run, double formula) {
   return "";
 }
 
-// Which of the two bodies the backend has no representation of; nothing where it takes both.
+// Which of the two bodies the backend has no representation of, or that it has no test of the two; nothing where it
+// takes the pair.
 std::optional<std::string> why_left_out(const BackendKind& kind, const MeshRun& run) {
+  if (kind.takes(run.a.shape.body, run.b.shape.body)) return std::nullopt;
   for (const LoadedBody* loaded : {&run.a, &run.b}) {
-    if (kind.takes && !kind.takes(loaded->shape.body)) {
+    if (!kind.takes(loaded->shape.body, loaded->shape.body)) {
       return kind.name + " has no shape for " + loaded->source + " (" + loaded->shape.kind + ")";
     }
   }
-  return std::nullopt;
+  return kind.name + " has no test of " + run.a.shape.kind + " and " + run.b.shape.kind;
 }
 
 void choose_backends(MeshRun& run) {
@@ -63,6 +65,14 @@ void choose_backends(MeshRun& run) {
   });
 }
 
+// The second value where the formula does not hold; none where it was interrupted before it was known at all.
+void average_exactly(MeshRun& run) {
+  ExactAverageSettings settings;
+  settings.interrupt = &interrupting_signal();
+  const ExactAverage average = exact_average(run.a.shape, run.b.shape, run.options.law, settings);
+  if (std::isfinite(average.error)) run.exact_average = average;
+}
+
 void sample(MeshRun& run) {
   const Options& options = run.options;
   MonteCarloSettings settings;
@@ -74,7 +84,6 @@ void sample(MeshRun& run) {
   settings.stop = options.stop;
   settings.backend = options.backend;
   settings.cross_check = run.options.cross_check;
-  catch_interrupts();
   settings.interrupt = &interrupting_signal();
   {
     ProgressBar bar(!options.quiet, options.stop);
@@ -112,6 +121,8 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
 
   run.no_run_reason = why_no_volume(run, formula.excluded_volume);
   if (run.no_run_reason.empty()) {
+    catch_interrupts();
+    if (!run.formula) average_exactly(run);
     sample(run);
   } else {
     run.record.complete = true;

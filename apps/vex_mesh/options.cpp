@@ -1,36 +1,19 @@
 #include "apps/vex_mesh/options.h"
 
 #include <algorithm>
-#include <functional>
 #include <initializer_list>
 #include <string_view>
-#include <thread>
 
 #include "apps/common/numbers.h"
 #include "apps/common/orientations.h"
 #include "apps/common/run_program.h"
 #include "apps/peers/peers.h"
+#include "apps/referees/specialised_backend.h"
 #include "engine/numeric/errors.h"
 #include "shapes/any_shape.h"
 
 namespace vex {
 namespace {
-
-constexpr std::uint64_t kMaxThreads = 1024;
-
-double positive_number(const std::string& word, const char* option) {
-  const double value = parse_number(word, option);
-  if (!(value > 0.0)) {
-    throw UsageError("not positive (\"" + word + "\" for " + option + ") - give a number above 0");
-  }
-  return value;
-}
-
-std::uint64_t positive_count(const std::string& word, const char* option) {
-  const std::uint64_t value = parse_count(word, option);
-  if (value == 0) throw UsageError("not positive (\"" + word + "\" for " + option + ") - give a count above 0");
-  return value;
-}
 
 // The word is one of `built`, or it is said whether it is planned or unknown.
 void require_one_of(const std::string& word, const char* option, std::initializer_list<std::string_view> built,
@@ -43,11 +26,18 @@ void require_one_of(const std::string& word, const char* option, std::initialize
   throw UsageError("not a choice (\"" + word + "\" for " + option + ") - there are " + choices);
 }
 
+// The engine's own first, then the peers, and the tests made for one kind of pair.
+std::vector<BackendKind> every_backend() {
+  std::vector<BackendKind> kinds = all_backends();
+  kinds.push_back(specialised_backend());
+  return kinds;
+}
+
 // `ccd` means `ccd-mpr`. Throws UsageError where there is no such backend, or this build was made without it.
 BackendKind backend_named(const std::string& word) {
   const std::string name = word == "ccd" ? "ccd-mpr" : word;
   std::string choices;
-  for (BackendKind& kind : all_backends()) {
+  for (BackendKind& kind : every_backend()) {
     if (kind.name == name) return std::move(kind);
     choices += (choices.empty() ? "" : ", ") + kind.name;
   }
@@ -57,7 +47,6 @@ BackendKind backend_named(const std::string& word) {
                        std::string(peer.build_option) + "=ON");
     }
   }
-  if (name == "specialised") not_built_yet("--backend " + word);
   throw UsageError("not a choice (\"" + word + "\" for --backend) - there are " + choices);
 }
 
@@ -105,8 +94,10 @@ void declare_options(CLI::App& app, CommandLine& words) {
   app.add_option("--threads", words.threads, "Threads (default: all cores)")->type_name("N")->group(sampling);
 
   const std::string query = "Overlap query";
-  app.add_option("--backend", words.backend,
-                 "gjk (default), ccd-gjk or ccd-mpr (libccd; ccd means ccd-mpr), fcl; specialised comes later")
+  app.add_option(
+         "--backend", words.backend,
+         "gjk (default); ccd-gjk or ccd-mpr (libccd; ccd means ccd-mpr); fcl; specialised (tests made for two boxes, "
+         "ellipsoids or capsules, or a sphere and one of them)")
       ->type_name("NAME")
       ->group(query);
   app.add_flag("--no-quick-verdicts", words.no_quick_verdicts,
@@ -184,20 +175,14 @@ Options interpret(const CommandLine& words) {
   Options options;
   options.a = words.a;
   options.b = words.b.empty() ? words.a : words.b;
-  if (!words.trials.empty()) options.stop.trials = positive_count(words.trials, "--trials");
-  if (!words.relative_error.empty()) options.stop.relative_error = positive_number(words.relative_error, "--rel-error");
-  if (!words.seconds.empty()) options.stop.seconds = positive_number(words.seconds, "--seconds");
-  if (!words.max_trials.empty()) options.stop.max_trials = positive_count(words.max_trials, "--max-trials");
+  if (!words.trials.empty()) options.stop.trials = parse_positive_count(words.trials, "--trials");
+  if (!words.relative_error.empty())
+    options.stop.relative_error = parse_positive_number(words.relative_error, "--rel-error");
+  if (!words.seconds.empty()) options.stop.seconds = parse_positive_number(words.seconds, "--seconds");
+  if (!words.max_trials.empty()) options.stop.max_trials = parse_positive_count(words.max_trials, "--max-trials");
   if (!options.stop.trials && !options.stop.relative_error && !options.stop.seconds) options.stop.relative_error = 1e-3;
   if (!words.seed.empty()) options.seed = parse_count(words.seed, "--seed");
-  if (words.threads.empty()) {
-    options.n_threads =
-        static_cast<int>(std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, kMaxThreads));
-  } else {
-    const std::uint64_t n = positive_count(words.threads, "--threads");
-    if (n > kMaxThreads) throw UsageError("too many threads (" + words.threads + ") - at most 1024");
-    options.n_threads = static_cast<int>(n);
-  }
+  options.n_threads = parse_threads(words.threads);
   if (estimator == "hit-or-miss-fitted") {
     if (!words.domain.empty()) {
       throw UsageError("hit-or-miss-fitted has its own domains (\"" + words.domain + "\" for --domain) - leave out " +
@@ -211,12 +196,12 @@ Options interpret(const CommandLine& words) {
   options.backend = backend_named(backend);
   options.is_cross_check = words.cross_check;
   if (words.cross_check) {
-    for (BackendKind& kind : all_backends()) {
+    for (BackendKind& kind : every_backend()) {
       if (kind.name != options.backend.name) options.cross_check.push_back(std::move(kind));
     }
   }
   options.quick_verdicts = !words.no_quick_verdicts;
-  if (!words.max_z.empty()) options.max_z = positive_number(words.max_z, "--max-z");
+  if (!words.max_z.empty()) options.max_z = parse_positive_number(words.max_z, "--max-z");
   if (!words.convex_tolerance.empty()) {
     options.bodies.convex_tolerance = parse_number(words.convex_tolerance, "--convex-tolerance");
     if (options.bodies.convex_tolerance < 0.0 || options.bodies.convex_tolerance > 0.1) {
@@ -225,7 +210,7 @@ Options interpret(const CommandLine& words) {
   }
   options.bodies.hull = words.hull;
   options.bodies.unit_volume = words.unit_volume;
-  if (!words.scale.empty()) options.bodies.scale = positive_number(words.scale, "--scale");
+  if (!words.scale.empty()) options.bodies.scale = parse_positive_number(words.scale, "--scale");
   options.dump_vertices = words.dump_vertices;
   options.json = words.json;
   options.quiet = words.quiet;

@@ -113,6 +113,12 @@ std::string cross_check_text(const MeshRun& run) {
   return text;
 }
 
+// With its error, unless that is beyond the digits shown.
+std::string exact_average_text(const ExactAverage& average) {
+  return average.error > 1e-11 * average.excluded_volume ? with_error(average.excluded_volume, average.error)
+                                                         : short_number(average.excluded_volume, 12);
+}
+
 // What z says.
 std::string verdict_on(const MeshRun& run) {
   const Tally& tally = run.record.tally;
@@ -148,12 +154,15 @@ void compare(MeshRun& run) {
     return;
   }
   run.estimate = volume_estimate(run.record.tally, run.domain);
-  if (!run.formula) {
+  if (!run.formula && !run.exact_average) {
     run.z_reason = run.formula_reason;
   } else if (hits_by_construction(run.a.shape.body, run.b.shape.body, run.options.law, run.domain)) {
     run.z_reason = "every trial hits by construction: the domain is the excluded volume itself";
-  } else {
+  } else if (run.formula) {
     run.z = (run.estimate->excluded_volume - run.formula->excluded_volume) / run.estimate->std_error;
+  } else {
+    run.z = (run.estimate->excluded_volume - run.exact_average->excluded_volume) /
+            std::hypot(run.estimate->std_error, run.exact_average->error);
   }
 }
 
@@ -174,6 +183,11 @@ Json report_json(const MeshRun& run) {
   } else {
     json["formula"] = nullptr;
     json["formula_reason"] = run.formula_reason;
+    json["exact_average"] = nullptr;
+    if (run.exact_average) {
+      json["exact_average"] = {{"excluded_volume", run.exact_average->excluded_volume},
+                               {"error", run.exact_average->error}};
+    }
   }
   json["estimate"] = estimate_json(run);
   if (run.z) {
@@ -205,6 +219,12 @@ std::string report_text(const MeshRun& run) {
     text += "   B2 = <V_ex>/2                     " + short_number(run.formula->b2, 12) + "\n";
   } else {
     text += "   none: " + run.formula_reason + "\n";
+    if (run.exact_average) {
+      text += run.options.law.dimension() == 0 ? "Exact value  at this one orientation"
+                                               : "Exact average  over these orientations";
+      text += ", from mixed volumes\n";
+      text += "   <V_ex>                            " + exact_average_text(*run.exact_average) + "\n";
+    }
   }
 
   if (!run.no_run_reason.empty()) return text + "\nMonte Carlo  no run: " + run.no_run_reason + "\n";
@@ -238,7 +258,8 @@ std::string report_text(const MeshRun& run) {
   if (run.options.is_cross_check) text += cross_check_text(run);
 
   if (run.z) {
-    text += "\nz = " + short_number(*run.z, 3) + " standard errors between Monte Carlo and formula: ";
+    text += "\nz = " + short_number(*run.z, 3) + " standard errors between Monte Carlo and " +
+            (run.formula ? "formula: " : "exact average: ");
     text += verdict_on(run) + "\n";
   } else {
     text += "\nz: none - " + run.z_reason + "\n";

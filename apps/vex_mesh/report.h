@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/common/bodies.h"
+#include "apps/referees/exact_average.h"
 #include "apps/vex_mesh/options.h"
 #include "engine/sampling/monte_carlo.h"
 
@@ -26,7 +27,8 @@ struct MeshRun {
   LoadedBody a, b;
   Domain domain{};
   std::optional<FormulaResult> formula{};
-  std::string formula_reason{};         // where there is none
+  std::string formula_reason{};  // where there is none; then:
+  std::optional<ExactAverage> exact_average{};
   std::vector<std::string> left_out{};  // of a cross-check: why a backend does not take part
   std::string no_run_reason{};          // where the excluded volume is 0 by construction, and nothing was sampled
   RunRecord record{};

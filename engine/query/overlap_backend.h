@@ -26,8 +26,10 @@ struct BackendKind {
   /// A peer answers every pose itself: no quick verdict is put before it.
   bool is_peer = false;
   std::function<std::unique_ptr<OverlapBackend>(const ConvexBody& a, const ConvexBody& b)> make;
-  /// Whether it has a representation of this body; empty where it takes every support mapping.
-  std::function<bool(const ConvexBody& body)> takes = {};
+  /// Whether it has a test of this pair, in this order; empty where it takes every two support mappings.
+  std::function<bool(const ConvexBody& a, const ConvexBody& b)> takes_pair = {};
+
+  bool takes(const ConvexBody& a, const ConvexBody& b) const { return !takes_pair || takes_pair(a, b); }
 };
 
 /// The engine's own: `overlap` of engine/query/overlap.h.

@@ -22,7 +22,7 @@
 #include "engine/numeric/errors.h"
 #include "engine/sampling/monte_carlo.h"
 #include "shapes/excluded_volume.h"
-#include "tests/referees/exact_overlap.h"
+#include "apps/referees/exact_overlap.h"
 
 namespace vex {
 namespace {
@@ -195,7 +195,7 @@ int print_cross_check(std::uint64_t n_trials, std::uint64_t most_poses, int n_th
       settings.stop.trials = n_trials;
       std::vector<std::size_t> of_check;  // the peer that stands there
       for (std::size_t k = 0; k < peers.size(); ++k) {
-        if (peers[k].takes && !(peers[k].takes(a) && peers[k].takes(b))) continue;
+        if (!peers[k].takes(a, b)) continue;
         settings.cross_check.push_back(peers[k]);
         of_check.push_back(k);
       }

@@ -90,28 +90,28 @@ class Child {
   pid_t id_ = -1;
 };
 
-Words with_program(const Words& words) {
-  Words all = {VEX_MESH_PROGRAM};
-  all.insert(all.end(), words.begin(), words.end());
-  return all;
-}
-
 }  // namespace
 
 const std::string kWithoutOverride =
     geteuid() == 0 ? "exec setpriv --bounding-set -dac_override,-dac_read_search " : "";
 
-ProgramTest::ProgramTest() {
+ProgramTest::ProgramTest(std::string program) : program_(std::move(program)) {
   std::string name = (fs::temp_directory_path() / "vex_golden_XXXXXX").string();
   if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder could be made");
   folder_ = name;
-  setenv("VEX", VEX_MESH_PROGRAM, 1);
+  setenv("VEX", program_.c_str(), 1);
 }
 
 ProgramTest::~ProgramTest() {
   std::error_code ignored;
   fs::permissions(folder_, fs::perms::owner_all, ignored);
   fs::remove_all(folder_, ignored);
+}
+
+Words ProgramTest::with_program(const Words& words) const {
+  Words all = {program_};
+  all.insert(all.end(), words.begin(), words.end());
+  return all;
 }
 
 void ProgramTest::write_file(const std::string& name, const std::string& content) const {
@@ -196,13 +196,15 @@ std::vector<std::string> backends_of_this_build() {
 #ifdef VEX_WITH_FCL
   names.emplace_back("fcl");
 #endif
+  names.emplace_back("specialised");
   return names;
 }
 
-void expect_refusal(const Finished& finished, int exit_code, const std::string& part_of_message) {
+void expect_refusal(const Finished& finished, int exit_code, const std::string& part_of_message,
+                    const std::string& program) {
   EXPECT_EQ(finished.exit_code, exit_code) << finished.err;
   EXPECT_EQ(finished.out, "");
-  EXPECT_EQ(finished.err.rfind("vex_mesh: ", 0), 0u) << finished.err;
+  EXPECT_EQ(finished.err.rfind(program + ": ", 0), 0u) << finished.err;
   EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1) << finished.err;
   EXPECT_NE(finished.err.find(" - "), std::string::npos) << "what to do is missing: " << finished.err;
   EXPECT_NE(finished.err.find(part_of_message), std::string::npos)

@@ -1,4 +1,4 @@
-// vex_mesh as a child process, in a folder of its own.
+// A program as a child process, in a folder of its own.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -27,7 +27,8 @@ inline constexpr double kTimeLimit = 120.0;
 /// A test in an empty folder, which is the program's working folder and is gone afterwards.
 class ProgramTest : public testing::Test {
  protected:
-  ProgramTest();
+  /// Of vex_mesh, or another program of this build.
+  explicit ProgramTest(std::string program = VEX_MESH_PROGRAM);
   ~ProgramTest() override;
 
   const std::filesystem::path& folder() const { return folder_; }
@@ -37,23 +38,26 @@ class ProgramTest : public testing::Test {
   /// The names of all files in the folder, sorted.
   std::vector<std::string> files() const;
 
-  /// Runs vex_mesh to its end.
+  /// Runs the program to its end.
   Finished run(const Words& words) const;
 
-  /// Starts vex_mesh, waits until `ready(process)`, sends the signal, and waits for the end; `seconds` counts from the
-  /// signal.
+  /// Starts the program, waits until `ready(process)`, sends the signal, and waits for the end; `seconds` counts from
+  /// the signal.
   Finished run_and_signal(const Words& words, int signal, const std::function<bool(pid_t)>& ready) const;
 
-  /// A line of the shell, in which "$VEX" is vex_mesh.
+  /// A line of the shell, in which "$VEX" is the program.
   Finished shell(const std::string& line) const;
 
-  /// vex_mesh on a terminal of so many columns; `out` is all that the terminal receives.
+  /// The program on a terminal of so many columns; `out` is all that the terminal receives.
   Finished run_on_terminal(const Words& words, unsigned short columns) const;
 
-  /// Runs `vex_mesh words --json -`, expects success, and gives the document.
+  /// Runs `program words --json -`, expects success, and gives the document.
   nlohmann::json json_of(Words words) const;
 
  private:
+  Words with_program(const Words& words) const;
+
+  std::string program_;
   std::filesystem::path folder_;
 };
 
@@ -69,6 +73,7 @@ bool has_worker_threads(pid_t process);
 bool catches_interrupts(pid_t process);
 
 /// Exit code, an empty standard output, and one line "vex_mesh: problem (where, which value) - what to do".
-void expect_refusal(const Finished& finished, int exit_code, const std::string& part_of_message);
+void expect_refusal(const Finished& finished, int exit_code, const std::string& part_of_message,
+                    const std::string& program = "vex_mesh");
 
 }  // namespace vex::golden

@@ -110,7 +110,10 @@ TEST_F(Run, APeerWithoutSuchAShapeSaysSoAndStaysOutOfACrossCheck) {
   const bool has_fcl = std::ranges::find(backends, "fcl") != backends.end();
   const json document = json_of({"hemisphere:1", "--trials", "500", "--cross-check"});
   EXPECT_EQ(document.at("cross_check").size() + document.at("cross_check_left_out").size(), backends.size());
-  EXPECT_EQ(document.at("cross_check_left_out").size(), has_fcl ? 1u : 0u);
+  EXPECT_EQ(document.at("cross_check_left_out").size(), has_fcl ? 2u : 1u);
+  expect_refusal(run({"hemisphere:1", "--backend", "specialised"}), 2, "specialised has no shape for hemisphere:1");
+  expect_refusal(run({"box:1,1,1", "capsule:1,1", "--backend", "specialised"}), 2,
+                 "specialised has no test of box and capsule");
   if (has_fcl) {
     expect_refusal(run({"hemisphere:1", "--backend", "fcl"}), 2, "fcl has no shape for hemisphere:1");
     EXPECT_NE(run({"box:1,1,1", "hemisphere:1", "--trials", "500", "--cross-check"}).out.find("left out: fcl"),

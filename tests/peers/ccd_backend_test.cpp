@@ -5,7 +5,7 @@
 
 #include "shapes/any_shape.h"
 #include "tests/referees/contact.h"
-#include "tests/referees/exact_overlap.h"
+#include "apps/referees/exact_overlap.h"
 #include "tests/referees/polytopes.h"
 
 namespace vex {

@@ -20,8 +20,8 @@ TEST(FclBackend, TakesItsOwnShapesAndPolytopes) {
   for (const char* text : kTestBodies) {
     const MeasuredBody shape = parse_shape(text);
     const bool is_solid_polytope = !vertices_of(shape.body).empty() && shape.measures.volume > 0.0;
-    EXPECT_EQ(fcl_backend().takes(shape.body), own.contains(shape.kind) || is_solid_polytope) << text;
-    n_taken += fcl_backend().takes(shape.body) ? 1U : 0U;
+    EXPECT_EQ(fcl_backend().takes(shape.body, shape.body), own.contains(shape.kind) || is_solid_polytope) << text;
+    n_taken += fcl_backend().takes(shape.body, shape.body) ? 1U : 0U;
   }
   EXPECT_GE(n_taken, own.size() + 4);
 }
@@ -33,7 +33,7 @@ TEST(FclBackend, HasEveryBodyWhereTheEngineHasIt) {
   std::mt19937_64 random(61);
   for (const char* text : kTestBodies) {
     const ConvexBody body = parse_shape(text).body;
-    if (!fcl_backend().takes(body) || body.inradius() == 0.0) continue;
+    if (!fcl_backend().takes(body, probe) || body.inradius() == 0.0) continue;
     const std::unique_ptr<OverlapBackend> fcl = fcl_backend().make(body, probe);
     for (int k = 0; k < 200; ++k) {
       const Vec3d dir = random_direction(random);

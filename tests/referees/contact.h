@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/query/overlap.h"
-#include "tests/referees/exact_overlap.h"
+#include "apps/referees/exact_overlap.h"
 #include "tests/referees/polytopes.h"
 
 namespace vex::exact {

@@ -6,7 +6,7 @@
 #include "shapes/ellipsoid.h"
 #include "shapes/sphere.h"
 #include "tests/referees/contact.h"
-#include "tests/referees/exact_overlap.h"
+#include "apps/referees/exact_overlap.h"
 #include "tests/referees/polytopes.h"
 
 namespace vex {

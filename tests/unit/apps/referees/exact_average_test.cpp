@@ -15,6 +15,7 @@
 #include <string>
 
 #include "apps/referees/ellipsoid_excluded_volume.h"
+#include "apps/referees/legendre_average.h"
 #include "apps/referees/vertex_tree.h"
 #include "engine/numeric/errors.h"
 #include "meshes/convex_mesh.h"
@@ -202,6 +203,7 @@ TEST(AverageOverUniformRotations, IsThatOfOnsagersLawWithoutOrder) {
   // The same rotations, through all that other laws need: normals on curved parts, faces that are picked.
   ExactAverageSettings settings = quick();
   settings.log2_n_points = 9;
+  settings.series = false;
   double largest_off = 0.0;
   for (const BodyPair& pair : unordered_pairs()) {
     const MeasuredBody a = parse_shape(pair.a), b = parse_shape(pair.b);
@@ -230,10 +232,57 @@ TEST(AverageOverALaw, OfCapsulesFollowsFromTheMeanSine) {
     const double truth =
         32.0 / 3.0 * kPi * r * r * r + 8.0 * kPi * length * r * r + 4.0 * length * length * r * known.value;
     SCOPED_TRACE(known.law.name());
-    ExactAverage found = average_of("capsule:1.5,0.4", "capsule:1.5,0.4", known.law);
-    found.error += 1e-8;  // what the table's digits leave
-    expect_average(found, truth, 1e-4);
+    ExactAverageSettings settings = quick();
+    for (const bool series : {false, true}) {
+      settings.series = series;
+      ExactAverage found = average_of("capsule:1.5,0.4", "capsule:1.5,0.4", known.law, settings);
+      found.error += 1e-8;  // what the table's digits leave
+      expect_average(found, truth, 1e-4);
+    }
   }
+}
+
+TEST(AverageOverALaw, IsTheSameFromTheSeriesAndFromRandomPoints) {
+  ExactAverageSettings settings = quick();
+  settings.log2_n_points = 9;
+  settings.series = false;
+  std::size_t n_series = 0;
+  for (const BodyPair& pair : unordered_pairs()) {
+    const MeasuredBody a = parse_shape(pair.a), b = parse_shape(pair.b);
+    const std::optional<SeriesAverage> series = legendre_average(a, b, OrientationLaw::onsager(5.0));
+    if (!series) continue;
+    ++n_series;
+    SCOPED_TRACE(test_name(pair));
+    EXPECT_LE(series->error, 2e-11 * series->excluded_volume);
+    expect_average(exact_average(a, b, OrientationLaw::onsager(5.0), settings), series->excluded_volume, 1e-2);
+  }
+  EXPECT_GE(n_series, 200u);
+}
+
+TEST(AverageOverALaw, OfEveryWidthOfTheConeIsTheSameFromTheSeries) {
+  const MeasuredBody box = parse_shape("box:0.2,1,3"), cylinder = parse_shape("cylinder:1,0.5");
+  ExactAverageSettings settings = quick();
+  settings.series = false;
+  for (const double degrees : {15.0, 30.0, 60.0, 89.0}) {
+    const std::optional<SeriesAverage> series = legendre_average(box, cylinder, OrientationLaw::cone(degrees));
+    ASSERT_TRUE(series.has_value());
+    EXPECT_LE(series->error, 1e-6 * series->excluded_volume);
+    expect_average(exact_average(box, cylinder, OrientationLaw::cone(degrees), settings), series->excluded_volume,
+                   2e-4);
+  }
+  EXPECT_NEAR(legendre_average(box, cylinder, OrientationLaw::cone(90))->excluded_volume,
+              average_excluded_volume(box.measures, cylinder.measures), 1e-10);
+  EXPECT_NEAR(legendre_average(box, cylinder, OrientationLaw::onsager(0))->excluded_volume,
+              average_excluded_volume(box.measures, cylinder.measures), 1e-10);
+}
+
+TEST(LegendreAverage, IsNothingForLawsAndBodiesItIsNotMadeFor) {
+  const MeasuredBody box = parse_shape("box:1,1,1"), ellipsoid = parse_shape("ellipsoid:1,2,3");
+  EXPECT_FALSE(legendre_average(box, box, OrientationLaw::isotropic()).has_value());
+  EXPECT_FALSE(legendre_average(box, box, OrientationLaw::aligned()).has_value());
+  EXPECT_FALSE(legendre_average(box, box, OrientationLaw::cone(0)).has_value());
+  EXPECT_FALSE(legendre_average(box, box, OrientationLaw::onsager(1e6)).has_value());
+  EXPECT_FALSE(legendre_average(box, ellipsoid, OrientationLaw::onsager(5)).has_value());
 }
 
 TEST(AverageOverALaw, OfANeedleAndADiscFollowsFromTheMeanCosine) {
@@ -261,9 +310,10 @@ TEST(AverageOverALaw, OfAMeshIsThatOfTheNamedBody) {
 }
 
 TEST(AverageOverALaw, IsReproducible) {
-  const ExactAverage one = average_of("cylinder:1,0.5", "box:1,2,3", OrientationLaw::onsager(5.0));
-  const ExactAverage again = average_of("cylinder:1,0.5", "box:1,2,3", OrientationLaw::onsager(5.0));
   ExactAverageSettings settings = quick();
+  settings.series = false;
+  const ExactAverage one = average_of("cylinder:1,0.5", "box:1,2,3", OrientationLaw::onsager(5.0), settings);
+  const ExactAverage again = average_of("cylinder:1,0.5", "box:1,2,3", OrientationLaw::onsager(5.0), settings);
   settings.seed = 99;
   const ExactAverage other = average_of("cylinder:1,0.5", "box:1,2,3", OrientationLaw::onsager(5.0), settings);
   EXPECT_EQ(one.excluded_volume, again.excluded_volume);
@@ -276,6 +326,7 @@ TEST(AverageOverALaw, EndsWhereInterrupted) {
   const std::atomic<int> interrupt = 1;
   ExactAverageSettings settings = quick();
   settings.interrupt = &interrupt;
+  settings.series = false;
   const ExactAverage found = average_of("cylinder:1,0.5", "box:1,2,3", OrientationLaw::onsager(5.0), settings);
   EXPECT_TRUE(std::isinf(found.error));
 }

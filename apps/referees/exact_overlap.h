@@ -116,6 +116,22 @@ inline bool overlap(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b) {
   }
 }
 
+/// The squared distance of the convex hull from the origin, by the same descent, to its end.
+inline Rational distance_sq_from_origin(const std::vector<Point>& points) {
+  std::vector<Point> simplex = {points[0]};
+  while (true) {
+    const Point v = nearest_point(simplex);
+    const Rational v_sq = inner(v, v);
+    if (v_sq == 0) return 0;
+    const Point* w = &points[0];
+    for (const Point& candidate : points) {
+      if (inner(candidate, v) < inner(*w, v)) w = &candidate;
+    }
+    if (inner(*w, v) >= v_sq) return v_sq;  // no point of the hull is nearer along v
+    simplex.push_back(*w);
+  }
+}
+
 /// Whether every point of `a` lies strictly behind every point of `b` along `dir`: what a disjoint verdict claims.
 inline bool separates(const Vec3d& dir, const std::vector<Vec3d>& a, const std::vector<Vec3d>& b) {
   const Point d = exactly(dir);

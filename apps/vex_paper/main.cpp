@@ -1,0 +1,108 @@
+// vex_paper: the tables and the text of Sreenivasan, Baker, Paul and Stanley (2002), computed again, and their faulty
+// values with the overlap test that gives them.
+#include <chrono>
+#include <iostream>
+
+#include "apps/common/interrupt.h"
+#include "apps/common/output_file.h"
+#include "apps/common/progress_bar.h"
+#include "apps/common/run_program.h"
+#include "apps/vex_paper/options.h"
+#include "apps/vex_paper/report.h"
+#include "apps/vex_paper/rows.h"
+
+namespace vex {
+namespace {
+
+// Runs one case after the other until one is interrupted.
+class Runner {
+ public:
+  explicit Runner(PaperRun& run) : run_(run) {
+    sampling_.seed = run.options.seed;
+    sampling_.n_trials = run.options.trials;
+    sampling_.n_threads = run.options.n_threads;
+    sampling_.interrupt = &interrupting_signal();
+    stop_.trials = run.options.trials;
+  }
+
+  void expect(std::size_t n_cases) { n_cases_ += n_cases; }
+
+  /// `measure_one(case, sampling)`: false where the case was interrupted.
+  template <class MeasureOne>
+  void all(const std::vector<Case>& cases, const MeasureOne& measure_one) {
+    for (const Case& what : cases) {
+      if (!run_.complete) return;
+      ++n_begun_;
+      ProgressBar bar(!run_.options.quiet, stop_,
+                      "row " + std::to_string(n_begun_) + " of " + std::to_string(n_cases_) + "  ");
+      sampling_.on_progress = [&bar](const Progress& progress) { bar.show(progress); };
+      run_.complete = measure_one(what, sampling_) && interrupting_signal().load() == 0;
+    }
+  }
+
+ private:
+  PaperRun& run_;
+  Sampling sampling_;
+  StopRule stop_;
+  std::size_t n_cases_ = 0, n_begun_ = 0;
+};
+
+int run_vex_paper(const PaperCommandLine& words, const std::string& command) {
+  const auto start = std::chrono::steady_clock::now();
+  PaperRun run{command, interpret(words)};
+  std::optional<OutputFile> json;
+  if (!run.options.json.empty()) json.emplace(run.options.json, std::span<const std::string>());
+
+  struct Part {
+    bool wanted;
+    std::vector<Case> (*cases)();
+    std::function<bool(const Case&, const Sampling&)> measure_one;
+  };
+  const auto into = [](std::vector<Row>& rows) {
+    return [&rows](const Case& what, const Sampling& sampling) {
+      const std::optional<Row> row = measure(what, sampling);
+      if (row) rows.push_back(*row);
+      return row && row->record.complete;
+    };
+  };
+  const std::vector<Part> parts = {
+      {run.options.table_1, table_one, into(run.table_1)},
+      {run.options.table_2, table_two, into(run.table_2)},
+      {run.options.text, cases_of_the_text, into(run.text)},
+      {run.options.erratum, erratum_cases,
+       [&run](const Case& what, const Sampling& sampling) {
+         const std::optional<ErratumRow> row = measure_erratum(what, sampling);
+         if (row) run.erratum.push_back(*row);
+         return row && row->record.complete;
+       }},
+      {run.options.referees, referee_cases, [&run](const Case& what, const Sampling& sampling) {
+         const std::vector<RefereeRow> rows = measure_referees(what, sampling);
+         run.referees.insert(run.referees.end(), rows.begin(), rows.end());
+         return rows.front().complete;
+       }}};
+
+  catch_interrupts();
+  Runner runner(run);
+  for (const Part& part : parts) {
+    if (part.wanted) runner.expect(part.cases().size());
+  }
+  for (const Part& part : parts) {
+    if (part.wanted) runner.all(part.cases(), part.measure_one);
+  }
+  run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+  if (!run.options.quiet && !(json && json->is_standard_output())) std::cout << report_text(run);
+  if (json) json->write(report_json(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  if (!run.complete) return kSignalBase + interrupting_signal().load();
+  return run.has_disagreement() ? kDisagreement : kSuccess;
+}
+
+}  // namespace
+}  // namespace vex
+
+int main(int argc, char** argv) {
+  CLI::App app("The excluded volumes of cond-mat/0207739 computed again, and its faulty ones explained.", "vex_paper");
+  vex::PaperCommandLine words;
+  vex::declare_options(app, words);
+  return vex::run_program(app, argc, argv, [&] { return vex::run_vex_paper(words, vex::command_line(argc, argv)); });
+}

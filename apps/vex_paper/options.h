@@ -1,0 +1,35 @@
+// The command line of vex_paper.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace vex {
+
+/// The words of the command line, as they stand.
+struct PaperCommandLine {
+  std::vector<std::string> tables;
+  std::string trials, seed, threads, max_z, json;
+  bool text = false, erratum = false, referees = false, quiet = false;
+};
+
+/// Declares the options; parsing fills `words`, which must outlive `app`.
+void declare_options(CLI::App& app, PaperCommandLine& words);
+
+/// What the words mean.
+struct PaperOptions {
+  bool table_1 = false, table_2 = false, text = false, erratum = false, referees = false;
+  std::uint64_t trials = 0;  // a row
+  std::uint64_t seed = 1;
+  int n_threads = 1;
+  double max_z = 6.0;
+  std::string json;
+  bool quiet = false;
+};
+
+/// Throws UsageError where a word means nothing. Without a part named: everything but the referees.
+PaperOptions interpret(const PaperCommandLine& words);
+
+}  // namespace vex

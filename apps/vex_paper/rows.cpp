@@ -1,0 +1,260 @@
+#include "apps/vex_paper/rows.h"
+
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+
+#include "apps/common/bodies.h"
+#include "apps/common/numbers.h"
+#include "apps/common/orientations.h"
+#include "apps/referees/exact_average.h"
+#include "apps/referees/exact_referee.h"
+#include "apps/referees/specialised_backend.h"
+#include "apps/referees/wrong_tests.h"
+#include "engine/sampling/fitted_domain.h"
+#include "shapes/excluded_volume.h"
+
+namespace vex {
+namespace {
+
+// Numbers of the cases of each part: 1 ..., 101 ...
+enum FirstNumber : int { kTableOne = 1, kTableTwo = 101, kText = 201, kErratum = 301, kReferees = 401 };
+
+std::string box_of(double ratio) { return "box:" + shortest_number(ratio) + ",1,1"; }
+std::string spheroid_of(double ratio) { return "ellipsoid:" + shortest_number(ratio) + ",1,1"; }
+
+// The printed digits of "Calculated" cannot tell smaller differences from rounding.
+constexpr double kPrintedDigits = 6e-4;
+
+std::string remark_on(const paper::TableRow& row, double exact) {
+  std::string remark = row.remark;
+  if (row.printed.calculated && std::fabs(*row.printed.calculated - exact) > kPrintedDigits) {
+    if (!remark.empty()) remark += "; ";
+    remark += "the paper's \"Calculated\" " + short_number(*row.printed.calculated) + " is a misprint for " +
+              short_number(exact);
+  }
+  return remark;
+}
+
+struct LoadedPair {
+  LoadedBody a, b;
+  explicit LoadedPair(const Case& what)
+      : a(load_body(what.a, options_of(what))), b(what.a == what.b ? a : load_body(what.b, options_of(what))) {}
+
+  const ConvexBody& body_a() const { return a.shape.body; }
+  const ConvexBody& body_b() const { return b.shape.body; }
+  double formula() const { return average_excluded_volume(a.shape.measures, b.shape.measures); }
+
+ private:
+  static BodyOptions options_of(const Case& what) {
+    BodyOptions options;
+    options.unit_volume = what.unit_volume;
+    return options;
+  }
+};
+
+std::vector<Case> cases_of_table(std::span<const paper::TableRow> rows, int first_number,
+                                 std::string (*body)(double ratio)) {
+  std::vector<Case> cases;
+  for (const paper::TableRow& row : rows) {
+    Case one;
+    one.number = first_number + static_cast<int>(cases.size());
+    one.label = short_number(row.aspect_ratio);
+    one.aspect_ratio = row.aspect_ratio;
+    one.a = one.b = body(row.aspect_ratio);
+    one.unit_volume = true;
+    one.printed = row.printed;
+    one.remark = remark_on(row, LoadedPair(one).formula());
+    cases.push_back(one);
+  }
+  return cases;
+}
+
+MonteCarloSettings settings_for(const Case& what, const LoadedPair& pair, const Sampling& sampling) {
+  MonteCarloSettings settings;
+  settings.seed = sampling.seed_of(what);
+  settings.n_threads = sampling.n_threads;
+  settings.law = parse_orientations(what.orientations, "--orientations");
+  settings.domain = what.domain == Domain::Kind::fitted ? fitted_domain(pair.body_a(), pair.body_b())
+                                                        : box_domain(pair.body_a(), pair.body_b());
+  settings.quick_verdicts = what.quick_verdicts;
+  settings.stop.trials = sampling.n_trials;
+  settings.stop.max_trials = sampling.n_trials;
+  settings.interrupt = sampling.interrupt;
+  settings.on_progress = sampling.on_progress;
+  return settings;
+}
+
+std::string command_of(const Case& what, const Sampling& sampling) {
+  std::string text = "vex_mesh " + what.a + (what.b == what.a ? "" : " " + what.b);
+  if (what.unit_volume) text += " --unit-volume";
+  if (what.orientations != "isotropic") text += " --orientations " + what.orientations;
+  text += what.domain == Domain::Kind::fitted ? " --estimator hit-or-miss-fitted" : " --domain box";
+  if (!what.quick_verdicts) text += " --no-quick-verdicts";
+  return text + " --seed " + std::to_string(sampling.seed_of(what)) + " --trials " + std::to_string(sampling.n_trials);
+}
+
+}  // namespace
+
+std::vector<Case> table_one() { return cases_of_table(paper::kTableOne, kTableOne, box_of); }
+
+std::vector<Case> table_two() {
+  std::vector<Case> cases = cases_of_table(paper::kTableTwo, kTableTwo, spheroid_of);
+  for (Case& one : cases) {
+    if (one.aspect_ratio != 1.0) continue;
+    // Of spheres the balls about their centres decide everything: without them, in the box, the row is a test of GJK.
+    one.domain = Domain::Kind::box;
+    one.quick_verdicts = false;
+  }
+  return cases;
+}
+
+std::vector<Case> cases_of_the_text() {
+  std::vector<Case> cases;
+  const auto add = [&cases](std::string label, std::string a, std::string b, std::string orientations) -> Case& {
+    Case one;
+    one.number = kText + static_cast<int>(cases.size());
+    one.label = std::move(label);
+    one.a = std::move(a);
+    one.b = std::move(b);
+    one.unit_volume = one.a.rfind("capsule", 0) != 0;
+    one.orientations = std::move(orientations);
+    cases.push_back(std::move(one));
+    return cases.back();
+  };
+  const std::string capsule = "capsule:1,0.25", cube = "box:1,1,1", sphere = "sphere:1";
+  add("capsules L = 1, R = 0.25", capsule, capsule, "isotropic").printed = paper::kCapsules;
+  add("sphere and cube", sphere, cube, "isotropic").printed = paper::kSphereAndCube;
+  Case& aligned = add("aligned cubes", cube, cube, "aligned");
+  aligned.printed = paper::kAlignedCubes;
+  aligned.domain = Domain::Kind::box;  // a fitted one is the excluded volume itself
+  add("cubes, the paper's corrected code", cube, cube, "isotropic").printed = paper::kCorrectedCubes;
+  // A number of fixed relative orientations: the paper gives no values.
+  add("cubes, turned 45 degrees about an edge", cube, cube, "fixed:2.414213562373095,0,0,1");
+  add("cubes, turned 60 degrees about a diagonal", cube, cube,
+      "fixed:1.7320508075688772,0.5773502691896258,"
+      "0.5773502691896258,0.5773502691896258");
+  add("cubes, turned by 1 + 2i + 3j + 4k", cube, cube, "fixed:1,2,3,4");
+  add("platelets l1/l2 = 0.01, turned by 1 + 2i + 3j + 4k", box_of(0.01), box_of(0.01), "fixed:1,2,3,4");
+  add("prisms l1/l2 = 8, turned by 1 + 2i + 3j + 4k", box_of(8.0), box_of(8.0), "fixed:1,2,3,4");
+  add("spheroids a/b = 4, turned by 1 + 2i + 3j + 4k", spheroid_of(4.0), spheroid_of(4.0), "fixed:1,2,3,4");
+  // Random orientations in a specified angular interval about +-z.
+  for (const char* const cone : {"cone:10", "cone:30", "cone:60"}) {
+    add("capsules, within " + std::string(cone).substr(5) + " degrees of z", capsule, capsule, cone);
+  }
+  add("cubes, within 30 degrees of z", cube, cube, "cone:30");
+  add("platelets 1 x 1 x 0.01, within 30 degrees of z", "box:1,1,0.01", "box:1,1,0.01", "cone:30");
+  add("prisms 1 x 1 x 8, within 30 degrees of z", "box:1,1,8", "box:1,1,8", "cone:30");
+  add("capsules, Onsager's trial function, alpha = 5", capsule, capsule, "onsager:5");
+  add("prisms 1 x 1 x 8, Onsager's, alpha = 20", "box:1,1,8", "box:1,1,8", "onsager:20");
+  return cases;
+}
+
+double Row::z() const { return (found.excluded_volume - exact) / std::hypot(found.std_error, exact_error); }
+
+double Row::trials_for_a_thousandth() const {
+  const double relative = found.relative_error() / 1e-3;
+  return static_cast<double>(record.tally.n_trials) * relative * relative;
+}
+
+std::optional<Row> measure(const Case& what, const Sampling& sampling) {
+  const LoadedPair pair(what);
+  const MonteCarloSettings settings = settings_for(what, pair, sampling);
+  Row row{what, command_of(what, sampling)};
+  if (settings.law.kind() == OrientationLaw::Kind::isotropic) {
+    row.exact = pair.formula();
+  } else {
+    ExactAverageSettings average;
+    average.interrupt = sampling.interrupt;
+    const ExactAverage exact = exact_average(pair.a.shape, pair.b.shape, settings.law, average);
+    row.exact = exact.excluded_volume;
+    row.exact_error = exact.error;
+  }
+  row.record = run_hit_or_miss(pair.body_a(), pair.body_b(), settings);
+  if (row.record.tally.n_trials == 0) return std::nullopt;
+  row.found = volume_estimate(row.record.tally, settings.domain);
+  return row;
+}
+
+double ErratumRow::z() const {
+  return (values.front().excluded_volume - what.printed->excluded_volume) /
+         std::hypot(values.front().std_error, what.printed->uncertainty);
+}
+
+std::vector<Case> erratum_cases() {
+  std::vector<Case> cases = cases_of_table(paper::kTableOne, kErratum, box_of);
+  for (Case& one : cases) one.remark.clear();  // about the column "Calculated", which is not looked at here
+  return cases;
+}
+
+std::optional<ErratumRow> measure_erratum(const Case& what, const Sampling& sampling) {
+  const LoadedPair pair(what);
+  MonteCarloSettings settings = settings_for(what, pair, sampling);
+  settings.cross_check = wrong_box_backends();
+  ErratumRow row{what, pair.formula(), run_hit_or_miss(pair.body_a(), pair.body_b(), settings), {}};
+  if (row.record.tally.n_trials == 0) return std::nullopt;
+  for (std::size_t k = 0; k < settings.cross_check.size(); ++k) {
+    const VolumeEstimate deficit = excess_over_other(row.record.tally, row.record.comparisons[k], settings.domain);
+    row.values.push_back({settings.cross_check[k].name, row.exact - deficit.excluded_volume, deficit.std_error,
+                          deficit.excluded_volume});
+  }
+  return row;
+}
+
+ChiSquared chi_squared(const std::vector<ErratumRow>& rows) {
+  ChiSquared result;
+  if (rows.empty()) return result;
+  for (const ErratumRow& row : rows) result.value += row.z() * row.z();
+  const boost::math::chi_squared distribution(static_cast<double>(rows.size()));
+  result.p = cdf(complement(distribution, result.value));
+  return result;
+}
+
+std::vector<Case> referee_cases() {
+  std::vector<Case> cases;
+  const auto add = [&cases](std::string a, std::string b) {
+    Case one;
+    one.number = kReferees + static_cast<int>(cases.size());
+    one.label = a == b ? a : a + " and " + b;
+    one.a = std::move(a);
+    one.b = std::move(b);
+    one.unit_volume = true;
+    cases.push_back(std::move(one));
+  };
+  for (const double ratio : {1e-6, 0.01, 1.0, 64.0}) add(box_of(ratio), box_of(ratio));
+  for (const double ratio : {0.03125, 0.5, 4.0, 32.0}) add(spheroid_of(ratio), spheroid_of(ratio));
+  add("ellipsoid:1,2,3", "ellipsoid:1,2,3");
+  add("capsule:1,0.25", "capsule:1,0.25");
+  add("capsule:100,0.25", "capsule:100,0.25");
+  for (const char* const other : {"sphere:1", "box:1,1,1", "ellipsoid:4,1,1", "capsule:1,0.25"}) add("sphere:1", other);
+  return cases;
+}
+
+std::vector<RefereeRow> measure_referees(const Case& what, const Sampling& sampling) {
+  const LoadedPair pair(what);
+  MonteCarloSettings settings = settings_for(what, pair, sampling);
+  for (BackendKind& kind : std::vector<BackendKind>{specialised_backend(), box_edges_backend()}) {
+    if (kind.takes(pair.body_a(), pair.body_b())) settings.cross_check.push_back(std::move(kind));
+  }
+  const RunRecord record = run_hit_or_miss(pair.body_a(), pair.body_b(), settings);
+  std::vector<RefereeRow> rows;
+  for (std::size_t k = 0; k < settings.cross_check.size(); ++k) {
+    const Comparison& comparison = record.comparisons[k];
+    RefereeRow row{what, settings.cross_check[k].name};
+    row.n_poses = record.tally.n_trials;
+    row.n_engine_undecided = record.tally.n_undecided;
+    row.n_test_undecided = comparison.n_undecided;
+    row.n_disagreements = comparison.n_only_run + comparison.n_only_other;
+    row.seconds = record.seconds;
+    row.complete = record.complete;
+    for (const Disagreement& found : record.disagreements.kept) {
+      const Outcome engine = found.outcomes[0], test = found.outcomes[k + 1];
+      if (engine == test || engine == Outcome::undecided || test == Outcome::undecided) continue;
+      const Outcome truth = exact_outcome(pair.body_a(), pair.body_b(), found.a_from_b);
+      ++(truth == engine ? row.n_engine_right : row.n_test_right);
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace vex
