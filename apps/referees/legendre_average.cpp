@@ -17,8 +17,9 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kMaxDegree = 2048;  // even
 constexpr std::size_t kMostComponents = 1000;
-constexpr double kLargestAlpha = 500.0;   // far below 2 kMaxDegree, where the Bessel functions' recursion begins
-constexpr double kRoundingError = 1e-11;  // a recursion of 2048 steps loses fewer than 4 digits
+constexpr double kLargestAspectRatio = 100.0;  // of ellipsoids: the nodes they take grow with its square
+constexpr double kLargestAlpha = 500.0;        // far below 2 kMaxDegree, where the Bessel functions' recursion begins
+constexpr double kRoundingError = 1e-11;       // a recursion of 2048 steps loses fewer than 4 digits
 
 using Series = std::vector<double>;  // by degree, from 0 up
 
@@ -37,9 +38,10 @@ void add_polynomials(double weight, double x, Series* sum) {
 /// The same for the mean of weight(v) P_l(n_z(v)) over 0 < v < 1, where n_z turns through `angle_rad`: 30 nodes for
 /// each 40 radians of phase of the highest degree.
 template <class F>
-void add_mean(double angle_rad, const F& normal_of, Series* sum) {
+void add_mean(double angle_rad, std::size_t least_panels, const F& normal_of, Series* sum) {
   using Gauss = boost::math::quadrature::gauss<double, 30>;
-  const auto n_panels = static_cast<std::size_t>(angle_rad * static_cast<double>(sum->size()) / 40.0) + 1;
+  const auto for_phase = static_cast<std::size_t>(angle_rad * static_cast<double>(sum->size()) / 40.0);
+  const std::size_t n_panels = std::max(for_phase + 1, least_panels);
   const double half_width = 0.5 / static_cast<double>(n_panels);
   for (std::size_t panel = 0; panel < n_panels; ++panel) {
     const double middle = (2.0 * static_cast<double>(panel) + 1.0) * half_width;
@@ -50,6 +52,42 @@ void add_mean(double angle_rad, const F& normal_of, Series* sum) {
       }
     }
   }
+}
+
+double aspect_ratio(const Vec3d& axes) {
+  return std::max({axes.x, axes.y, axes.z}) / std::min({axes.x, axes.y, axes.z});
+}
+
+/// The density of an ellipsoid's area over uniform normals, of mean S: 4 pi over the Gaussian curvature, (a b c)^2 /
+/// h^4.
+struct GaussianCurvature {
+  Vec3d axes;
+
+  double operator()(double v, double w) const {
+    const double cos_polar = (v + v) - 1.0, sin_polar = 2.0 * std::sqrt(v * (1.0 - v)), azimuth = 2.0 * kPi * w;
+    const double height =
+        norm(Vec3d{axes.x * sin_polar * std::cos(azimuth), axes.y * sin_polar * std::sin(azimuth), axes.z * cos_polar});
+    const double root = axes.x / height * (axes.y / height) * axes.z;
+    return 4.0 * kPi * root * root;
+  }
+};
+
+/// A density over uniform normals (v, w), even in each coordinate of the normal. Its peaks are as wide as the aspect
+/// ratio is small, which says how many nodes it takes: a quarter of a turn about z by the midpoint rule, which is
+/// spectral for periodic functions, and panels along the polar angle t, with v = (1 - cos t) / 2.
+template <class F>
+void add_ellipsoid(const Vec3d& axes, double factor, const F& density, Series* sum) {
+  const double ratio = aspect_ratio(axes);
+  const int n_angles = axes.x == axes.y ? 1 : 16 + static_cast<int>(8.0 * ratio);
+  add_mean(
+      kPi, static_cast<std::size_t>(2.0 * ratio),
+      [&](double t) -> WeightedNormal {
+        const double v = std::pow(std::sin(0.5 * kPi * t), 2);
+        double mean = 0.0;
+        for (int i = 0; i < n_angles; ++i) mean += density(v, 0.25 * (i + 0.5) / n_angles) / n_angles;
+        return {{0.0, 0.0, -std::cos(kPi * t)}, factor * mean * 0.5 * kPi * std::sin(kPi * t)};
+      },
+      sum);
 }
 
 /// The integrals of P_l(n_z) over the measure.
@@ -69,36 +107,28 @@ Series legendre_series(const NormalMeasure& measure, std::size_t max_degree) {
         sum[l] += zone->mass * integral / (static_cast<double>(2 * l + 1) * (zone->cos_to - zone->cos_from));
       }
     } else if (const auto* const arc = std::get_if<NormalArc>(&component)) {
-      add_mean(arc->angle_rad, at, &sum);
+      add_mean(arc->angle_rad, 1, at, &sum);
     } else if (const auto* const rim = std::get_if<NormalRim>(&component)) {
-      add_mean(rim->polar_to_rad - rim->polar_from_rad, at, &sum);
+      add_mean(rim->polar_to_rad - rim->polar_from_rad, 1, at, &sum);
     } else if (std::holds_alternative<NormalAtom>(component) || std::holds_alternative<NormalRing>(component)) {
       add_polynomials(mass_of(component), std::clamp(at(0.5).unit_normal.z, -1.0, 1.0), &sum);
-    } else {  // a spheroid; v = (1 - cos t) / 2 makes the sphere's points even in the polar angle t
-      add_mean(
-          kPi,
-          [&](double t) {
-            WeightedNormal normal = at(std::pow(std::sin(0.5 * kPi * t), 2));
-            normal.weight *= 0.5 * kPi * std::sin(kPi * t);
-            return normal;
-          },
-          &sum);
+    } else if (const auto* const area = std::get_if<EllipsoidNormals>(&component)) {
+      add_ellipsoid(area->semi_axes, area->factor, GaussianCurvature{area->semi_axes}, &sum);
+    } else if (const auto* const curvature = std::get_if<EllipsoidCurvature>(&component)) {
+      add_ellipsoid(
+          curvature->semi_axes, curvature->factor,
+          [&](double v, double w) { return normal_at(*curvature, v, w).weight / curvature->factor; }, &sum);
     }
   }
   return sum;
 }
 
 bool is_affordable(const NormalMeasure& measure) {
-  const auto spheroid = [](const NormalMeasure::Component& component) {
-    if (const auto* const area = std::get_if<EllipsoidNormals>(&component)) {
-      return area->semi_axes.x == area->semi_axes.y;
-    }
-    if (const auto* const curvature = std::get_if<EllipsoidCurvature>(&component)) {
-      return curvature->semi_axes.x == curvature->semi_axes.y;
-    }
-    return true;
+  const auto is_too_thin = [](const NormalMeasure::Component& component) {
+    const auto* const area = std::get_if<EllipsoidNormals>(&component);
+    return area != nullptr && aspect_ratio(area->semi_axes) > kLargestAspectRatio;
   };
-  return measure.components().size() <= kMostComponents && std::ranges::all_of(measure.components(), spheroid);
+  return measure.components().size() <= kMostComponents && std::ranges::none_of(measure.components(), is_too_thin);
 }
 
 std::size_t n_core_vertices(ConvexBody body) {

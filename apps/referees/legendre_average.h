@@ -22,8 +22,9 @@ struct SeriesAverage {
 };
 
 /// Nothing where the law is none of cone (above 0 degrees) and onsager (up to alpha = 500), or where a body has more
-/// than 1000 components or is an ellipsoid of three different axes, which would take too long; UsageError where a body
-/// has no measures on normals. Takes milliseconds for onsager, up to a second for cone.
+/// than 1000 components or is an ellipsoid more than a hundred times as long as thin, which would take too long.
+/// UsageError where a body has no measures on normals. Takes milliseconds for onsager, some tenths of a second for
+/// cone.
 std::optional<SeriesAverage> legendre_average(const MeasuredBody& a, const MeasuredBody& b, const OrientationLaw& law);
 
 }  // namespace vex
