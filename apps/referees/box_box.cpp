@@ -46,9 +46,9 @@ Outcome overlap_by_axes(const BoxPair& pair, const Transformd& a_from_b) {
   const double error = 20.0 * kUnitRoundoff * (pair.reach + b.norm_1_of_centre);
   bool unsure = false;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double gap = (std::fabs(t[i]) - h[i]) -
-                       ((std::fabs(b.column[0][i]) * k[0] + std::fabs(b.column[1][i]) * k[1]) +
-                        std::fabs(b.column[2][i]) * k[2]);
+    const double gap =
+        (std::fabs(t[i]) - h[i]) -
+        ((std::fabs(b.column[0][i]) * k[0] + std::fabs(b.column[1][i]) * k[1]) + std::fabs(b.column[2][i]) * k[2]);
     if (gap > error) return Outcome::disjoint;
     unsure = unsure || gap >= -error;
   }

@@ -42,14 +42,14 @@ EdgesAndSlabs edges_of_b_against_a(const BoxPair& pair, const PlacedBox& b);
 EdgesAndSlabs edges_of_a_against_b(const BoxPair& pair, const PlacedBox& b);
 
 /// Clips every edge by the slabs (M. Cyrus, J. Beck, Computers & Graphics 3, 23 (1978); Y.-D. Liang, B. A. Barsky, ACM
-/// Trans. Graphics 3, 1 (1984)). `overlap` where an edge meets the solid even if each slab is thinner by `error` on both
-/// sides, `disjoint` where no edge does even if each is thicker; at error 0 there is no third answer. `reach` bounds
-/// every coordinate.
+/// Trans. Graphics 3, 1 (1984)). `overlap` where an edge meets the solid even if each slab is thinner by `error` on
+/// both sides, `disjoint` where no edge does even if each is thicker; at error 0 there is no third answer. `reach`
+/// bounds every coordinate.
 Outcome edges_meet_solid(const EdgesAndSlabs& edges, double error, double reach);
 
 /// Two boxes share a point where an edge of one meets the other, asked both ways (D. R. Baker, G. Paul, S. Sreenivasan,
-/// H. E. Stanley, Phys. Rev. E 66, 046136 (2002)); three-valued (E9). Undecided also far from contact where edges lie in
-/// the other's faces to within rounding and no other edge decides: parallel boxes are a case for the axes.
+/// H. E. Stanley, Phys. Rev. E 66, 046136 (2002)); three-valued (E9). Undecided also far from contact where edges lie
+/// in the other's faces to within rounding and no other edge decides: parallel boxes are a case for the axes.
 Outcome overlap_by_edges(const BoxPair& pair, const Transformd& a_from_b);
 
 }  // namespace vex

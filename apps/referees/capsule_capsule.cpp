@@ -15,8 +15,8 @@ struct Axes {
   double half_a, half_b;
   double v_sq;
 
-  // How far apart the axes are along `dir`, times its length: dir separates balls of total radius r about them where this
-  // is above r |dir|.
+  // How far apart the axes are along `dir`, times its length: dir separates balls of total radius r about them where
+  // this is above r |dir|.
   double gap(const Vec3d& dir) const {
     return (dot(dir, t) - std::fabs(dir.z) * half_a) - std::fabs(dot(dir, v)) * half_b;
   }
@@ -30,11 +30,8 @@ struct Axes {
 }  // namespace
 
 Outcome capsules_overlap(const CapsuleSize& a, const CapsuleSize& b, const Transformd& a_from_b) {
-  Axes axes{a_from_b.translation,
-            {a_from_b.row_x.z, a_from_b.row_y.z, a_from_b.row_z.z},
-            a.half_length,
-            b.half_length,
-            0.0};
+  Axes axes{
+      a_from_b.translation, {a_from_b.row_x.z, a_from_b.row_y.z, a_from_b.row_z.z}, a.half_length, b.half_length, 0.0};
   const Vec3d &t = axes.t, &v = axes.v;
   axes.v_sq = dot(v, v);
   const double radii = a.radius + b.radius;

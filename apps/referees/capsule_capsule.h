@@ -12,8 +12,8 @@ struct CapsuleSize {
   double radius;
 };
 
-/// Closest points of two segments (V. J. Lumelsky, Inform. Process. Lett. 21, 55 (1985); C. Ericson, Real-Time Collision
-/// Detection, 5.1.9), then a proof either way (E10); undecided within rounding of contact.
+/// Closest points of two segments (V. J. Lumelsky, Inform. Process. Lett. 21, 55 (1985); C. Ericson, Real-Time
+/// Collision Detection, 5.1.9), then a proof either way (E10); undecided within rounding of contact.
 Outcome capsules_overlap(const CapsuleSize& a, const CapsuleSize& b, const Transformd& a_from_b);
 
 }  // namespace vex

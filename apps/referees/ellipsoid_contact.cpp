@@ -77,7 +77,9 @@ Verdict EllipsoidContact::operator()(const Transformd& p) const {
   if (norm_1(r) < inradius_a_) return Verdict::overlap(DecidedBy::peer);  // B's centre is in A
 
   const Transformd turn{p.row_x, p.row_y, p.row_z, {}};
-  const auto turned = [&turn](const Vec3d& x) { return Vec3d{dot(turn.row_x, x), dot(turn.row_y, x), dot(turn.row_z, x)}; };
+  const auto turned = [&turn](const Vec3d& x) {
+    return Vec3d{dot(turn.row_x, x), dot(turn.row_y, x), dot(turn.row_z, x)};
+  };
   const auto separates = [&](const Vec3d& dir, double height_a, double height_b) {
     return dot(dir, r) - (height_a + height_b) > error * norm_1(dir);
   };
@@ -98,11 +100,11 @@ Verdict EllipsoidContact::operator()(const Transformd& p) const {
   Growth at_low{}, at_high{};
   for (int step = 0; step < kMaxSteps; ++step) {
     // e with (A + ratio B) e = r: the direction of the normal, A e a point of A's grown body, ratio B e one of B's.
-    const Ldlt factors({a.x + ratio * b.xx, ratio * b.xy, ratio * b.xz, a.y + ratio * b.yy, ratio * b.yz,
-                        a.z + ratio * b.zz});
+    const Ldlt factors(
+        {a.x + ratio * b.xx, ratio * b.xy, ratio * b.xz, a.y + ratio * b.yy, ratio * b.yz, a.z + ratio * b.zz});
     Vec3d e = factors.solve(r);
-    Vec3d unit_a = by_coordinates(axes_a_, e);                          // A's point, seen as one of the unit ball
-    Vec3d unit_b = by_coordinates(axes_b_, turn.direction_to_b(e));     // B's, over ratio
+    Vec3d unit_a = by_coordinates(axes_a_, e);                       // A's point, seen as one of the unit ball
+    Vec3d unit_b = by_coordinates(axes_b_, turn.direction_to_b(e));  // B's, over ratio
     double size_e = norm_1(e);
     Vec3d point_a, point_b;
     Growth growth{};

@@ -1,9 +1,9 @@
 // Do two ellipsoids share a point? By their contact function.
 //
-// F = max over 0 <= l <= 1 of l (1 - l) r^T [(1 - l) A + l B]^-1 r, with the ellipsoids' matrices A and B (squares of the
-// semi-axes, turned) and the vector r between the centres, is at most 1 where they do (J. W. Perram, M. S. Wertheim,
-// J. Comput. Phys. 58, 409 (1985); J. Vieillard-Baron, J. Chem. Phys. 56, 4729 (1972)). It is concave in l, and its
-// maximum is where the two ellipsoids, grown by the same factor, touch.
+// F = max over 0 <= l <= 1 of l (1 - l) r^T [(1 - l) A + l B]^-1 r, with the ellipsoids' matrices A and B (squares of
+// the semi-axes, turned) and the vector r between the centres, is at most 1 where they do (J. W. Perram, M. S.
+// Wertheim, J. Comput. Phys. 58, 409 (1985); J. Vieillard-Baron, J. Chem. Phys. 56, 4729 (1972)). It is concave in l,
+// and its maximum is where the two ellipsoids, grown by the same factor, touch.
 #pragma once
 
 #include "engine/numeric/transform.h"

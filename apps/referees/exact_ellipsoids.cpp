@@ -128,8 +128,8 @@ int n_positive_roots(Polynomial f) {
 
 bool ellipsoids_overlap(const Vec3d& semi_axes_a, const Vec3d& semi_axes_b, const Transformd& a_from_b) {
   const Vec3d &x = a_from_b.row_x, &y = a_from_b.row_y, &z = a_from_b.row_z, &t = a_from_b.translation;
-  const std::array lengths = {semi_axes_a.x, semi_axes_a.y, semi_axes_a.z, semi_axes_b.x, semi_axes_b.y,
-                              semi_axes_b.z, t.x,           t.y,           t.z};
+  const std::array lengths = {
+      semi_axes_a.x, semi_axes_a.y, semi_axes_a.z, semi_axes_b.x, semi_axes_b.y, semi_axes_b.z, t.x, t.y, t.z};
   const std::array turns = {x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z, 1.0};
   int length_exponent = 0, turn_exponent = 0;  // the unit of length is free; R's goes into the homogeneous coordinate
   const std::vector<Integer> length = whole_numbers(lengths, length_exponent);

@@ -91,16 +91,38 @@ inline Point nearest_point(std::vector<Point>& simplex) {
   return best;
 }
 
+/// The same direction with whole coordinates: sums of products of whole numbers need no common denominators, which is
+/// most of the time otherwise.
+inline Point whole_direction(const Point& v) {
+  const auto common = lcm(lcm(denominator(v[0]), denominator(v[1])), denominator(v[2]));
+  return {v[0] * common, v[1] * common, v[2] * common};
+}
+
+/// Both point sets times a power of two that makes every coordinate whole.
+inline void make_whole(std::vector<Point>& a, std::vector<Point>& b) {
+  boost::multiprecision::cpp_int largest = 1;  // denominators are powers of two
+  for (const std::vector<Point>* points : {&a, &b}) {
+    for (const Point& p : *points) {
+      for (const Rational& x : p) largest = std::max(largest, boost::multiprecision::cpp_int(denominator(x)));
+    }
+  }
+  for (std::vector<Point>* points : {&a, &b}) {
+    for (Point& p : *points) {
+      for (Rational& x : p) x *= largest;
+    }
+  }
+}
+
 /// Whether the convex hulls of the two point sets share a point.
 inline bool overlap(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b) {
   std::vector<Point> exact_a, exact_b;
   for (const Vec3d& p : a) exact_a.push_back(exactly(p));
   for (const Vec3d& p : b) exact_b.push_back(exactly(p));
+  make_whole(exact_a, exact_b);
   std::vector<Point> simplex = {minus(exact_a[0], exact_b[0])};
   while (true) {
-    const Point v = nearest_point(simplex);
-    const Rational v_sq = inner(v, v);
-    if (v_sq == 0) return true;
+    const Point v = whole_direction(nearest_point(simplex));
+    if (v[0] == 0 && v[1] == 0 && v[2] == 0) return true;
     // The support point of the difference against v.
     const Point* p = &exact_a[0];
     const Point* q = &exact_b[0];
@@ -112,7 +134,7 @@ inline bool overlap(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b) {
     }
     const Point w = minus(*p, *q);
     if (inner(w, v) > 0) return false;  // v separates
-    simplex.push_back(w);               // inner(w, v) <= 0 < |v|^2: the distance falls
+    simplex.push_back(w);               // inner(w, v) <= 0: the distance falls
   }
 }
 

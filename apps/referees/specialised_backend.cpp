@@ -30,9 +30,8 @@ Made make(const Capsule& a, const Capsule& b) {
       [a = size_of(a), b = size_of(b)](const Transformd& pose) { return capsules_overlap(a, b, pose); });
 }
 Made make(const Sphere& a, const Sphere& b) {
-  return test_backend([a = a.circumradius(), b = b.circumradius()](const Transformd& pose) {
-    return spheres_overlap(a, b, pose);
-  });
+  return test_backend(
+      [a = a.circumradius(), b = b.circumradius()](const Transformd& pose) { return spheres_overlap(a, b, pose); });
 }
 Made make(const Sphere& a, const Box& b) {
   return test_backend([a = a.circumradius(), b](const Transformd& pose) { return sphere_and_box_overlap(a, b, pose); });
@@ -70,8 +69,8 @@ Made make_if(const ConvexBody& a, const ConvexBody& b) {
 
 Made make(const ConvexBody& a, const ConvexBody& b) {
   constexpr Made (*kMakers[])(const ConvexBody&, const ConvexBody&) = {
-      make_if<Box, Box>,       make_if<Ellipsoid, Ellipsoid>, make_if<Capsule, Capsule>, make_if<Sphere, Sphere>,
-      make_if<Sphere, Box>,    make_if<Box, Sphere>,          make_if<Sphere, Capsule>,  make_if<Capsule, Sphere>,
+      make_if<Box, Box>,          make_if<Ellipsoid, Ellipsoid>, make_if<Capsule, Capsule>, make_if<Sphere, Sphere>,
+      make_if<Sphere, Box>,       make_if<Box, Sphere>,          make_if<Sphere, Capsule>,  make_if<Capsule, Sphere>,
       make_if<Sphere, Ellipsoid>, make_if<Ellipsoid, Sphere>};
   for (const auto maker : kMakers) {
     if (Made made = maker(a, b)) return made;

@@ -40,8 +40,8 @@ Outcome sphere_and_box_overlap(double radius, const Box& b, const Transformd& a_
   }
   const Vec3d witness = a_from_b(nearest);
   if (norm(witness) <= radius - error) return Outcome::overlap;
-  // The witness is a normal of the box there; what rounding left of it along an edge that the nearest point is inside of
-  // would count with the edge's length, so it is taken away.
+  // The witness is a normal of the box there; what rounding left of it along an edge that the nearest point is inside
+  // of would count with the edge's length, so it is taken away.
   Vec3d dir = witness;
   const Vec3d columns[3] = {{a_from_b.row_x.x, a_from_b.row_y.x, a_from_b.row_z.x},
                             {a_from_b.row_x.y, a_from_b.row_y.y, a_from_b.row_z.y},

@@ -16,18 +16,19 @@ bool an_edge_meets(const EdgesAndSlabs& edges, double reach) {
 }
 
 bool a_vertex_is_inside(const EdgesAndSlabs& edges) {
-  for (int corner = 0; corner < 8; ++corner) {
-    const double x = (corner & 1) != 0 ? 1.0 : -1.0, y = (corner & 2) != 0 ? 1.0 : -1.0,
-                 z = (corner & 4) != 0 ? 1.0 : -1.0;
-    bool inside = true;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double coordinate =
-          edges.centre[i] + ((x * edges.half_edge[0][i] + y * edges.half_edge[1][i]) + z * edges.half_edge[2][i]);
-      inside = inside && std::fabs(coordinate) <= edges.half_width[i];
+  bool inside[8] = {true, true, true, true, true, true, true, true};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double x = edges.half_edge[0][i], y = edges.half_edge[1][i], z = edges.half_edge[2][i];
+    const double on_edge[4] = {x + y, x - y, y - x, -(x + y)};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double middle = edges.centre[i] + on_edge[k];
+      inside[k] = inside[k] & (std::fabs(middle + z) <= edges.half_width[i]);
+      inside[k + 4] = inside[k + 4] & (std::fabs(middle - z) <= edges.half_width[i]);
     }
-    if (inside) return true;
   }
-  return false;
+  bool any_inside = false;
+  for (const bool one : inside) any_inside = any_inside | one;
+  return any_inside;
 }
 
 // No slab of the solid has all of the parallelepiped on one side.

@@ -8,8 +8,8 @@
 
 namespace vex {
 
-/// Does an edge of B meet A? Forgets the edges of A: 10.569, and in all fourteen rows the Monte Carlo values of Table I of
-/// Sreenivasan, Baker, Paul, Stanley (2002), which were found faulty later.
+/// Does an edge of B meet A? Forgets the edges of A: 10.569, and in all fourteen rows the Monte Carlo values of Table I
+/// of Sreenivasan, Baker, Paul, Stanley (2002), which were found faulty later.
 BackendKind one_sided_backend();
 
 /// Does an edge of B meet A, and an edge of A meet B? 10.138.

@@ -65,16 +65,19 @@ int run_vex_paper(const PaperCommandLine& words, const std::string& command) {
       return row && row->record.complete;
     };
   };
+  const auto wrong_into = [](std::vector<ErratumRow>& rows) {
+    return [&rows](const Case& what, const Sampling& sampling) {
+      const std::optional<ErratumRow> row = measure_erratum(what, sampling);
+      if (row) rows.push_back(*row);
+      return row && row->record.complete;
+    };
+  };
   const std::vector<Part> parts = {
       {run.options.table_1, table_one, into(run.table_1)},
       {run.options.table_2, table_two, into(run.table_2)},
       {run.options.text, cases_of_the_text, into(run.text)},
-      {run.options.erratum, erratum_cases,
-       [&run](const Case& what, const Sampling& sampling) {
-         const std::optional<ErratumRow> row = measure_erratum(what, sampling);
-         if (row) run.erratum.push_back(*row);
-         return row && row->record.complete;
-       }},
+      {run.options.erratum, erratum_cases, wrong_into(run.erratum)},
+      {run.options.curve, curve_cases, wrong_into(run.curve)},
       {run.options.referees, referee_cases, [&run](const Case& what, const Sampling& sampling) {
          const std::vector<RefereeRow> rows = measure_referees(what, sampling);
          run.referees.insert(run.referees.end(), rows.begin(), rows.end());

@@ -6,7 +6,7 @@
 namespace vex {
 
 void declare_options(CLI::App& app, PaperCommandLine& words) {
-  const std::string parts = "Parts (without one: all but --referees)";
+  const std::string parts = "Parts (without one: all but --curve and --referees)";
   app.add_option("--table", words.tables, "1: boxes of 14 aspect ratios; 2: spheroids of 11. May be given twice")
       ->type_name("N")
       ->expected(1)
@@ -17,6 +17,8 @@ void declare_options(CLI::App& app, PaperCommandLine& words) {
       ->group(parts);
   app.add_flag("--erratum", words.erratum,
                "Table 1 by the one-sided overlap test, against the paper's faulty values; and by other wrong tests")
+      ->group(parts);
+  app.add_flag("--curve", words.curve, "The wrong tests' deficits at aspect ratios between those of the paper")
       ->group(parts);
   app.add_flag("--referees", words.referees,
                "GJK against the specialised overlap tests, pose by pose; exact arithmetic judges where they differ")
@@ -64,8 +66,9 @@ PaperOptions interpret(const PaperCommandLine& words) {
   }
   options.text = words.text;
   options.erratum = words.erratum;
+  options.curve = words.curve;
   options.referees = words.referees;
-  if (words.tables.empty() && !words.text && !words.erratum && !words.referees) {
+  if (words.tables.empty() && !words.text && !words.erratum && !words.curve && !words.referees) {
     options.table_1 = options.table_2 = options.text = options.erratum = true;
   }
   options.trials = words.trials.empty() ? 1'000'000 : parse_positive_count(words.trials, "--trials");

@@ -12,7 +12,7 @@ namespace vex {
 struct PaperCommandLine {
   std::vector<std::string> tables;
   std::string trials, seed, threads, max_z, json;
-  bool text = false, erratum = false, referees = false, quiet = false;
+  bool text = false, erratum = false, curve = false, referees = false, quiet = false;
 };
 
 /// Declares the options; parsing fills `words`, which must outlive `app`.
@@ -20,7 +20,7 @@ void declare_options(CLI::App& app, PaperCommandLine& words);
 
 /// What the words mean.
 struct PaperOptions {
-  bool table_1 = false, table_2 = false, text = false, erratum = false, referees = false;
+  bool table_1 = false, table_2 = false, text = false, erratum = false, curve = false, referees = false;
   std::uint64_t trials = 0;  // a row
   std::uint64_t seed = 1;
   int n_threads = 1;
@@ -29,7 +29,7 @@ struct PaperOptions {
   bool quiet = false;
 };
 
-/// Throws UsageError where a word means nothing. Without a part named: everything but the referees.
+/// Throws UsageError where a word means nothing. Without a part named: everything but the curve and the referees.
 PaperOptions interpret(const PaperCommandLine& words);
 
 }  // namespace vex

@@ -129,6 +129,19 @@ std::string erratum_text(const PaperRun& run) {
   return text;
 }
 
+std::string curve_text(const PaperRun& run) {
+  std::vector<std::vector<std::string>> lines = {{"l1/l2", "exact"}};
+  for (const ErratumRow& row : run.curve) {
+    lines.push_back({row.what.label, short_number(row.exact, 10)});
+    for (std::size_t k = 0; k < row.values.size(); ++k) {
+      if (lines.front().size() <= k + 2) lines.front().push_back(row.values[k].name);
+      const double percent = 100.0 / row.exact;
+      lines.back().push_back(with_error(percent * row.values[k].deficit, percent * row.values[k].std_error));
+    }
+  }
+  return "\nCurve  what the wrong tests miss of <V_ex>, in percent (negative: what they invent)\n" + table_text(lines);
+}
+
 std::string referees_text(const PaperRun& run) {
   std::vector<std::vector<std::string>> lines = {{"bodies (unit volume)", "test", "poses", "differ", "exact: GJK right",
                                                   "test right", "undecided GJK", "test", "seconds"}};
@@ -200,8 +213,10 @@ Json erratum_json(const ErratumRow& row) {
   json["excluded_volume"] = one_sided.excluded_volume;
   json["std_error"] = one_sided.std_error;
   json["deficit"] = one_sided.deficit;
-  json["z"] = row.z();
-  add_printed(json, row.what);
+  if (row.what.printed) {
+    json["z"] = row.z();
+    add_printed(json, row.what);
+  }
   for (const WrongValue& value : row.values) {
     json["tests"][value.name] = {{"excluded_volume", value.excluded_volume}, {"std_error", value.std_error}};
   }
@@ -260,6 +275,8 @@ Json report_json(const PaperRun& run) {
   json["text"] = rows_json(run.text);
   json["erratum"] = Json::array();
   for (const ErratumRow& row : run.erratum) json["erratum"].push_back(erratum_json(row));
+  json["curve"] = Json::array();
+  for (const ErratumRow& row : run.curve) json["curve"].push_back(erratum_json(row));
   json["referees"] = Json::array();
   for (const RefereeRow& row : run.referees) json["referees"].push_back(referee_json(row));
   if (const std::vector<const Row*> rows = run.compared_rows(); !rows.empty()) {
@@ -293,6 +310,7 @@ std::string report_text(const PaperRun& run) {
             " (expected 1 +- " + fixed_number(2, 1.0 / std::sqrt(2.0 * n)) + ")\n";
   }
   if (!run.erratum.empty()) text += erratum_text(run);
+  if (!run.curve.empty()) text += curve_text(run);
   if (!run.referees.empty()) text += referees_text(run);
   if (!run.complete) text += "\nInterrupted: this is what was done until then.\n";
   return text + "\n" + fixed_number(1, run.seconds) + " s on " + std::to_string(run.options.n_threads) +

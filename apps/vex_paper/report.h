@@ -15,7 +15,7 @@ struct PaperRun {
   std::string command;
   PaperOptions options;
   std::vector<Row> table_1{}, table_2{}, text{};
-  std::vector<ErratumRow> erratum{};
+  std::vector<ErratumRow> erratum{}, curve{};
   std::vector<RefereeRow> referees{};
   bool complete = true;
   double seconds = 0.0;

@@ -17,7 +17,7 @@ namespace vex {
 namespace {
 
 // Numbers of the cases of each part: 1 ..., 101 ...
-enum FirstNumber : int { kTableOne = 1, kTableTwo = 101, kText = 201, kErratum = 301, kReferees = 401 };
+enum FirstNumber : int { kTableOne = 1, kTableTwo = 101, kText = 201, kErratum = 301, kReferees = 401, kCurve = 501 };
 
 std::string box_of(double ratio) { return "box:" + shortest_number(ratio) + ",1,1"; }
 std::string spheroid_of(double ratio) { return "ellipsoid:" + shortest_number(ratio) + ",1,1"; }
@@ -183,6 +183,22 @@ double ErratumRow::z() const {
 std::vector<Case> erratum_cases() {
   std::vector<Case> cases = cases_of_table(paper::kTableOne, kErratum, box_of);
   for (Case& one : cases) one.remark.clear();  // about the column "Calculated", which is not looked at here
+  return cases;
+}
+
+std::vector<Case> curve_cases() {
+  std::vector<Case> cases;
+  for (const double ratio : {1e-6, 1e-5, 1e-4, 1e-3, 0.003, 0.01, 0.02, 0.04, 0.07, 0.1,  0.15, 0.2,  0.3,
+                             0.4,  0.5,  0.6,  0.7,  0.8,   0.9,  1.0,  1.1,  1.25, 1.5,  1.75, 2.0,  2.5,
+                             3.0,  4.0,  5.0,  6.0,  8.0,   11.0, 16.0, 22.0, 32.0, 45.0, 64.0, 100.0}) {
+    Case one;
+    one.number = kCurve + static_cast<int>(cases.size());
+    one.label = short_number(ratio);
+    one.aspect_ratio = ratio;
+    one.a = one.b = box_of(ratio);
+    one.unit_volume = true;
+    cases.push_back(one);
+  }
   return cases;
 }
 

@@ -74,11 +74,13 @@ struct ErratumRow {
   RunRecord record{};
   std::vector<WrongValue> values;  // of the one-sided test first
 
-  /// The one-sided test's value against the paper's, in standard errors of both together.
+  /// The one-sided test's value against the paper's, in standard errors of both together. Only where the paper has one.
   double z() const;
 };
 
 std::vector<Case> erratum_cases();
+/// The same bodies at other aspect ratios, of which the paper says nothing.
+std::vector<Case> curve_cases();
 std::optional<ErratumRow> measure_erratum(const Case& what, const Sampling& sampling);
 
 /// Sum of z^2 over the rows, and the probability that it is as large or larger by chance.

@@ -10,7 +10,7 @@
 namespace vex {
 
 /// A whole number of units of 2^-448 in 512 bits. Each number is cut to that unit once, when it is added, and all else
-/// is exact: sums are the same for any number of threads. Numbers below 2^-395 lose digits, less than `kUnit` each.
+/// is exact: sums are the same for any number of threads. Numbers below 2^-396 lose digits, less than `kUnit` each.
 /// Room for 2^64 numbers.
 class FixedPointSum {
  public:
@@ -21,7 +21,8 @@ class FixedPointSum {
     VEX_EXPECT(x >= 0.0 && x <= 1.0);
     // x = mantissa 2^(exponent - 1075), and a subnormal adds nothing
     const std::uint64_t bits = bits_of(x);
-    const int shift = static_cast<int>(bits >> 52) - 1075 + 448;  // of the mantissa's last bit; at most 396, for x = 1
+    const auto biased_exponent = static_cast<int>(bits >> 52 & 0x7ffu);  // without the sign that -0.0 has
+    const int shift = biased_exponent - 1075 + 448;                      // of the mantissa's last bit; 396 for x = 1
     if (shift <= -53) return;
     const std::uint64_t mantissa = (bits & 0x000fffffffffffffu) | 0x0010000000000000u;
     if (shift <= 0) {

@@ -13,6 +13,9 @@ constexpr std::array<Vec3d, 3> kFrame = {Vec3d{1.0, 0.0, 0.0}, Vec3d{0.0, 1.0, 0
 // axes serve as well, and positions keep more than half of their digits.
 constexpr double kLeastSine = 0x1p-20;
 
+// The rounding of `Parallelepiped::position` and of the dual vectors, relative to the lengths summed (E11).
+constexpr double kPositionError = 0x1p-48;
+
 double reach_along(const ConvexBody& body, const Vec3d& dir) { return dot(dir, body.support(dir)); }
 
 // The axis along which the width differs most, as a ratio, from that of the other two.
@@ -62,18 +65,23 @@ Parallelepiped FittedDomain::at(const Transformd& rotation) const {
   const auto consider = [&](const std::array<Vec3d, 3>& normals, const Intervals& intervals) {
     const double determinant = dot(normals[0], cross(normals[1], normals[2]));
     Parallelepiped set;
-    set.volume = 1.0 / std::fabs(determinant);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double margin = margin_ * norm_1(normals[k]);
-      set.lower[k] = intervals[k].lower - margin;
-      set.width[k] = (intervals[k].upper - intervals[k].lower) + 2.0 * margin;
-      set.volume *= set.width[k];
-    }
-    if (best.volume > 0.0 && !(set.volume < best.volume)) return;
+    const auto widen = [&](double margin) {
+      set.volume = 1.0 / std::fabs(determinant);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double along_normal = margin * norm_1(normals[k]);
+        set.lower[k] = intervals[k].lower - along_normal;
+        set.width[k] = (intervals[k].upper - intervals[k].lower) + 2.0 * along_normal;
+        set.volume *= set.width[k];
+      }
+      return !(best.volume > 0.0) || set.volume < best.volume;
+    };
+    if (!widen(margin_)) return;
+    double longest = 0.0;  // what a position is summed from, none of its terms longer
     for (std::size_t k = 0; k < 3; ++k) {
       set.dual[k] = (1.0 / determinant) * cross(normals[(k + 1) % 3], normals[(k + 2) % 3]);
+      longest += std::max(std::fabs(intervals[k].lower), std::fabs(intervals[k].upper)) * norm_1(set.dual[k]);
     }
-    best = set;
+    if (widen(margin_ + kPositionError * longest)) best = set;
   };
 
   consider(kFrame, along_a);

@@ -96,7 +96,7 @@ class OrientationLaw {
 /// (onsager).
 template <class L>
 OrientationLaw::Polar<L> OrientationLaw::polar_angle(const L& u) const {
-  const L one = L(1.0), twice = u + u;
+  const L one = L(1.0), two = L(2.0), twice = u + u;
   const MaskOf<L> up = twice > one;
   const L v = select(up, twice - one, twice);  // exact, and never 0 or 1: u is an odd multiple of 2^-53
   L d;
@@ -107,9 +107,9 @@ OrientationLaw::Polar<L> OrientationLaw::polar_angle(const L& u) const {
   } else {
     d = minus_log_of_complement(L(height_) * v) / L(parameter_);
   }
+  d = select(d > two, two, d);  // which only rounding can exceed
   const L cos = one - d;
-  // d <= 2 but for rounding
-  return {square_root(d * larger(L(2.0) - d, L(0.0))), select(up, cos, -cos)};
+  return {square_root(d * (two - d)), select(up, cos, -cos)};
 }
 
 /// Of cone and onsager: with R_X = Rz(phi) Ry(theta) Rz(psi) for each body, R = R_A^T R_B depends on the difference of

@@ -19,10 +19,10 @@
 #include "apps/common/numbers.h"
 #include "apps/common/run_program.h"
 #include "apps/peers/peers.h"
+#include "apps/referees/exact_overlap.h"
 #include "engine/numeric/errors.h"
 #include "engine/sampling/monte_carlo.h"
 #include "shapes/excluded_volume.h"
-#include "apps/referees/exact_overlap.h"
 
 namespace vex {
 namespace {

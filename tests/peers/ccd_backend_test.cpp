@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "apps/referees/exact_overlap.h"
 #include "shapes/any_shape.h"
 #include "tests/referees/contact.h"
-#include "apps/referees/exact_overlap.h"
 #include "tests/referees/polytopes.h"
 
 namespace vex {

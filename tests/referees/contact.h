@@ -1,8 +1,8 @@
 // Where two polytopes come into contact along a ray.
 #pragma once
 
-#include "engine/query/overlap.h"
 #include "apps/referees/exact_overlap.h"
+#include "engine/query/overlap.h"
 #include "tests/referees/polytopes.h"
 
 namespace vex::exact {

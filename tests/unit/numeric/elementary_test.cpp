@@ -91,6 +91,67 @@ TEST(CubeRoot, DividesTheExponentByThreeExactlyForEveryHighWord) {
   for (std::uint64_t high = 0xffffff00u; high <= 0xffffffffu; ++high) ASSERT_EQ((high * 0xAAAAAAABull) >> 33, high / 3);
 }
 
+// Over [0, 1): small ones, both sides of every boundary of 1 - t, and some of every size.
+std::vector<double> complements() {
+  std::mt19937_64 random(13);
+  std::vector<double> ts = {0x1p-1022, 1e-300, 0x1p-54, 0x1.0000000000001p-54, 0x1.8p-53, 1.0 - 0x1p-53, 1.0 - 0x1p-52};
+  for (int k = 0; k < 20000; ++k) {
+    const double t = static_cast<double>(random() >> 11) * 0x1p-53;
+    ts.push_back(t);
+    ts.push_back(std::ldexp(0.5 + 0.5 * t, -static_cast<int>(random() % 1000)));
+    ts.push_back(std::ldexp(0.5 + 0.5 * t, -static_cast<int>(random() % 60)));
+    ts.push_back(1.0 - std::ldexp(0.5 + 0.5 * t, -static_cast<int>(random() % 52)));
+  }
+  for (int k = 0; k <= 52; ++k) {
+    for (const double x : {std::ldexp(1.0, -k), std::ldexp(std::sqrt(0.5), -k)}) {
+      double t = 1.0 - x;
+      for (int step = 0; step < 4; ++step) t = std::nextafter(t, 0.0);
+      for (int step = 0; step < 9; ++step, t = std::nextafter(t, 1.0)) ts.push_back(t);
+    }
+  }
+  std::erase_if(ts, [](double t) { return !(t > 0.0 && t <= 1.0 - 0x1p-53); });
+  return ts;
+}
+
+TEST(MinusLogOfComplement, IsWithinEightRoundoffsOfTheTruth) {
+  double worst = 0.0;
+  for (const double t : complements()) {
+    // Of small t the series, whose terms fall off as t: the referee must not lose t beside 1 either.
+    Wide truth;
+    if (t < 0x1p-30) {
+      truth = 0;
+      for (int k = 8; k >= 1; --k) truth = Wide(t) * (Wide(1) / k + truth);
+    } else {
+      truth = -log(Wide(1) - Wide(t));
+    }
+    const double error = error_in_u(minus_log_of_complement(t), truth);
+    ASSERT_LE(error, 8.0) << t;
+    worst = std::max(worst, error);
+  }
+  EXPECT_GT(worst, 0.5);
+  RecordProperty("worst_in_u", std::to_string(worst));
+}
+
+TEST(MinusLogOfComplement, IsExactWhereItCanBe) {
+  EXPECT_EQ(minus_log_of_complement(0.0), 0.0);
+  for (const double t : {0x1p-54, 1e-17, 1e-100, 1e-300, 0x1p-1022}) EXPECT_EQ(minus_log_of_complement(t), t);
+  EXPECT_EQ(minus_log_of_complement(0.5), 0x1.62e42fefa39efp-1);
+  EXPECT_EQ(minus_log_of_complement(1.0 - 0x1p-52), 52 * 0x1.62e42fefa39efp-1);
+  EXPECT_EQ(minus_log_of_complement(1.0 - 0x1p-53), 53 * 0x1.62e42fefa39efp-1);
+}
+
+TEST(MinusLogOfComplement, LanesGiveTheBitsOfOneLane) {
+  constexpr int W = 4;
+  std::vector<double> ts = complements();
+  ts.push_back(0.0);
+  for (std::size_t k = 0; k + W <= ts.size(); ++k) {  // every neighbour in every lane
+    ArrayLanes<W> packet;
+    for (std::size_t j = 0; j < W; ++j) packet.lane[j] = ts[k + j];
+    const ArrayLanes<W> wide = minus_log_of_complement(packet);
+    for (std::size_t j = 0; j < W; ++j) ASSERT_EQ(bits_of(wide.lane[j]), bits_of(minus_log_of_complement(ts[k + j])));
+  }
+}
+
 TEST(Elementary, LanesGiveTheBitsOfOneLane) {
   constexpr int W = 4;
   const std::vector<double> xs = arguments_up_to(1.0);

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "apps/referees/exact_overlap.h"
 #include "shapes/capsule.h"
 #include "shapes/ellipsoid.h"
 #include "shapes/sphere.h"
 #include "tests/referees/contact.h"
-#include "apps/referees/exact_overlap.h"
 #include "tests/referees/polytopes.h"
 
 namespace vex {

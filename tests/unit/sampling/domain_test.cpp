@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "engine/query/overlap.h"
+#include "engine/sampling/fitted_domain.h"
+#include "shapes/any_shape.h"
 #include "shapes/box.h"
 #include "shapes/ellipsoid.h"
 #include "shapes/sphere.h"
@@ -55,6 +57,47 @@ TEST(Domain, OutsideNothingOverlaps) {
       }
     }
   }
+}
+
+bool is_flat(const char* a, const char* b, const OrientationLaw& law) {
+  return difference_is_flat(parse_shape(a).body, parse_shape(b).body, law);
+}
+
+TEST(DifferenceIsFlat, OfParallelPlatesUnderTheLawsThatKeepThemParallel) {
+  const OrientationLaw about_normal = OrientationLaw::fixed(1, 0, 0, 0.7);
+  const OrientationLaw upside_down = OrientationLaw::fixed(0, 1, 0.3, 0);
+  for (const OrientationLaw& law : {OrientationLaw::aligned(), OrientationLaw::fixed(1, 0, 0, 0), about_normal,
+                                    upside_down, OrientationLaw::cone(0)}) {
+    EXPECT_TRUE(is_flat("plate:1,2", "plate:1,2", law)) << law.name();
+    EXPECT_TRUE(is_flat("plate:1,2", "disc:1", law)) << law.name();
+    EXPECT_FALSE(is_flat("plate:1,2", "box:1,1,1e-6", law)) << law.name();
+    EXPECT_FALSE(is_flat("box:1,1,1", "plate:1,2", law)) << law.name();
+  }
+  for (const OrientationLaw& law : {OrientationLaw::isotropic(), OrientationLaw::cone(10), OrientationLaw::cone(1e-3),
+                                    OrientationLaw::onsager(1e6), OrientationLaw::fixed(1, 0.1, 0, 0)}) {
+    EXPECT_FALSE(is_flat("plate:1,2", "disc:1", law)) << law.name();
+  }
+}
+
+TEST(DifferenceIsFlat, OfANeedleInAPlatesPlane) {
+  const OrientationLaw lying = OrientationLaw::fixed(1, 1, 0, 0);     // z to -y
+  const OrientationLaw turned = OrientationLaw::fixed(1, 0.4, 1, 0);  // neither along nor across
+  EXPECT_TRUE(is_flat("plate:1,2", "needle:2", lying));
+  EXPECT_TRUE(is_flat("needle:2", "plate:1,2", lying)) << "whichever comes first";
+  EXPECT_FALSE(is_flat("plate:1,2", "needle:2", OrientationLaw::aligned())) << "it sticks through";
+  EXPECT_FALSE(is_flat("plate:1,2", "needle:2", OrientationLaw::cone(0)));
+  EXPECT_FALSE(is_flat("plate:1,2", "needle:2", turned));
+  EXPECT_TRUE(is_flat("needle:1", "needle:2", OrientationLaw::aligned()));
+  EXPECT_TRUE(is_flat("needle:1", "needle:2", OrientationLaw::cone(0)));
+}
+
+TEST(Domain, FittedSaysSoAndIsNamed) {
+  const Domain domain = fitted_domain(Box(1, 2, 3), Sphere(0.5));
+  EXPECT_EQ(name_of(domain.kind), "fitted");
+  EXPECT_EQ(estimator_name(domain.kind), "hit-or-miss-fitted");
+  EXPECT_EQ(estimator_name(Domain::Kind::ball), "hit-or-miss");
+  EXPECT_NEAR(domain.volume, 24.0, 1e-9);
+  EXPECT_GT(domain.volume, 24.0);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "engine/sampling/fitted_domain.h"
 #include "engine/scene/quick_verdict.h"
 #include "shapes/box.h"
 #include "shapes/ellipsoid.h"
@@ -260,6 +261,118 @@ TEST(MonteCarlo, PassesOnWhatTheProgressCallThrows) {
   settings.n_threads = 2;
   settings.on_progress = [](const Progress&) { throw std::runtime_error("no more"); };
   EXPECT_THROW(run_hit_or_miss(a, a, settings), std::runtime_error);
+}
+
+MonteCarloSettings fitted_settings_for(const ConvexBody& a, const ConvexBody& b, std::uint64_t trials) {
+  MonteCarloSettings settings = settings_for(a, b, trials);
+  settings.domain = fitted_domain(a, b);
+  return settings;
+}
+
+TEST(MonteCarloFitted, SameTallyWithItsSumsForAnyNumberOfThreads) {
+  const ConvexBody a = Box(1, 2, 0.01), b = Ellipsoid(1, 0.1, 2);
+  for (const OrientationLaw& law : {OrientationLaw::isotropic(), OrientationLaw::cone(30), OrientationLaw::onsager(3),
+                                    OrientationLaw::fixed(1, 2, 3, 4)}) {
+    MonteCarloSettings settings = fitted_settings_for(a, b, 30011);
+    settings.law = law;
+    const RunRecord one = run_hit_or_miss(a, b, settings);
+    EXPECT_EQ(one.tally.n_trials, 30011u);
+    EXPECT_GT(one.tally.n_hits, 1000u) << law.name();
+    EXPECT_GT(one.tally.all.first.value(), one.tally.hits.first.value());
+    for (const int n : {2, 7}) {
+      settings.n_threads = n;
+      EXPECT_EQ(run_hit_or_miss(a, b, settings).tally, one.tally) << n << " threads, " << law.name();
+    }
+  }
+}
+
+TEST(MonteCarloFitted, TalliesAreTheTrialsOneByOne) {
+  const ConvexBody a = Box(1, 1, 0.1), b = Sphere(0.3);
+  const MonteCarloSettings settings = fitted_settings_for(a, b, 2000);
+  Tally expected;
+  const QuickVerdict quick(a, b, kDrawnRotationError);
+  const std::unique_ptr<OverlapBackend> gjk = gjk_backend().make(a, b);
+  const FittedDomain fitted(a, b);
+  for (std::uint64_t k = 0; k < 2000; ++k) {
+    const Transformd pose = trial_pose(a, b, settings, k);
+    const QuickVerdict::Answer<double> answer = quick(pose);
+    Verdict verdict =
+        answer.disjoint ? Verdict::disjoint(DecidedBy::outer_bound) : Verdict::overlap(DecidedBy::inner_bound);
+    if (!answer.disjoint && !answer.overlap) gjk->decide({&pose, 1}, {&verdict, 1});
+    const Parallelepiped set = fitted.at(pose);
+    expected.add(verdict, set.volume / settings.domain.volume);
+    // Coordinates 0, 1, 2 of the point are the place within the set, as of any domain.
+    MonteCarloSettings boxed = settings;
+    boxed.domain = box_domain(a, b);
+    const Vec3d in_box = trial_pose(a, b, boxed, k).translation - boxed.domain.middle;
+    const auto u = [](double x, double half) { return 0.5 * (x / half + 1.0); };
+    const Vec3d again = set.position(u(in_box.x, boxed.domain.half_extent.x), u(in_box.y, boxed.domain.half_extent.y),
+                                     u(in_box.z, boxed.domain.half_extent.z));
+    ASSERT_LE(norm(again - pose.translation), 1e-13);
+  }
+  EXPECT_EQ(run_hit_or_miss(a, b, settings).tally, expected);
+}
+
+TEST(MonteCarloFitted, AlignedBoxesHitByConstructionAndOthersDoNot) {
+  const ConvexBody box = Box(1, 2, 3), plate = Box(4, 4, 1e-6), ball = Sphere(1.0);
+  const Domain domain = fitted_domain(box, box);
+  EXPECT_TRUE(hits_by_construction(box, box, OrientationLaw::aligned(), domain));
+  EXPECT_TRUE(hits_by_construction(box, plate, OrientationLaw::aligned(), fitted_domain(box, plate)));
+  EXPECT_TRUE(hits_by_construction(box, box, OrientationLaw::fixed(1, 1, 1, 1), domain)) << "axis on axis";
+  EXPECT_FALSE(hits_by_construction(box, box, OrientationLaw::fixed(1, 0.2, 0, 0), domain));
+  EXPECT_FALSE(hits_by_construction(box, box, OrientationLaw::isotropic(), domain));
+  EXPECT_FALSE(hits_by_construction(box, box, OrientationLaw::cone(0), domain));
+  EXPECT_FALSE(hits_by_construction(box, box, OrientationLaw::onsager(1e9), domain));
+  EXPECT_FALSE(hits_by_construction(box, box, OrientationLaw::aligned(), box_domain(box, box)));
+  EXPECT_FALSE(hits_by_construction(box, ball, OrientationLaw::aligned(), fitted_domain(box, ball)));
+  EXPECT_FALSE(hits_by_construction(ball, ball, OrientationLaw::aligned(), fitted_domain(ball, ball)));
+
+  MonteCarloSettings settings = fitted_settings_for(box, box, 1);
+  settings.law = OrientationLaw::aligned();
+  settings.stop.trials.reset();
+  settings.stop.relative_error = 1e-3;
+  const RunRecord record = run_hit_or_miss(box, box, settings);
+  EXPECT_EQ(record.stopped_by, StopReason::relative_error);
+  EXPECT_LE(record.tally.n_trials, 8192u) << "no miss is waited for";
+  EXPECT_EQ(record.tally.n_hits, record.tally.n_trials);
+  EXPECT_NEAR(fitted_estimate(record.tally, settings.domain.volume).excluded_volume, 48.0, 1e-9);
+}
+
+TEST(MonteCarlo, ComparisonsAddUpToADirectCount) {
+  const ConvexBody a = Box(1, 1, 1);
+  // One that knows no overlap far out, calls some misses hits, and is unsure now and then.
+  const auto liar = [a](const Transformd& pose) {
+    if (pose.translation.y > 0.9) return Verdict::undecided(DecidedBy::peer, UndecidedReason::iteration_cap);
+    if (pose.translation.x > 1.0) return Verdict::disjoint(DecidedBy::peer);
+    if (pose.translation.z > 1.0) return Verdict::overlap(DecidedBy::peer);
+    Verdict verdict;
+    gjk_backend().make(a, a)->decide({&pose, 1}, {&verdict, 1});
+    return verdict;
+  };
+  for (const bool is_fitted : {false, true}) {
+    MonteCarloSettings settings = is_fitted ? fitted_settings_for(a, a, 8000) : settings_for(a, a, 8000);
+    settings.cross_check = {scripted("liar", liar), gjk_backend()};
+    Comparison expected;
+    const FittedDomain fitted(a, a);
+    for (std::uint64_t k = 0; k < 8000; ++k) {
+      const Transformd pose = trial_pose(a, a, settings, k);
+      Verdict verdict;
+      gjk_backend().make(a, a)->decide({&pose, 1}, {&verdict, 1});
+      expected.add(verdict, liar(pose), is_fitted ? fitted.at(pose).volume / settings.domain.volume : 1.0);
+    }
+    EXPECT_GT(expected.n_only_run, 50u);
+    EXPECT_GT(expected.n_only_other, 50u);
+    EXPECT_GT(expected.n_undecided, 50u);
+    for (const int n : {1, 2, 7}) {
+      settings.n_threads = n;
+      const RunRecord record = run_hit_or_miss(a, a, settings);
+      ASSERT_EQ(record.comparisons.size(), 2u);
+      EXPECT_EQ(record.comparisons[0], expected) << n << " threads";
+      EXPECT_EQ(record.comparisons[1].n_compared, 8000u);
+      EXPECT_EQ(record.comparisons[1].n_only_run + record.comparisons[1].n_only_other, 0u) << "itself";
+      EXPECT_EQ(record.disagreements.n_all, expected.n_only_run + expected.n_only_other);
+    }
+  }
 }
 
 }  // namespace

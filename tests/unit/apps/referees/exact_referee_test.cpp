@@ -45,7 +45,7 @@ TEST(ExactReferee, BodiesThatTouchOverlap) {
   expect_contact("box:1,2,3", "box:1,2,3", 2.0, x, third_of_a_turn());  // its z is along x: (1 + 3) / 2
   expect_contact("capsule:1,0.25", "capsule:2,0.5", 0.75, x);
   expect_contact("capsule:1,0.25", "capsule:2,0.5", 2.25, z);
-  expect_contact("capsule:1,0.25", "capsule:2,0.5", 2.25, {1, 0, 0}, {{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}, {}} ) ;
+  expect_contact("capsule:1,0.25", "capsule:2,0.5", 1.75, x, {{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}, {}});
   expect_contact("ellipsoid:1,2,3", "ellipsoid:0.5,0.25,4", 1.5, x);
   expect_contact("ellipsoid:1,2,3", "ellipsoid:0.5,0.25,4", 2.25, y);
   expect_contact("ellipsoid:1,2,3", "ellipsoid:0.5,0.25,4", 7.0, z);
@@ -64,7 +64,8 @@ TEST(ExactReferee, PythagorasHolds) {
   EXPECT_EQ(exact_outcome(body("box:2,2,2"), body("sphere:5"), at(4, 5.0000000000000009, 0)), Outcome::disjoint);
   EXPECT_EQ(exact_outcome(body("sphere:7"), body("box:2,2,2"), at(3, 4, 7)), Outcome::overlap);
   EXPECT_EQ(exact_outcome(body("sphere:7"), body("box:2,2,2"), at(3, 4, 7.0000000000000009)), Outcome::disjoint);
-  EXPECT_EQ(exact_outcome(body("capsule:2,2"), body("sphere:5"), at(2, 3, 7)), Outcome::overlap);  // 2, 3, 6 from its end
+  EXPECT_EQ(exact_outcome(body("capsule:2,2"), body("sphere:5"), at(2, 3, 7)),
+            Outcome::overlap);  // 2, 3, 6 from its end
   EXPECT_EQ(exact_outcome(body("capsule:2,2"), body("sphere:5"), at(2, 3, 7.0000000000000009)), Outcome::disjoint);
 }
 
@@ -94,10 +95,10 @@ TEST(ExactReferee, SpheresAreEllipsoidsAndCapsulesWithoutLength) {
   int n_overlap = 0;
   for (int k = 0; k < 200; ++k) {
     Transformd pose = random_rotation(random);
-    pose.translation = 2.4 * random_direction(random);
+    pose.translation = 1.9 * random_direction(random);
     const Outcome two = exact_outcome(body("sphere:0.6"), body("sphere:0.7"), pose);
     n_overlap += two == Outcome::overlap ? 1 : 0;
-    EXPECT_EQ(exact_outcome(body("sphere:0.6"), body("capsule:1e-300,0.7"), pose), two);
+    EXPECT_EQ(exact_outcome(body("sphere:0.6"), body("capsule:1e-40,0.7"), pose), two);
     EXPECT_EQ(exact_outcome(body("ellipsoid:0.6,0.6,0.6"), body("sphere:0.7"), pose), two);
   }
   EXPECT_GT(n_overlap, 60);
@@ -106,32 +107,33 @@ TEST(ExactReferee, SpheresAreEllipsoidsAndCapsulesWithoutLength) {
 
 TEST(ExactReferee, AgreesWithTheEngineWhereThatDecides) {
   std::mt19937_64 random(4);
-  const char* const pairs[][2] = {{"box:1,2,3", "box:1,1,2"},           {"ellipsoid:1,2,3", "ellipsoid:0.3,1,1"},
-                                  {"capsule:2,0.3", "capsule:1,0.5"},   {"sphere:0.7", "box:1,2,3"},
-                                  {"box:1,2,3", "sphere:0.7"},          {"sphere:0.7", "capsule:2,0.3"},
-                                  {"ellipsoid:1,2,3", "sphere:0.7"},    {"sphere:0.7", "ellipsoid:1,2,3"},
+  const char* const pairs[][2] = {{"box:1,2,3", "box:1,1,2"},         {"ellipsoid:1,2,3", "ellipsoid:0.3,1,1"},
+                                  {"capsule:2,0.3", "capsule:1,0.5"}, {"sphere:0.7", "box:1,2,3"},
+                                  {"box:1,2,3", "sphere:0.7"},        {"sphere:0.7", "capsule:2,0.3"},
+                                  {"ellipsoid:1,2,3", "sphere:0.7"},  {"sphere:0.7", "ellipsoid:1,2,3"},
                                   {"capsule:2,0.3", "sphere:0.7"}};
   for (const auto& [a, b] : pairs) {
     const ConvexBody body_a = body(a), body_b = body(b);
     const Domain domain = ball_domain(body_a, body_b);
     int n_overlap = 0;
-    for (int k = 0; k < 300; ++k) {
+    for (int k = 0; k < 150; ++k) {
       const Transformd pose = random_pose(random, domain, body_b);
       const Outcome found = overlap(body_a, body_b, pose).outcome;
       ASSERT_EQ(exact_outcome(body_a, body_b, pose), found) << a << " " << b;
       n_overlap += found == Outcome::overlap ? 1 : 0;
     }
-    EXPECT_GT(n_overlap, 30) << a << " " << b;
-    EXPECT_LT(n_overlap, 290) << a << " " << b;
+    EXPECT_GT(n_overlap, 15) << a << " " << b;
+    EXPECT_LT(n_overlap, 145) << a << " " << b;
   }
 }
 
 TEST(ExactReferee, TakesAnyInvertibleMatrix) {
-  // Unit balls under a shear: the ellipsoid {(x + y, y, z)} reaches sqrt(2) along x.
-  Transformd sheared{{1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {2.41421356237, 0, 0}};
-  EXPECT_EQ(exact_outcome(body("ellipsoid:1,1,1"), body("ellipsoid:1,1,1"), sheared), Outcome::overlap);
-  sheared.translation.x = 2.41421356238;
-  EXPECT_EQ(exact_outcome(body("ellipsoid:1,1,1"), body("ellipsoid:1,1,1"), sheared), Outcome::disjoint);
+  const Transformd stretch{{2, 0, 0}, {0, -0.5, 0}, {0, 0, 4}, {}};
+  expect_contact("ellipsoid:1,1,1", "ellipsoid:1,1,1", 3.0, {1, 0, 0}, stretch);
+  expect_contact("ellipsoid:1,1,1", "ellipsoid:1,1,1", 1.5, {0, 1, 0}, stretch);
+  expect_contact("capsule:2,0.5", "capsule:2,0.5", 6.0, {0, 0, 1},
+                 stretch);  // the axis is stretched, the balls are not
+  expect_contact("sphere:1", "sphere:1", 2.0, {0, 0, 1}, stretch);
 }
 
 }  // namespace

@@ -1,0 +1,129 @@
+#include "engine/numeric/fixed_point_sum.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "engine/numeric/rounding.h"
+
+namespace vex {
+namespace {
+
+using boost::multiprecision::cpp_int;
+using boost::multiprecision::cpp_rational;
+
+FixedPointSum sum_of(const std::vector<double>& numbers) {
+  FixedPointSum sum;
+  for (const double x : numbers) sum.add(x);
+  return sum;
+}
+
+// Each number cut to 2^-448, all else exact.
+cpp_rational exact_sum(const std::vector<double>& numbers) {
+  const cpp_int unit = cpp_int(1) << 448;
+  cpp_int sum = 0;
+  for (const double x : numbers) {
+    const cpp_rational scaled = cpp_rational(x) * unit;
+    sum += numerator(scaled) / denominator(scaled);
+  }
+  return cpp_rational(sum, unit);
+}
+
+double error_in_u(const FixedPointSum& found, const cpp_rational& truth) {
+  const cpp_rational difference = abs(cpp_rational(found.value()) - truth);
+  return static_cast<double>(cpp_rational(difference / truth)) / kUnitRoundoff;
+}
+
+// Between 0 and 1, of exponents down to `lowest`, with a full mantissa.
+std::vector<double> numbers_down_to(int lowest, int n, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<double> numbers;
+  for (int k = 0; k < n; ++k) {
+    const double mantissa = 0.5 + static_cast<double>(random() >> 12) * 0x1p-53;
+    numbers.push_back(std::ldexp(mantissa, -static_cast<int>(random() % static_cast<std::uint64_t>(-lowest))));
+  }
+  return numbers;
+}
+
+TEST(FixedPointSum, IsTheExactSumToTwoRoundoffs) {
+  for (const int lowest : {-1, -10, -70, -390, -470, -1070}) {
+    const std::vector<double> numbers = numbers_down_to(lowest, 3000, 1);
+    EXPECT_LE(error_in_u(sum_of(numbers), exact_sum(numbers)), 2.001) << lowest;
+  }
+}
+
+TEST(FixedPointSum, HoldsEveryNumberByItself) {
+  for (const double x : numbers_down_to(-395, 3000, 2)) ASSERT_EQ(sum_of({x}).value(), x);
+  for (int exponent = 0; exponent >= -448; --exponent) {
+    const double x = std::ldexp(1.0, exponent);
+    ASSERT_EQ(sum_of({x}).value(), x) << exponent;
+  }
+  EXPECT_EQ(sum_of({0x1.fffffffffffffp-396}).value(), 0x1.fffffffffffffp-396) << "the last with all its digits";
+  EXPECT_EQ(sum_of({0x1.fffffffffffffp-397}).value(), 0x1.ffffffffffffep-397) << "cut, not rounded";
+  EXPECT_EQ(sum_of({0x1.fffffffffffffp-448}).value(), FixedPointSum::kUnit);
+}
+
+TEST(FixedPointSum, ZeroOfEitherSignAndNumbersBelowTheUnitAddNothing) {
+  const FixedPointSum nothing;
+  EXPECT_EQ(nothing.value(), 0.0);
+  for (const double x : {0.0, -0.0, 0x1.fffffffffffffp-449, 0x1p-500, 0x1p-1022, 0x1p-1074}) {
+    EXPECT_EQ(sum_of({x}), nothing) << x;
+  }
+}
+
+TEST(FixedPointSum, DoesNotDependOnTheOrder) {
+  std::vector<double> numbers = numbers_down_to(-500, 5000, 3);
+  numbers.insert(numbers.end(), 100, 1.0);
+  const FixedPointSum sum = sum_of(numbers);
+  std::mt19937_64 random(4);
+  for (int k = 0; k < 5; ++k) {
+    std::shuffle(numbers.begin(), numbers.end(), random);
+    ASSERT_EQ(sum_of(numbers), sum);
+  }
+  std::sort(numbers.begin(), numbers.end());
+  EXPECT_EQ(sum_of(numbers), sum);
+  // Added in parts, as threads do.
+  const auto middle = numbers.begin() + 1234;
+  FixedPointSum parts = sum_of({middle, numbers.end()});
+  parts += sum_of({numbers.begin(), middle});
+  EXPECT_EQ(parts, sum);
+}
+
+TEST(FixedPointSum, CarriesThroughEveryWord) {
+  std::vector<double> numbers;
+  for (int k = 1; k <= 448; ++k) numbers.push_back(std::ldexp(1.0, -k));
+  FixedPointSum sum = sum_of(numbers);  // 1 - 2^-448: every bit below 1 is set
+  EXPECT_EQ(sum.value(), 1.0) << "to rounding";
+  EXPECT_NE(sum, sum_of({1.0}));
+  sum.add(FixedPointSum::kUnit);
+  EXPECT_EQ(sum, sum_of({1.0}));
+  FixedPointSum by_parts = sum_of(numbers);
+  by_parts += sum_of({FixedPointSum::kUnit});
+  EXPECT_EQ(by_parts, sum_of({1.0}));
+}
+
+TEST(FixedPointSum, HasRoomForMoreNumbersThanARunHas) {
+  FixedPointSum sum = sum_of({1.0});
+  FixedPointSum with_a_trifle = sum_of({1.0, FixedPointSum::kUnit});
+  for (int k = 0; k < 63; ++k) {
+    sum += FixedPointSum(sum);
+    with_a_trifle += FixedPointSum(with_a_trifle);
+  }
+  EXPECT_EQ(sum.value(), 0x1p63);
+  FixedPointSum same = sum;
+  same.add(0x1p-385);  // 2^63 units
+  EXPECT_EQ(with_a_trifle, same) << "nothing is lost beside a large sum";
+}
+
+TEST(FixedPointSum, OfManyOnesIsTheirNumber) {
+  FixedPointSum sum;
+  for (int k = 0; k < 1000003; ++k) sum.add(1.0);
+  EXPECT_EQ(sum.value(), 1000003.0);
+}
+
+}  // namespace
+}  // namespace vex
