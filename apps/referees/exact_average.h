@@ -30,18 +30,21 @@ struct ExactAverageSettings {
   /// Of all randomisations together, in about nanoseconds on one core. It is counted from the numbers of vertices and
   /// faces, not measured: the same bodies give the same result everywhere.
   double largest_cost = 5e8;
+  /// Take the series of legendre_average.h where it is good to 1e-6: no random points then.
+  bool series = true;
   /// Becomes non-zero from outside: the result is then that of the randomisations finished so far.
   const std::atomic<int>* interrupt = nullptr;
 };
 
 /// The mean of V_ex(R) over the law.
 ///
-/// Randomised quasi-Monte Carlo: scrambled Sobol' points (engine/sampling/sobol.h) over the law's coordinates and, for
-/// each body, up to two for a normal on a curved part and one that picks a face and an edge where there are more than
-/// 64 of either (those of a mesh, in the order of a Hilbert curve over the sphere, so that neighbours of the coordinate
-/// are neighbours on the sphere). The error is the standard error of the mean over the independent randomisations.
-/// Where nothing is random (one orientation; flat faces or two ellipsoids; not more than `largest_cost`) it is one sum,
-/// and the error its rounding bound alone.
+/// For the laws cone and onsager and most named bodies it is a series (legendre_average.h), its error a bound.
+/// Otherwise: randomised quasi-Monte Carlo, scrambled Sobol' points (engine/sampling/sobol.h) over the law's
+/// coordinates and, for each body, up to two for a normal on a curved part and one that picks a face and an edge where
+/// there are more than 64 of either (those of a mesh, in the order of a Hilbert curve over the sphere, so that
+/// neighbours of the coordinate are neighbours on the sphere). The error is the standard error of the mean over the
+/// independent randomisations. Where nothing is random (one orientation; flat faces or two ellipsoids; not more than
+/// `largest_cost`) it is one sum, and the error its rounding bound alone.
 ///
 /// What a law or a body makes superfluous is not drawn: over uniform rotations every normal of a body has the same
 /// mean; laws that spin each body about its z axis do what the angle about z of a ring's or a rim's normal would do;

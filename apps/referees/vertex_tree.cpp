@@ -1,11 +1,13 @@
 #include "apps/referees/vertex_tree.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "engine/numeric/eigen.h"
 #include "engine/numeric/expect.h"
 
 namespace vex {
@@ -23,22 +25,45 @@ VertexTree::VertexTree(std::vector<Vec3d> points) : points_(std::move(points)) {
 }
 
 std::size_t VertexTree::build(std::size_t first, std::size_t last) {
-  Vec3d low = points_[first], high = low;
+  const auto n = static_cast<double>(last - first);
+  Vec3d mean;
+  for (std::size_t i = first; i < last; ++i) mean = mean + (1.0 / n) * points_[i];
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (std::size_t i = first; i < last; ++i) {
-    const Vec3d& p = points_[i];
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    const Eigen::Vector3d d = to_eigen(points_[i] - mean);
+    spread += d * d.transpose();
   }
-  const Vec3d half_extent = 0.5 * (high - low);
+  // Whatever the axes are, the box holds the points: that they fit is a matter of speed.
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal;
+  principal.computeDirect(spread / std::max(spread.trace(), std::numeric_limits<double>::min()));
+  Node node{{}, {}, first, last, 0};
+  std::array<Vec3d, 3> axes;
+  std::size_t longest = 0;
+  double longest_extent = -1.0;
+  node.middle = mean;
+  for (std::size_t k = 0; k < 3; ++k) {
+    axes[k] = from_eigen(Eigen::Vector3d(principal.eigenvectors().col(static_cast<Eigen::Index>(k))));
+    double low = 0.0, high = 0.0;
+    for (std::size_t i = first; i < last; ++i) {
+      const double along = dot(axes[k], points_[i] - mean);
+      low = std::min(low, along);
+      high = std::max(high, along);
+    }
+    node.middle = node.middle + 0.5 * (low + high) * axes[k];
+    node.half_edges[k] = 0.5 * (high - low) * axes[k];
+    if (high - low > longest_extent) {
+      longest_extent = high - low;
+      longest = k;
+    }
+  }
   const std::size_t index = nodes_.size();
-  nodes_.push_back({low + half_extent, half_extent, first, last, 0});
+  nodes_.push_back(node);
   if (last - first > kLeafSize) {
-    const double widest = std::max({half_extent.x, half_extent.y, half_extent.z});
-    double Vec3d::*const axis = half_extent.x == widest ? &Vec3d::x : (half_extent.y == widest ? &Vec3d::y : &Vec3d::z);
+    const Vec3d axis = axes[longest];
     const std::size_t middle = first + (last - first) / 2;
     const auto at = [this](std::size_t i) { return points_.begin() + static_cast<std::ptrdiff_t>(i); };
     std::nth_element(at(first), at(middle), at(last),
-                     [axis](const Vec3d& p, const Vec3d& q) { return p.*axis < q.*axis; });
+                     [&axis](const Vec3d& p, const Vec3d& q) { return dot(axis, p) < dot(axis, q); });
     build(first, middle);
     const std::size_t right = build(middle, last);
     nodes_[index].right = right;
@@ -47,9 +72,10 @@ std::size_t VertexTree::build(std::size_t first, std::size_t last) {
 }
 
 double VertexTree::height(const Vec3d& dir, const Vec3d& origin) const {
-  const Vec3d size_of_dir{std::fabs(dir.x), std::fabs(dir.y), std::fabs(dir.z)};
   const auto bound = [&](const Node& node) {
-    return dot(dir, node.middle - origin) + dot(size_of_dir, node.half_extent);
+    const auto& [x, y, z] = node.half_edges;
+    return dot(dir, node.middle - origin) +
+           ((std::fabs(dot(dir, x)) + std::fabs(dot(dir, y))) + std::fabs(dot(dir, z)));
   };
   struct Open {
     std::size_t node;

@@ -59,6 +59,8 @@ class OrientationLaw {
   static OrientationLaw onsager(double alpha);
 
   Kind kind() const { return kind_; }
+  /// The angle in degrees of cone, alpha of onsager, 0 of all others.
+  double parameter() const { return parameter_; }
   /// isotropic, aligned, fixed:1,0,0,0, cone:30, onsager:5.
   std::string name() const;
 

@@ -1,0 +1,30 @@
+// The mean excluded volume over laws that spin each body about its z axis, as a series of Legendre polynomials.
+//
+// Over independent directions of the two axes, each alike about a common axis, and uniform angles about the bodies'
+// own, only the parts of the measures on normals that are alike about z count, and the polynomial of degree l comes
+// through as <P_l(cos theta)> of each axis. With S_l = integral of P_l(n_z) over S_K, H_l over H_K, and h_K's own
+// coefficient from H_K = (Laplacian + 2) h_K / 2, that is h_l = (2 l + 1) H_l / (2 pi (2 - l (l + 1))):
+//   <V_ex> = V_A + V_B + sum over even l of <P_l>^2 (S_l^A h_l^B + S_l^B h_l^A).
+// Its first term is the formula for uniform rotations. No support mapping, no rotation and no random number is
+// involved.
+#pragma once
+
+#include <optional>
+
+#include "engine/sampling/orientation_law.h"
+#include "shapes/any_shape.h"
+
+namespace vex {
+
+struct SeriesAverage {
+  double excluded_volume = 0.0;
+  double error = 0.0;  // a bound: on the terms left out, and 1e-11 relative, for rounding and quadrature
+};
+
+/// Nothing where the law is none of cone (above 0 degrees) and onsager (up to alpha = 500), or where a body has more
+/// than 1000 components or is an ellipsoid more than a hundred times as long as thin, which would take too long.
+/// UsageError where a body has no measures on normals. Takes milliseconds for onsager, some tenths of a second for
+/// cone.
+std::optional<SeriesAverage> legendre_average(const MeasuredBody& a, const MeasuredBody& b, const OrientationLaw& law);
+
+}  // namespace vex
