@@ -18,13 +18,14 @@ constexpr double kPositionError = 0x1p-48;
 
 double reach_along(const ConvexBody& body, const Vec3d& dir) { return dot(dir, body.support(dir)); }
 
-// The axis along which the width differs most, as a ratio, from that of the other two.
+// The axis along which the width differs most, as a ratio, from that of the other two. Of a needle, whose widths but
+// one are nothing, the long one.
 template <class Intervals>
 std::size_t axis_of_its_own(const Intervals& own) {
   std::array<std::size_t, 3> order = {0, 1, 2};
   std::ranges::stable_sort(order, {}, [&own](std::size_t k) { return own[k].upper - own[k].lower; });
   const auto width = [&](std::size_t rank) { return own[order[rank]].upper - own[order[rank]].lower; };
-  return width(2) * width(0) > width(1) * width(1) ? order[2] : order[0];
+  return width(2) * width(0) >= width(1) * width(1) ? order[2] : order[0];
 }
 
 }  // namespace
