@@ -2,7 +2,7 @@
 //
 // A trial's pose must be the same bits on every machine, compiler and register width, or the same seed would not give
 // the same hits; the C library's functions promise no such thing. Errors are proven in docs/derivations.md: at most 4 u
-// for sincospi (E3), 2 u for cbrt (E4) and 8 u for the logarithm (E10), all within 2^-50 relative.
+// for sincospi (E3), 2 u for cbrt (E4) and 8 u for the logarithm (E12), all within 2^-50 relative.
 #pragma once
 
 #include "engine/numeric/expect.h"
@@ -71,7 +71,7 @@ L cube_root(L x) {
   return t;
 }
 
-/// -log(1 - t) for 0 <= t <= 1 - 2^-53, within 8 u relative (E10), also where t is so small that 1 - t rounds to 1.
+/// -log(1 - t) for 0 <= t <= 1 - 2^-53, within 8 u relative (E12), also where t is so small that 1 - t rounds to 1.
 ///
 /// 1 - t = x + c with x rounded and c exact; x = 2^k m with m in [sqrt(1/2), sqrt(2)); log m is the series of
 /// 2 artanh((m - 1)/(m + 1)), and c adds c/x.

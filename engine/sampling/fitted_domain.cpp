@@ -13,18 +13,19 @@ constexpr std::array<Vec3d, 3> kFrame = {Vec3d{1.0, 0.0, 0.0}, Vec3d{0.0, 1.0, 0
 // axes serve as well, and positions keep more than half of their digits.
 constexpr double kLeastSine = 0x1p-20;
 
-// The rounding of `Parallelepiped::position` and of the dual vectors, relative to the lengths summed (E11).
+// The rounding of `Parallelepiped::position` and of the dual vectors, relative to the lengths summed (E13).
 constexpr double kPositionError = 0x1p-48;
 
 double reach_along(const ConvexBody& body, const Vec3d& dir) { return dot(dir, body.support(dir)); }
 
-// The axis along which the width differs most, as a ratio, from that of the other two.
+// The axis along which the width differs most, as a ratio, from that of the other two. Of a needle, whose widths but
+// one are nothing, the long one.
 template <class Intervals>
 std::size_t axis_of_its_own(const Intervals& own) {
   std::array<std::size_t, 3> order = {0, 1, 2};
   std::ranges::stable_sort(order, {}, [&own](std::size_t k) { return own[k].upper - own[k].lower; });
   const auto width = [&](std::size_t rank) { return own[order[rank]].upper - own[order[rank]].lower; };
-  return width(2) * width(0) > width(1) * width(1) ? order[2] : order[0];
+  return width(2) * width(0) >= width(1) * width(1) ? order[2] : order[0];
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ class FittedDomain {
 
   const ConvexBody& a_;
   const ConvexBody& b_;
-  double margin_;            // what rounding, and R not being quite a rotation, can change of n . t, |n| = 1 (E11)
+  double margin_;            // what rounding, and R not being quite a rotation, can change of n . t, |n| = 1 (E13)
   Intervals own_a_, own_b_;  // of each body along its own axes
   std::size_t axis_a_, axis_b_;
   Vec3d largest_half_extent_;

@@ -185,6 +185,77 @@ TEST_F(Document, WhereTheFormulaDoesNotHoldItSaysWhyAndComparesWithTheExactAvera
   EXPECT_FALSE(json_of({"box:1,1,1", "--trials", "100"}).contains("exact_average")) << "the formula is better";
 }
 
+TEST_F(Document, EveryOrientationLawIsNamedAsItWasWritten) {
+  for (const auto& [written, named] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"isotropic", "isotropic"},
+           {"aligned", "aligned"},
+           {"fixed:1,0,0,0", "fixed:1,0,0,0"},
+           {"fixed:-2e-3,.5,1e300,1e-320", "fixed:-0.002,0.5,1e+300,1e-320"},
+           {"cone:0", "cone:0"},
+           {"cone:30", "cone:30"},
+           {"cone:90", "cone:90"},
+           {"onsager:0", "onsager:0"},
+           {"onsager:0.1", "onsager:0.1"},
+           {"onsager:1e308", "onsager:1e+308"}}) {
+    const json document = json_of({"capsule:1,0.25", "--orientations", written, "--trials", "5000"});
+    const json& estimate = document.at("estimate");
+    EXPECT_EQ(estimate.at("orientations"), named);
+    expect_tally(estimate);
+    EXPECT_EQ(document.at("formula").is_null(), std::string(written) != "isotropic") << written;
+    if (document.at("formula").is_null()) {
+      EXPECT_NE(document.at("formula_reason").get<std::string>().find(named), std::string::npos) << written;
+    }
+    // Between parallel and crossed capsules.
+    const double parallel = 4.0 * M_PI / 3.0 * 0.125 + M_PI * 0.25 * 2.0;
+    EXPECT_GE(number(estimate.at("excluded_volume")), parallel - 5.0 * number(estimate.at("std_error"))) << written;
+    EXPECT_LE(number(estimate.at("excluded_volume")), parallel + 1.0 + 5.0 * number(estimate.at("std_error")))
+        << written;
+  }
+}
+
+TEST_F(Document, TheFittedEstimatorSaysWhatItSampled) {
+  const Words words = {"box:1,1,0.001", "capsule:2,0.01", "--estimator", "hit-or-miss-fitted", "--trials", "20000"};
+  const json document = json_of(words);
+  const json& estimate = document.at("estimate");
+  EXPECT_EQ(estimate.at("estimator"), "hit-or-miss-fitted");
+  EXPECT_EQ(estimate.at("domain"), "fitted");
+  EXPECT_EQ(estimate.at("trials"), 20000);
+  std::uint64_t decided = count(estimate.at("undecided"));
+  for (const json& n : estimate.at("decided_by")) decided += count(n);
+  EXPECT_EQ(decided, 20000u);
+  const double value = number(estimate.at("excluded_volume")), error = number(estimate.at("std_error"));
+  EXPECT_NEAR(number(estimate.at("ci95")[0]), value - 1.959963984540054 * error, 1e-9 * value);
+  EXPECT_NEAR(number(estimate.at("ci95")[1]), value + 1.959963984540054 * error, 1e-9 * value);
+  EXPECT_LE(std::fabs(number(document.at("z"))), 5.0);
+  // The mean volume: at least the estimate, and far below the constant domain's.
+  const double sampled = number(estimate.at("sampling_volume"));
+  EXPECT_GT(sampled, value);
+  const json constant = json_of({"box:1,1,0.001", "capsule:2,0.01", "--trials", "20000"}).at("estimate");
+  EXPECT_LT(sampled, 0.5 * number(constant.at("sampling_volume")));
+  EXPECT_LT(error, 0.7 * number(constant.at("std_error")));
+  // Threads change nothing, the sums of volumes included.
+  for (const char* n : {"1", "3"}) {
+    Words again = words;
+    again.insert(again.end(), {"--threads", n});
+    const json other = json_of(again).at("estimate");
+    for (const char* key : {"excluded_volume", "std_error", "hits", "sampling_volume"}) {
+      EXPECT_EQ(other.at(key), estimate.at(key)) << key;
+    }
+  }
+  EXPECT_NE(run(words).out.find("hit-or-miss-fitted, isotropic orientations, fitted domains of mean volume"),
+            std::string::npos);
+}
+
+TEST_F(Document, AlignedBoxesInTheirFittedDomainHitAlwaysAndClaimNoComparison) {
+  const json document = json_of({"box:1,1,1", "--estimator", "hit-or-miss-fitted", "--orientations", "aligned"});
+  const json& estimate = document.at("estimate");
+  EXPECT_EQ(estimate.at("hits"), estimate.at("trials"));
+  EXPECT_NEAR(number(estimate.at("excluded_volume")), 8.0, 1e-10);
+  EXPECT_GT(number(estimate.at("std_error")), 0.0);
+  EXPECT_TRUE(document.at("z").is_null());
+  EXPECT_LT(count(estimate.at("trials")), 100000u) << "no miss is waited for";
+}
+
 TEST_F(Document, ASpherePairInTheBallHitsAlwaysAndClaimsNoComparison) {
   const json document = json_of({"sphere:1", "sphere:0.5", "--rel-error", "1e-3"});
   EXPECT_TRUE(document.at("z").is_null());

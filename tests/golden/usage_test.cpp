@@ -85,16 +85,11 @@ TEST_F(Usage, WhatIsNotBuiltYetSaysSo) {
                                       {"--isa", "best"},
                                       {"--checkpoint", "run.state"},
                                       {"--resume", "run.state"},
-                                      {"--estimator", "hit-or-miss-fitted"},
                                       {"--estimator", "stratified"},
                                       {"--estimator", "radial"},
                                       {"--estimator", "mixed-volume"},
                                       {"--estimator", "mean-width"},
-                                      {"--sequence", "sobol"},
-                                      {"--backend", "specialised"},
-                                      {"--orientations", "fixed:1,0,0,0"},
-                                      {"--orientations", "cone:30"},
-                                      {"--orientations", "onsager:2"}};
+                                      {"--sequence", "sobol"}};
   for (const Words& words : planned) {
     Words all = {"box:1,1,1"};
     all.insert(all.end(), words.begin(), words.end());
@@ -114,6 +109,37 @@ TEST_F(Usage, AChoiceThatDoesNotExist) {
   }
   expect_wrong({"box:1,1,1", "--orientations", "aligned:30"}, "not a choice");
   expect_wrong({"box:1,1,1", "--domain", "Box"}, "not a choice");
+}
+
+TEST_F(Usage, OrientationsThatMeanNothing) {
+  const auto expect_refused = [this](const std::string& law, const std::string& part) {
+    expect_wrong({"box:1,1,1", "--trials", "10", "--orientations", law}, part);
+  };
+  for (const char* law : {"cone:91", "cone:90.0001", "cone:-1", "cone:-1e-300"}) {
+    expect_refused(law, std::string("not an angle from +-z (\"") + law + "\" for --orientations)");
+  }
+  expect_refused("onsager:-1", "a negative alpha (\"onsager:-1\" for --orientations)");
+  expect_refused("fixed:0,0,0,0", "a quaternion of length 0");
+  expect_refused("fixed:0,-0,0.0,0", "a quaternion of length 0");
+  for (const char* law : {"fixed:1", "fixed:1,2,3", "fixed:1,2,3,4,5"}) expect_refused(law, "not a quaternion");
+  for (const char* law : {"cone:1,2", "onsager:1,2"}) expect_refused(law, "more than one number");
+  for (const char* law :
+       {"cone:", "onsager:", "fixed:", "cone:nan", "onsager:nan", "onsager:inf", "cone:1e400", "fixed:1,0,0,nan",
+        "fixed:1,0,0,inf", "fixed:1,0,0,", "fixed:1,,0,0", "cone:wide", "cone: 1", "cone:1deg"}) {
+    expect_refused(law, "--orientations");
+  }
+  for (const char* law :
+       {"cone", "fixed", "onsager", "cones:1", "Cone:1", ":1", "isotropic:", "isotropic:1", "fixed1"}) {
+    expect_refused(law, "there are isotropic, aligned, fixed:W,X,Y,Z, cone:DEG, onsager:ALPHA");
+  }
+}
+
+TEST_F(Usage, AFittedDomainIsNotChosen) {
+  for (const char* domain : {"ball", "box", "best"}) {
+    expect_wrong({"box:1,1,1", "--estimator", "hit-or-miss-fitted", "--domain", domain},
+                 std::string("has its own domains (\"") + domain + "\" for --domain)");
+  }
+  expect_wrong({"box:1,1,1", "--domain", "fitted"}, "there are ball, box, best");
 }
 
 TEST_F(Usage, ABodyThatDoesNotExist) {

@@ -73,6 +73,10 @@ TEST(FixedPointSum, ZeroOfEitherSignAndNumbersBelowTheUnitAddNothing) {
   for (const double x : {0.0, -0.0, 0x1.fffffffffffffp-449, 0x1p-500, 0x1p-1022, 0x1p-1074}) {
     EXPECT_EQ(sum_of({x}), nothing) << x;
   }
+  // Taken for an exponent, the sign of -0.0 reached past the sum, into what lies behind it.
+  std::array<FixedPointSum, 4> row;
+  row[0].add(-0.0);
+  for (const FixedPointSum& sum : row) EXPECT_EQ(sum, nothing);
 }
 
 TEST(FixedPointSum, DoesNotDependOnTheOrder) {

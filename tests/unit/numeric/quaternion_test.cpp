@@ -78,7 +78,8 @@ TEST(CorrectlyRoundedNorm, BreaksTiesToEvenAndSeesTheLeastDifferenceFromOne) {
     }
     (three_k % 4 == 1 ? n_even_is_below : n_even_is_above) += 1;
     // A trifle beside it decides upwards, however small: also one whose square underflows.
-    for (const double trifle : {0x1p-40, 0x1p-120, 0x1p-479, 0x1p-480, 0x1p-481, 0x1p-600, 0x1p-1074}) {
+    for (const double trifle : {0x1p-40, 0x1p-50, 0x1p-52, 0x1p-53, 0x1p-54, 0x1p-55, 0x1p-120, 0x1p-479, 0x1p-480,
+                                0x1p-481, 0x1p-600, 0x1p-1074}) {
       Quaternion q = scaled({2 * c, c, 2 * c, 0.0});
       q[3] = trifle;
       const double norm = correctly_rounded_norm(q);

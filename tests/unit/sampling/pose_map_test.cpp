@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
 #include "engine/sampling/monte_carlo.h"
 #include "engine/sampling/random_stream.h"
 #include "shapes/box.h"
@@ -14,56 +12,6 @@
 
 namespace vex {
 namespace {
-
-using Wide = boost::multiprecision::cpp_bin_float_50;
-
-TEST(UniformRotation, IsARotationToWithinItsBound) {
-  std::mt19937_64 random(1);
-  double worst = 0.0;
-  for (int k = 0; k < 20000; ++k) {
-    const Transformd r = random_rotation(random);
-    const std::array<Vec3d, 3> rows = {r.row_x, r.row_y, r.row_z};
-    Wide deviation_sq = 0;  // Frobenius norm of R R^T - I
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        const Wide entry =
-            Wide(rows[i].x) * rows[j].x + Wide(rows[i].y) * rows[j].y + Wide(rows[i].z) * rows[j].z - (i == j ? 1 : 0);
-        deviation_sq += entry * entry;
-      }
-    }
-    worst = std::max(worst, static_cast<double>(sqrt(deviation_sq)));
-    const double determinant = dot(r.row_x, cross(r.row_y, r.row_z));
-    ASSERT_NEAR(determinant, 1.0, 1e-14);
-  }
-  // |R|_2^2 <= 1 + |R R^T - I|, so |R|_2 - 1 is at most half of it.
-  EXPECT_LE(0.5 * worst, kDrawnRotationError);
-  EXPECT_GT(worst, 0.0);
-}
-
-TEST(UniformRotation, IsUniform) {
-  // E R_ij = 0, E R_ij^2 = 1/3, E R_ij^4 = 1/5, E trace^2 = 1 (the mean of squared characters), for Haar measure.
-  std::mt19937_64 random(2);
-  constexpr int n = 200000;
-  std::array<double, 9> first{}, second{}, fourth{};
-  double trace_sq = 0.0;
-  for (int k = 0; k < n; ++k) {
-    const Transformd r = random_rotation(random);
-    const std::array<double, 9> e = {r.row_x.x, r.row_x.y, r.row_x.z, r.row_y.x, r.row_y.y,
-                                     r.row_y.z, r.row_z.x, r.row_z.y, r.row_z.z};
-    for (std::size_t i = 0; i < 9; ++i) {
-      first[i] += e[i];
-      second[i] += e[i] * e[i];
-      fourth[i] += e[i] * e[i] * e[i] * e[i];
-    }
-    trace_sq += (e[0] + e[4] + e[8]) * (e[0] + e[4] + e[8]);
-  }
-  for (std::size_t i = 0; i < 9; ++i) {
-    EXPECT_NEAR(first[i] / n, 0.0, 4.5 * std::sqrt(1.0 / 3 / n));
-    EXPECT_NEAR(second[i] / n, 1.0 / 3, 4.5 * std::sqrt((1.0 / 5 - 1.0 / 9) / n));
-    EXPECT_NEAR(fourth[i] / n, 1.0 / 5, 4.5 * std::sqrt((1.0 / 9 - 1.0 / 25) / n));
-  }
-  EXPECT_NEAR(trace_sq / n, 1.0, 4.5 * std::sqrt(2.0 / n));  // E trace^4 = 3
-}
 
 TEST(UniformInUnitBall, IsUniform) {
   // E r^3 = 1/2, E z^2 = 1/5, E x = E y = E z = 0.
