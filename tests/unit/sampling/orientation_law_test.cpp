@@ -122,6 +122,18 @@ TEST(OrientationLaw, DrawsRotationsToWithinTheirBound) {
   RecordProperty("log2_of_worst", std::to_string(std::log2(worst_of_all)));
 }
 
+TEST(OrientationLaw, OfOnsagerStaysARotationWhereRoundingTakesThePolarAngleToItsEnd) {
+  // At the last coordinates 1 - cos is 2 but for rounding, on either side of it.
+  std::mt19937_64 random(12);
+  for (int k = 0; k < 50000; ++k) {
+    const OrientationLaw law = OrientationLaw::onsager(std::exp2(-58.0 + 63.0 * random_in_unit_interval(random)));
+    const Point ends = {1.0 - 0x1p-53, 0.5 - 0x1p-53, 0.1, 0.2, 0.3};
+    const Transformd r = rotation_at(law, ends);
+    ASSERT_NEAR(dot(r.row_x, r.row_x), 1.0, 1e-14) << law.name();
+    ASSERT_NEAR(dot(r.row_z, r.row_z), 1.0, 1e-14) << law.name();
+  }
+}
+
 TEST(OrientationLaw, LanesGiveTheBitsOfOneLane) {
   constexpr int W = 4;
   std::mt19937_64 random(3);
