@@ -419,5 +419,28 @@ TEST(OrientationLaw, FixedTurnsBByItsQuaternionInAsFrame) {
   EXPECT_EQ(i.row_x.x + i.row_y.y + i.row_z.z, 3.0);
 }
 
+TEST(OrientationLaw, PutsTheEndsAndTheMiddleOfThePolarCoordinateWhereTheDistributionHasThem) {
+  // A's axis is z but for rounding (the least distance from it), so R_zz is cos(theta) of B's.
+  const auto cos_of_b = [](const OrientationLaw& law, double u) {
+    const std::array<double, OrientationLaw::kMaxDimension> point = {0.5 + 0x1p-53, u, 0.3, 0.4, 0.6};
+    return law.rotation(std::span<const double>(point)).row_z.z;
+  };
+  const double last = 1.0 - 0x1p-53;
+  for (const double degrees : {5.0, 30.0, 60.0, 89.0}) {
+    const double cos_edge = std::cos(degrees * std::numbers::pi / 180.0);
+    EXPECT_NEAR(cos_of_b(OrientationLaw::cone(degrees), last), cos_edge, 1e-7);
+    EXPECT_NEAR(cos_of_b(OrientationLaw::cone(degrees), 0.75), 0.5 * (1.0 + cos_edge), 1e-7);
+    EXPECT_NEAR(cos_of_b(OrientationLaw::cone(degrees), 0.25), -0.5 * (1.0 + cos_edge), 1e-7);
+  }
+  for (const double alpha : {0.01, 0.3, 1.0, 5.0, 40.0}) {
+    // Of the density exp(alpha cos) half lies above 1 + log((1 + exp(-2 alpha))/2)/alpha.
+    const double median = 1.0 + std::log(0.5 * (1.0 + std::exp(-2.0 * alpha))) / alpha;
+    EXPECT_NEAR(cos_of_b(OrientationLaw::onsager(alpha), 0.75), median, 1e-7) << alpha;
+    EXPECT_NEAR(cos_of_b(OrientationLaw::onsager(alpha), 0.25), -median, 1e-7) << alpha;
+    if (alpha > 5.0) continue;  // exp(-2 alpha) is less than the last coordinate leaves
+    EXPECT_NEAR(cos_of_b(OrientationLaw::onsager(alpha), last), -1.0, 1e-7) << alpha;
+  }
+}
+
 }  // namespace
 }  // namespace vex
