@@ -8,16 +8,18 @@ namespace vex {
 
 PoseSampler::PoseSampler(const ConvexBody& a, const ConvexBody& b, std::uint64_t seed, const OrientationLaw& law,
                          const Domain& domain)
-    : seed_(seed), law_(law), domain_(domain), centre_b_(b.centre()), fitted_(a, b) {}
+    : seed_(seed), law_(law), domain_(domain), centre_b_(b.centre()) {
+  if (domain.kind == Domain::Kind::fitted) fitted_.emplace(a, b);
+}
 
 PosedTrial PoseSampler::operator()(std::uint64_t index) const {
   std::array<double, kPoseDimension> point;
   const auto n_used = static_cast<std::size_t>(3 + law_.dimension());
   draw_unit_cube(seed_, Stream::pose, index, std::span(point).first(n_used));
-  if (domain_.kind != Domain::Kind::fitted) return {pose_at(point, law_, domain_, centre_b_), 1.0};
+  if (!fitted_) return {pose_at(point, law_, domain_, centre_b_), 1.0};
 
   PosedTrial trial{law_.rotation(std::span<const double>(point).subspan(3)), 1.0};
-  const Parallelepiped set = fitted_.at(trial.a_from_b);
+  const Parallelepiped set = fitted_->at(trial.a_from_b);
   trial.a_from_b.translation = set.position(point[0], point[1], point[2]);
   trial.domain_share = std::min(1.0, set.volume / domain_.volume);
   return trial;

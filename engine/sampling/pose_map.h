@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 
 #include "engine/numeric/elementary.h"
@@ -66,7 +67,7 @@ class PoseSampler {
   const OrientationLaw& law_;
   const Domain& domain_;
   Vec3d centre_b_;
-  FittedDomain fitted_;
+  std::optional<FittedDomain> fitted_;  // where the domain is one
 };
 
 }  // namespace vex

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "apps/peers/peers.h"
+#include "apps/referees/specialised_backend.h"
+#include "engine/sampling/fitted_domain.h"
 #include "engine/sampling/monte_carlo.h"
 #include "shapes/any_shape.h"
 #include "tests/referees/polytopes.h"
@@ -63,9 +65,9 @@ void time_query(benchmark::State& state, const ConvexBody& body, const BackendKi
   state.counters["hits"] = static_cast<double>(n_hits) / static_cast<double>(n);
 }
 
-void time_trial(benchmark::State& state, const ConvexBody& body) {
+void time_trial(benchmark::State& state, const ConvexBody& body, const Domain& domain) {
   MonteCarloSettings settings;
-  settings.domain = ball_domain(body, body);
+  settings.domain = domain;
   settings.stop.trials = kPoses;
   for (auto _ : state) {
     benchmark::DoNotOptimize(run_hit_or_miss(body, body, settings));
@@ -82,14 +84,20 @@ int main(int argc, char** argv) {
   benchmark::AddCustomContext("processor", processor());
   benchmark::AddCustomContext("compiler", std::string("g++ ") + __VERSION__);
   for (const Subject& subject : subjects()) {
-    for (const BackendKind& kind : all_backends()) {
+    std::vector<BackendKind> kinds = all_backends();
+    if (specialised_backend().takes(subject.body, subject.body)) kinds.push_back(specialised_backend());
+    for (const BackendKind& kind : kinds) {
       benchmark::RegisterBenchmark((subject.name + "/" + kind.name).c_str(),
                                    [subject, kind](benchmark::State& state) { time_query(state, subject.body, kind); });
     }
-    benchmark::RegisterBenchmark((subject.name + "/trial").c_str(),
-                                 [subject](benchmark::State& state) { time_trial(state, subject.body); })
-        ->UseRealTime()
-        ->Unit(benchmark::kMillisecond);
+    for (const Domain& domain : {ball_domain(subject.body, subject.body), fitted_domain(subject.body, subject.body)}) {
+      const std::string name = domain.kind == Domain::Kind::fitted ? "/trial-fitted" : "/trial";
+      benchmark::RegisterBenchmark(
+          (subject.name + name).c_str(),
+          [subject, domain](benchmark::State& state) { time_trial(state, subject.body, domain); })
+          ->UseRealTime()
+          ->Unit(benchmark::kMillisecond);
+    }
   }
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
