@@ -88,10 +88,7 @@ void declare_options(CLI::App& app, CommandLine& words) {
   app.add_option("--domain", words.domain, "Sampling domain of hit-or-miss: ball, box, or best (default): the smaller")
       ->type_name("NAME")
       ->group(sampling);
-  app.add_option("--seed", words.seed, "The same seed gives the same hits on any number of threads (default 1)")
-      ->type_name("N")
-      ->group(sampling);
-  app.add_option("--threads", words.threads, "Threads (default: all cores)")->type_name("N")->group(sampling);
+  declare_seed_and_threads(app, words, sampling);
 
   const std::string query = "Overlap query";
   app.add_option(
@@ -122,16 +119,7 @@ void declare_options(CLI::App& app, CommandLine& words) {
                "List a polytope's vertices in hexadecimal: they are the body, exactly")
       ->group(bodies);
 
-  const std::string output = "Output";
-  app.add_option("--json", words.json,
-                 "Write one JSON document; - is standard output, where then nothing else is printed")
-      ->type_name("FILE")
-      ->group(output);
-  app.add_option("--max-z", words.max_z,
-                 "Exit with 4 where Monte Carlo and formula differ by more standard errors (default 6)")
-      ->type_name("Z")
-      ->group(output);
-  app.add_flag("--quiet", words.quiet, "Print no report and draw no progress bar")->group(output);
+  declare_output(app, words);
 
   const std::string later = "Not built yet";
   app.add_flag("--verify", words.verify, "Prove every verdict again")->group(later);
@@ -173,6 +161,7 @@ Options interpret(const CommandLine& words) {
   require_one_of(domain, "--domain", {"ball", "box", "best"}, {});
 
   Options options;
+  static_cast<CommonOptions&>(options) = interpret_common(words);
   options.a = words.a;
   options.b = words.b.empty() ? words.a : words.b;
   if (!words.trials.empty()) options.stop.trials = parse_positive_count(words.trials, "--trials");
@@ -181,8 +170,6 @@ Options interpret(const CommandLine& words) {
   if (!words.seconds.empty()) options.stop.seconds = parse_positive_number(words.seconds, "--seconds");
   if (!words.max_trials.empty()) options.stop.max_trials = parse_positive_count(words.max_trials, "--max-trials");
   if (!options.stop.trials && !options.stop.relative_error && !options.stop.seconds) options.stop.relative_error = 1e-3;
-  if (!words.seed.empty()) options.seed = parse_count(words.seed, "--seed");
-  options.n_threads = parse_threads(words.threads);
   if (estimator == "hit-or-miss-fitted") {
     if (!words.domain.empty()) {
       throw UsageError("hit-or-miss-fitted has its own domains (\"" + words.domain + "\" for --domain) - leave out " +
@@ -201,7 +188,6 @@ Options interpret(const CommandLine& words) {
     }
   }
   options.quick_verdicts = !words.no_quick_verdicts;
-  if (!words.max_z.empty()) options.max_z = parse_positive_number(words.max_z, "--max-z");
   if (!words.convex_tolerance.empty()) {
     options.bodies.convex_tolerance = parse_number(words.convex_tolerance, "--convex-tolerance");
     if (options.bodies.convex_tolerance < 0.0 || options.bodies.convex_tolerance > 0.1) {
@@ -212,8 +198,6 @@ Options interpret(const CommandLine& words) {
   options.bodies.unit_volume = words.unit_volume;
   if (!words.scale.empty()) options.bodies.scale = parse_positive_number(words.scale, "--scale");
   options.dump_vertices = words.dump_vertices;
-  options.json = words.json;
-  options.quiet = words.quiet;
   return options;
 }
 

@@ -7,20 +7,19 @@
 #include <vector>
 
 #include "apps/common/bodies.h"
+#include "apps/common/common_options.h"
 #include "engine/sampling/monte_carlo.h"
 
 namespace vex {
 
 /// The words of the command line, as they stand.
-struct CommandLine {
+struct CommandLine : CommonWords {
   std::string a, b;
   std::string trials, relative_error, seconds, max_trials;
-  std::string seed, threads;
   std::string estimator, sequence, domain, backend, orientations, isa;
-  std::string max_z, convex_tolerance;
-  std::string json;
+  std::string convex_tolerance;
   std::string scale, checkpoint, resume;
-  bool no_quick_verdicts = false, cross_check = false, quiet = false;
+  bool no_quick_verdicts = false, cross_check = false;
   bool hull = false, verify = false, unit_volume = false, dump_vertices = false;
 };
 
@@ -28,22 +27,17 @@ struct CommandLine {
 void declare_options(CLI::App& app, CommandLine& words);
 
 /// What the words mean.
-struct Options {
+struct Options : CommonOptions {
   std::string a, b;
   StopRule stop;
-  std::uint64_t seed = 1;
-  int n_threads = 1;
   std::optional<Domain::Kind> domain;  // the best of ball and box where none was asked for
   OrientationLaw law;
   BackendKind backend;
   bool is_cross_check = false;
   std::vector<BackendKind> cross_check;  // the backends beside `backend`
   bool quick_verdicts = true;
-  double max_z = 6.0;
   BodyOptions bodies;
   bool dump_vertices = false;
-  std::string json;
-  bool quiet = false;
 };
 
 /// Throws UsageError where a word means nothing, or something that is not built yet.

@@ -4,9 +4,7 @@
 #include <cmath>
 
 #include "apps/common/numbers.h"
-#include "apps/common/run_program.h"
 #include "apps/common/text.h"
-#include "engine/sampling/random_stream.h"
 #include "shapes/excluded_volume.h"
 
 namespace vex {
@@ -16,11 +14,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr DecidedBy kAllDecidedBy[] = {DecidedBy::outer_bound, DecidedBy::inner_bound, DecidedBy::gjk, DecidedBy::exact,
                                        DecidedBy::peer};
-
-std::vector<double> twelve_numbers(const Transformd& pose) {
-  return {pose.row_x.x, pose.row_x.y, pose.row_x.z, pose.row_y.x,       pose.row_y.y,       pose.row_y.z,
-          pose.row_z.x, pose.row_z.y, pose.row_z.z, pose.translation.x, pose.translation.y, pose.translation.z};
-}
 
 std::vector<std::string> backend_names(const MeshRun& run) {
   std::vector<std::string> names = {run.options.backend.name};
@@ -167,14 +160,7 @@ void compare(MeshRun& run) {
 }
 
 Json report_json(const MeshRun& run) {
-  Json json;
-  json["version"] = version();
-  json["stream_version"] = kStreamVersion;
-  json["command"] = run.command;
-  json["seed"] = run.options.seed;
-  json["threads"] = run.options.n_threads;
-  json["complete"] = run.record.complete;
-  json["seconds"] = run.record.seconds;
+  Json json = document_head(run.command, run.options, run.record.complete, run.record.seconds);
   json["bodies"] = {body_json(run.a, run.options.dump_vertices), body_json(run.b, run.options.dump_vertices)};
   if (run.formula) {
     json["formula"] = {{"excluded_volume", number_or_null(run.formula->excluded_volume)},

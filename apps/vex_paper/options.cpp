@@ -28,20 +28,8 @@ void declare_options(CLI::App& app, PaperCommandLine& words) {
   app.add_option("--trials", words.trials, "Trials of every row, written like 1e7 (default 1e6)")
       ->type_name("N")
       ->group(sampling);
-  app.add_option("--seed", words.seed, "The same seed gives the same hits on any number of threads (default 1)")
-      ->type_name("N")
-      ->group(sampling);
-  app.add_option("--threads", words.threads, "Threads (default: all cores)")->type_name("N")->group(sampling);
-
-  const std::string output = "Output";
-  app.add_option("--json", words.json,
-                 "Write one JSON document; - is standard output, where then nothing else is printed")
-      ->type_name("FILE")
-      ->group(output);
-  app.add_option("--max-z", words.max_z, "Exit with 4 where a row is off by more standard errors (default 6)")
-      ->type_name("Z")
-      ->group(output);
-  app.add_flag("--quiet", words.quiet, "Print no tables and draw no progress bar")->group(output);
+  declare_seed_and_threads(app, words, sampling);
+  declare_output(app, words);
 
   app.footer(
       "The paper: S. Sreenivasan, D. R. Baker, G. Paul, H. E. Stanley, cond-mat/0207739 (2002).\n\n"
@@ -55,6 +43,7 @@ void declare_options(CLI::App& app, PaperCommandLine& words) {
 
 PaperOptions interpret(const PaperCommandLine& words) {
   PaperOptions options;
+  static_cast<CommonOptions&>(options) = interpret_common(words);
   for (const std::string& table : words.tables) {
     if (table == "1") {
       options.table_1 = true;
@@ -72,11 +61,6 @@ PaperOptions interpret(const PaperCommandLine& words) {
     options.table_1 = options.table_2 = options.text = options.erratum = true;
   }
   options.trials = words.trials.empty() ? 1'000'000 : parse_positive_count(words.trials, "--trials");
-  if (!words.seed.empty()) options.seed = parse_count(words.seed, "--seed");
-  options.n_threads = parse_threads(words.threads);
-  if (!words.max_z.empty()) options.max_z = parse_positive_number(words.max_z, "--max-z");
-  options.json = words.json;
-  options.quiet = words.quiet;
   return options;
 }
 

@@ -6,27 +6,24 @@
 #include <string>
 #include <vector>
 
+#include "apps/common/common_options.h"
+
 namespace vex {
 
 /// The words of the command line, as they stand.
-struct PaperCommandLine {
+struct PaperCommandLine : CommonWords {
   std::vector<std::string> tables;
-  std::string trials, seed, threads, max_z, json;
-  bool text = false, erratum = false, curve = false, referees = false, quiet = false;
+  std::string trials;
+  bool text = false, erratum = false, curve = false, referees = false;
 };
 
 /// Declares the options; parsing fills `words`, which must outlive `app`.
 void declare_options(CLI::App& app, PaperCommandLine& words);
 
 /// What the words mean.
-struct PaperOptions {
+struct PaperOptions : CommonOptions {
   bool table_1 = false, table_2 = false, text = false, erratum = false, curve = false, referees = false;
   std::uint64_t trials = 0;  // a row
-  std::uint64_t seed = 1;
-  int n_threads = 1;
-  double max_z = 6.0;
-  std::string json;
-  bool quiet = false;
 };
 
 /// Throws UsageError where a word means nothing. Without a part named: everything but the curve and the referees.

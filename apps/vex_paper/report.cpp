@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "apps/common/numbers.h"
-#include "apps/common/run_program.h"
-#include "engine/sampling/random_stream.h"
 
 namespace vex {
 namespace {
@@ -212,11 +210,6 @@ Json rows_json(const std::vector<Row>& rows) {
   return list;
 }
 
-Json pose_json(const Transformd& pose) {
-  return {pose.row_x.x, pose.row_x.y, pose.row_x.z, pose.row_y.x,       pose.row_y.y,       pose.row_y.z,
-          pose.row_z.x, pose.row_z.y, pose.row_z.z, pose.translation.x, pose.translation.y, pose.translation.z};
-}
-
 Json erratum_json(const ErratumRow& row) {
   Json json;
   const WrongValue& one_sided = row.values.front();
@@ -238,7 +231,7 @@ Json erratum_json(const ErratumRow& row) {
   json["example"] = nullptr;
   for (const Disagreement& found : row.record.disagreements.kept) {
     if (found.outcomes[0] != Outcome::overlap || found.outcomes[1] != Outcome::disjoint) continue;
-    json["example"] = pose_json(found.a_from_b);
+    json["example"] = twelve_numbers(found.a_from_b);
     break;
   }
   add_record(json, row.record);
@@ -275,15 +268,8 @@ bool PaperRun::has_disagreement() const {
 }
 
 Json report_json(const PaperRun& run) {
-  Json json;
-  json["version"] = version();
-  json["stream_version"] = kStreamVersion;
-  json["command"] = run.command;
-  json["seed"] = run.options.seed;
-  json["threads"] = run.options.n_threads;
+  Json json = document_head(run.command, run.options, run.complete, run.seconds);
   json["trials"] = run.options.trials;
-  json["complete"] = run.complete;
-  json["seconds"] = run.seconds;
   json["table_1"] = rows_json(run.table_1);
   json["table_2"] = rows_json(run.table_2);
   json["text"] = rows_json(run.text);

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Draws docs/erratum/deficit.svg and docs/erratum/overlooked.svg.
 
-    vex_paper --erratum --curve --trials 1e8 --json docs/erratum/erratum.json
-    python3 docs/erratum/draw.py docs/erratum/erratum.json docs/erratum
+    vex_paper --erratum --trials 5e7 --json erratum.json
+    vex_paper --curve --trials 4e6 --json curve.json
+    python3 docs/erratum/draw.py erratum.json curve.json docs/erratum
 
 Needs matplotlib (Debian: python3-matplotlib). The pictures are the same bytes for the same numbers and version of it.
 """
@@ -42,7 +43,7 @@ def draw_deficit(rows, curve, path):
                   yerr=[100.0 * row["paper_uncertainty"] / row["exact"] for row in rows], fmt="o", color=ORANGE,
                   markersize=5, capsize=4, label="the paper's Monte Carlo, 2002 (one standard error)")
     axes.axhline(0.0, color="black", linewidth=0.6)
-    axes.set_ylim(-0.8, 27.0)
+    axes.set_ylim(-0.8, 35.0)
     axes.set_ylabel("deficit of ⟨V_ex⟩ in %")
     axes.legend(frameon=False, loc="upper right")
     axes.set_title("Boxes of unit volume, sides l1 and l2 = l3", fontsize=12)
@@ -116,13 +117,17 @@ def draw_overlooked(path):
     plt.close(figure)
 
 
+def rows_of(path, part):
+    with open(path, encoding="utf-8") as file:
+        return json.load(file)[part]
+
+
 def main():
-    if len(sys.argv) != 3:
+    if len(sys.argv) != 4:
         sys.exit(__doc__)
-    with open(sys.argv[1], encoding="utf-8") as file:
-        document = json.load(file)
-    draw_deficit(document["erratum"], document["curve"], sys.argv[2] + "/deficit.svg")
-    draw_overlooked(sys.argv[2] + "/overlooked.svg")
+    erratum, curve, folder = sys.argv[1:]
+    draw_deficit(rows_of(erratum, "erratum"), rows_of(curve, "curve"), folder + "/deficit.svg")
+    draw_overlooked(folder + "/overlooked.svg")
 
 
 if __name__ == "__main__":

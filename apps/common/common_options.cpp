@@ -1,0 +1,51 @@
+#include "apps/common/common_options.h"
+
+#include "apps/common/numbers.h"
+#include "apps/common/run_program.h"
+#include "engine/sampling/random_stream.h"
+
+namespace vex {
+
+void declare_seed_and_threads(CLI::App& app, CommonWords& words, const std::string& group) {
+  app.add_option("--seed", words.seed, "The same seed gives the same hits on any number of threads (default 1)")
+      ->type_name("N")
+      ->group(group);
+  app.add_option("--threads", words.threads, "Threads (default: all cores)")->type_name("N")->group(group);
+}
+
+void declare_output(CLI::App& app, CommonWords& words) {
+  const std::string output = "Output";
+  app.add_option("--json", words.json,
+                 "Write one JSON document; - is standard output, where then nothing else is printed")
+      ->type_name("FILE")
+      ->group(output);
+  app.add_option("--max-z", words.max_z,
+                 "Exit with 4 where Monte Carlo and exact value differ by more standard errors (default 6)")
+      ->type_name("Z")
+      ->group(output);
+  app.add_flag("--quiet", words.quiet, "Print no report and draw no progress bar")->group(output);
+}
+
+CommonOptions interpret_common(const CommonWords& words) {
+  CommonOptions options;
+  if (!words.seed.empty()) options.seed = parse_count(words.seed, "--seed");
+  options.n_threads = parse_threads(words.threads);
+  if (!words.max_z.empty()) options.max_z = parse_positive_number(words.max_z, "--max-z");
+  options.json = words.json;
+  options.quiet = words.quiet;
+  return options;
+}
+
+nlohmann::ordered_json document_head(const std::string& command, const CommonOptions& options, bool complete,
+                                     double seconds) {
+  return {{"version", version()}, {"stream_version", kStreamVersion}, {"command", command},
+          {"seed", options.seed}, {"threads", options.n_threads},     {"complete", complete},
+          {"seconds", seconds}};
+}
+
+std::vector<double> twelve_numbers(const Transformd& pose) {
+  return {pose.row_x.x, pose.row_x.y, pose.row_x.z, pose.row_y.x,       pose.row_y.y,       pose.row_y.z,
+          pose.row_z.x, pose.row_z.y, pose.row_z.z, pose.translation.x, pose.translation.y, pose.translation.z};
+}
+
+}  // namespace vex

@@ -1,0 +1,45 @@
+// Options that every program has, and the head of its JSON document.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "engine/numeric/transform.h"
+
+namespace vex {
+
+/// The words of the command line, as they stand.
+struct CommonWords {
+  std::string seed, threads, max_z, json;
+  bool quiet = false;
+};
+
+/// --seed and --threads in the group of this name.
+void declare_seed_and_threads(CLI::App& app, CommonWords& words, const std::string& group);
+
+/// --json, --max-z and --quiet.
+void declare_output(CLI::App& app, CommonWords& words);
+
+/// What the words mean.
+struct CommonOptions {
+  std::uint64_t seed = 1;
+  int n_threads = 1;
+  double max_z = 6.0;
+  std::string json;
+  bool quiet = false;
+};
+
+/// Throws UsageError where a word means nothing.
+CommonOptions interpret_common(const CommonWords& words);
+
+/// version, stream_version, command, seed, threads, complete, seconds.
+nlohmann::ordered_json document_head(const std::string& command, const CommonOptions& options, bool complete,
+                                     double seconds);
+
+/// r11, r12, ... r33, tx, ty, tz.
+std::vector<double> twelve_numbers(const Transformd& pose);
+
+}  // namespace vex
