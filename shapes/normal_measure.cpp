@@ -51,13 +51,23 @@ struct NormalAt {
     return {(1.0 / length) * dir_normal, 4.0 * kPi * ellipsoid.factor * length};
   }
   WeightedNormal operator()(const EllipsoidCurvature& ellipsoid) const {
-    const Vec3d unit_normal = on_sphere(v, w);
     const Vec3d axes = ellipsoid.semi_axes;
-    const Vec3d image = scaled_by(axes, unit_normal);
-    const double height = norm(image);
-    const Vec3d touching = (1.0 / height) * scaled_by(axes, image);  // the surface's point of this normal
-    const double sum_of_radii = (dot(axes, axes) - dot(touching, touching)) / height;
-    return {unit_normal, 2.0 * kPi * ellipsoid.factor * sum_of_radii};
+    const double longest = std::max({axes.x, axes.y, axes.z});
+    const double middle = std::max(std::min(axes.x, axes.y), std::min(std::max(axes.x, axes.y), axes.z));
+    const double shrink = middle / longest;
+    Vec3d p{1.0, 1.0, 1.0};
+    (axes.x == longest ? p.x : axes.y == longest ? p.y : p.z) = shrink;
+    const double shortest = std::min({axes.x, axes.y, axes.z});
+    const Vec3d about_z = around_z(std::cos(kPi * v), std::sin(kPi * v), w);
+    const Vec3d u = axes.z == shortest   ? about_z
+                    : axes.y == shortest ? Vec3d{about_z.x, about_z.z, about_z.y}
+                                         : Vec3d{about_z.z, about_z.x, about_z.y};
+    const Vec3d dir_normal = scaled_by(p, u);
+    const double length = norm(dir_normal);
+    const Vec3d unit_normal = (1.0 / length) * dir_normal;
+    // Of u to uniform ones, and of uniform u to uniform normals.
+    const double density_ratio = 0.5 * kPi * std::sin(kPi * v) * (shrink / (length * length * length));
+    return {unit_normal, 2.0 * kPi * ellipsoid.factor * density_ratio * sum_of_radii_of_curvature(axes, unit_normal)};
   }
 };
 
@@ -103,6 +113,15 @@ double NormalMeasure::total_mass() const {
   DoubleDouble sum;
   for (const Component& component : components_) sum += mass_of(component);
   return sum.value();
+}
+
+double sum_of_radii_of_curvature(const Vec3d& semi_axes, const Vec3d& n) {
+  const auto [a, b, c] = semi_axes;
+  const double height = norm(scaled_by(semi_axes, n));
+  const double ab = a * b, ac = a * c, bc = b * c;
+  const double sum =
+      ab * ab * (n.x * n.x + n.y * n.y) + ac * ac * (n.x * n.x + n.z * n.z) + bc * bc * (n.y * n.y + n.z * n.z);
+  return sum / (height * height * height);
 }
 
 double mass_of(const NormalMeasure::Component& component) {

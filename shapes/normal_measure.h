@@ -60,8 +60,15 @@ struct EllipsoidNormals {
   double factor = 1.0;  // how often it counts: not 1 in a sum of measures
 };
 
-/// An ellipsoid's mean curvature. Over normals that are uniform on the sphere its density is the mean of the radii of
-/// curvature, half the Laplacian of h(n) = |D n|: (tr D^2 / h - |D^2 n|^2 / h^3) / 2.
+/// The sum of an ellipsoid's two radii of curvature where its normal is n, the Laplacian of h(n) = |D n|:
+/// (a^2 b^2 (n_x^2 + n_y^2) + a^2 c^2 (n_x^2 + n_z^2) + b^2 c^2 (n_y^2 + n_z^2)) / h^3. No term cancels another.
+double sum_of_radii_of_curvature(const Vec3d& semi_axes, const Vec3d& unit_normal);
+
+/// An ellipsoid's mean curvature, whose density over uniform normals is half the sum of the radii of curvature. That of
+/// a long ellipsoid faces almost nowhere but across it: the normal is taken along P u, P
+/// shrinking the direction of the longest axis by the ratio of the middle one to it. That of a flat one has a peak
+/// along the shortest axis, with one over the angle: about that axis the polar angle of u is uniform, and its azimuth.
+/// The weights are then bounded by some multiples of M for rods, strips and plates.
 struct EllipsoidCurvature {
   Vec3d semi_axes;
   double mass = 0.0;  // factor times M

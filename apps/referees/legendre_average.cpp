@@ -15,8 +15,10 @@ namespace vex {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr std::size_t kMaxDegree = 2048;  // even
-constexpr std::size_t kMostComponents = 1000;
+constexpr std::size_t kMaxDegree = 2048;      // even
+constexpr std::size_t kMostVertices = 20000;  // of a mesh: its measures are not even asked for
+constexpr double kMostSteps = 6e7;            // of the polynomials' recursion, some nanoseconds each
+constexpr double kLargestError = 1e-6;        // relative to what V_ex can be at most: beyond it random points do better
 constexpr double kLargestAspectRatio = 100.0;  // of ellipsoids: the nodes they take grow with its square
 constexpr double kLargestAlpha = 500.0;        // far below 2 kMaxDegree, where the Bessel functions' recursion begins
 constexpr double kRoundingError = 1e-11;       // a recursion of 2048 steps loses fewer than 4 digits
@@ -35,13 +37,16 @@ void add_polynomials(double weight, double x, Series* sum) {
   }
 }
 
+std::size_t panels_for(double angle_rad, std::size_t n_degrees) {
+  return static_cast<std::size_t>(angle_rad * static_cast<double>(n_degrees) / 40.0) + 1;
+}
+
 /// The same for the mean of weight(v) P_l(n_z(v)) over 0 < v < 1, where n_z turns through `angle_rad`: 30 nodes for
 /// each 40 radians of phase of the highest degree.
 template <class F>
 void add_mean(double angle_rad, std::size_t least_panels, const F& normal_of, Series* sum) {
   using Gauss = boost::math::quadrature::gauss<double, 30>;
-  const auto for_phase = static_cast<std::size_t>(angle_rad * static_cast<double>(sum->size()) / 40.0);
-  const std::size_t n_panels = std::max(for_phase + 1, least_panels);
+  const std::size_t n_panels = std::max(panels_for(angle_rad, sum->size()), least_panels);
   const double half_width = 0.5 / static_cast<double>(n_panels);
   for (std::size_t panel = 0; panel < n_panels; ++panel) {
     const double middle = (2.0 * static_cast<double>(panel) + 1.0) * half_width;
@@ -58,15 +63,19 @@ double aspect_ratio(const Vec3d& axes) {
   return std::max({axes.x, axes.y, axes.z}) / std::min({axes.x, axes.y, axes.z});
 }
 
+Vec3d uniform_normal(double v, double w) {
+  const double cos_polar = (v + v) - 1.0, sin_polar = 2.0 * std::sqrt(v * (1.0 - v)), azimuth = 2.0 * kPi * w;
+  return {sin_polar * std::cos(azimuth), sin_polar * std::sin(azimuth), cos_polar};
+}
+
 /// The density of an ellipsoid's area over uniform normals, of mean S: 4 pi over the Gaussian curvature, (a b c)^2 /
 /// h^4.
 struct GaussianCurvature {
   Vec3d axes;
 
   double operator()(double v, double w) const {
-    const double cos_polar = (v + v) - 1.0, sin_polar = 2.0 * std::sqrt(v * (1.0 - v)), azimuth = 2.0 * kPi * w;
-    const double height =
-        norm(Vec3d{axes.x * sin_polar * std::cos(azimuth), axes.y * sin_polar * std::sin(azimuth), axes.z * cos_polar});
+    const Vec3d n = uniform_normal(v, w);
+    const double height = norm(Vec3d{axes.x * n.x, axes.y * n.y, axes.z * n.z});
     const double root = axes.x / height * (axes.y / height) * axes.z;
     return 4.0 * kPi * root * root;
   }
@@ -117,10 +126,32 @@ Series legendre_series(const NormalMeasure& measure, std::size_t max_degree) {
     } else if (const auto* const curvature = std::get_if<EllipsoidCurvature>(&component)) {
       add_ellipsoid(
           curvature->semi_axes, curvature->factor,
-          [&](double v, double w) { return normal_at(*curvature, v, w).weight / curvature->factor; }, &sum);
+          [&](double v, double w) {
+            return 2.0 * kPi * sum_of_radii_of_curvature(curvature->semi_axes, uniform_normal(v, w));
+          },
+          &sum);
     }
   }
   return sum;
+}
+
+/// In steps of the polynomials' recursion.
+double cost_of_series(const NormalMeasure& measure, std::size_t max_degree) {
+  const std::size_t n_degrees = max_degree + 1;
+  std::size_t n_nodes = 0;
+  for (const NormalMeasure::Component& component : measure.components()) {
+    double angle_rad = 0.0;
+    if (const auto* const arc = std::get_if<NormalArc>(&component)) {
+      angle_rad = arc->angle_rad;
+    } else if (const auto* const rim = std::get_if<NormalRim>(&component)) {
+      angle_rad = rim->polar_to_rad - rim->polar_from_rad;
+    } else {
+      ++n_nodes;
+      continue;
+    }
+    n_nodes += 30 * panels_for(angle_rad, n_degrees);
+  }
+  return static_cast<double>(n_nodes) * static_cast<double>(n_degrees);
 }
 
 bool is_affordable(const NormalMeasure& measure) {
@@ -128,7 +159,7 @@ bool is_affordable(const NormalMeasure& measure) {
     const auto* const area = std::get_if<EllipsoidNormals>(&component);
     return area != nullptr && aspect_ratio(area->semi_axes) > kLargestAspectRatio;
   };
-  return measure.components().size() <= kMostComponents && std::ranges::none_of(measure.components(), is_too_thin);
+  return std::ranges::none_of(measure.components(), is_too_thin);
 }
 
 std::size_t n_core_vertices(ConvexBody body) {
@@ -191,13 +222,16 @@ std::optional<SeriesAverage> legendre_average(const MeasuredBody& a, const Measu
   if (!is_cone && law.kind() != OrientationLaw::Kind::onsager) return std::nullopt;
   if (is_cone ? !(law.parameter() > 0.0) : law.parameter() > kLargestAlpha) return std::nullopt;
   // A large mesh's measures are not even asked for.
-  if (n_core_vertices(a.body) > kMostComponents || n_core_vertices(b.body) > kMostComponents) return std::nullopt;
+  if (n_core_vertices(a.body) > kMostVertices || n_core_vertices(b.body) > kMostVertices) return std::nullopt;
   const NormalMeasure area_a = a.normals.area(), area_b = b.normals.area();
   const NormalMeasure curvature_a = a.normals.mean_curvature(), curvature_b = b.normals.mean_curvature();
   for (const NormalMeasure* const measure : {&area_a, &area_b, &curvature_a, &curvature_b}) {
     if (!is_affordable(*measure)) return std::nullopt;
   }
 
+  // |S_l| <= S and |H_l| <= M, and the factor is at most 1 / (2 l) in size: (2 l + 1) / (2 pi (l^2 + l - 2)), l >= 2.
+  const double largest = a.measures.surface_area * b.measures.integrated_mean_curvature +
+                         b.measures.surface_area * a.measures.integrated_mean_curvature;
   const AxisMoments axis = is_cone ? cone_moments(law.parameter() * (kPi / 180.0)) : onsager_moments(law.parameter());
   // No more degrees than matter: what is left out goes to the error.
   std::size_t degree = kMaxDegree;
@@ -209,6 +243,15 @@ std::optional<SeriesAverage> legendre_average(const MeasuredBody& a, const Measu
     left_out += p * p / static_cast<double>(degree);
     degree -= 2;
   }
+  // V_ex is at most V_A + V_B + S_A R_B + S_B R_A with the circumradii.
+  const double at_most = a.measures.volume + b.measures.volume + a.measures.surface_area * b.body.circumradius() +
+                         b.measures.surface_area * a.body.circumradius();
+  if (0.5 * largest * left_out > kLargestError * at_most) return std::nullopt;
+  double cost = 0.0;
+  for (const NormalMeasure* const measure : {&area_a, &area_b, &curvature_a, &curvature_b}) {
+    cost += cost_of_series(*measure, degree);
+  }
+  if (cost > kMostSteps) return std::nullopt;
   const Series s_a = legendre_series(area_a, degree), s_b = legendre_series(area_b, degree);
   const Series h_a = legendre_series(curvature_a, degree), h_b = legendre_series(curvature_b, degree);
   double sum = 0.0;
@@ -219,9 +262,6 @@ std::optional<SeriesAverage> legendre_average(const MeasuredBody& a, const Measu
     if (l == 0) break;
   }
   const double value = a.measures.volume + b.measures.volume + sum;
-  // |S_l| <= S and |H_l| <= M, and the factor is at most 1 / (2 l) in size: (2 l + 1) / (2 pi (l^2 + l - 2)), l >= 2.
-  const double largest = a.measures.surface_area * b.measures.integrated_mean_curvature +
-                         b.measures.surface_area * a.measures.integrated_mean_curvature;
   return SeriesAverage{value, 0.5 * largest * left_out + kRoundingError * value};
 }
 

@@ -21,10 +21,10 @@ struct SeriesAverage {
   double error = 0.0;  // a bound: on the terms left out, and 1e-11 relative, for rounding and quadrature
 };
 
-/// Nothing where the law is none of cone (above 0 degrees) and onsager (up to alpha = 500), or where a body has more
-/// than 1000 components or is an ellipsoid more than a hundred times as long as thin, which would take too long.
-/// UsageError where a body has no measures on normals. Takes milliseconds for onsager, some tenths of a second for
-/// cone.
+/// Nothing where the law is none of cone (above 0 degrees) and onsager (up to alpha = 500); where its error would be
+/// above some 10^-6, as for narrow cones; or where it would take more than some tenths of a second, as for meshes of
+/// many edges and for ellipsoids more than a hundred times as long as thin. UsageError where a body has no measures on
+/// normals. Takes milliseconds for onsager.
 std::optional<SeriesAverage> legendre_average(const MeasuredBody& a, const MeasuredBody& b, const OrientationLaw& law);
 
 }  // namespace vex

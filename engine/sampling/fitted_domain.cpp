@@ -18,14 +18,18 @@ constexpr double kPositionError = 0x1p-48;
 
 double reach_along(const ConvexBody& body, const Vec3d& dir) { return dot(dir, body.support(dir)); }
 
-// The axis along which the width differs most, as a ratio, from that of the other two. Of a needle, whose widths but
-// one are nothing, the long one.
+// The long axis, the short one, or both: each where it is unlike the middle one. Of a body whose widths are all much
+// the same, and of a needle, whose widths but one are nothing, the one that differs more, as a ratio.
 template <class Intervals>
-std::size_t axis_of_its_own(const Intervals& own) {
+std::vector<std::size_t> axes_of_their_own(const Intervals& own) {
+  constexpr double kUnlike = 1.5;
   std::array<std::size_t, 3> order = {0, 1, 2};
   std::ranges::stable_sort(order, {}, [&own](std::size_t k) { return own[k].upper - own[k].lower; });
   const auto width = [&](std::size_t rank) { return own[order[rank]].upper - own[order[rank]].lower; };
-  return width(2) * width(0) >= width(1) * width(1) ? order[2] : order[0];
+  const bool is_rather_long = width(2) * width(0) >= width(1) * width(1);
+  const bool has_long = width(2) > kUnlike * width(1), has_short = width(1) > kUnlike * width(0);
+  if (has_long && has_short) return {order[2], order[0]};
+  return {is_rather_long ? order[2] : order[0]};
 }
 
 }  // namespace
@@ -36,8 +40,8 @@ FittedDomain::FittedDomain(const ConvexBody& a, const ConvexBody& b)
     own_a_[k] = {-reach_along(a, -kFrame[k]), reach_along(a, kFrame[k])};
     own_b_[k] = {-reach_along(b, -kFrame[k]), reach_along(b, kFrame[k])};
   }
-  axis_a_ = axis_of_its_own(own_a_);
-  axis_b_ = axis_of_its_own(own_b_);
+  axes_a_ = axes_of_their_own(own_a_);
+  axes_b_ = axes_of_their_own(own_b_);
   // A's axes with the largest that B can add, whose circumscribed ball is about its centre; slightly enlarged, so that
   // rounding cannot make it the smaller one.
   const auto half_extent = [&](std::size_t k) {
@@ -87,14 +91,17 @@ Parallelepiped FittedDomain::at(const Transformd& rotation) const {
 
   consider(kFrame, along_a);
   consider(axes_b, along_b);
-  const Vec3d& u_a = kFrame[axis_a_];
-  const Vec3d& u_b = axes_b[axis_b_];
-  const Vec3d c = cross(u_a, u_b);
-  if (dot(c, c) > kLeastSine * kLeastSine) {
-    const Interval along_c = along(c, rotation);
-    consider({u_a, u_b, c}, {along_a[axis_a_], along_b[axis_b_], along_c});
-    const Vec3d across_a = cross(c, u_a), across_b = cross(c, u_b);
-    consider({across_a, across_b, c}, {along(across_a, rotation), along(across_b, rotation), along_c});
+  for (const std::size_t axis_a : axes_a_) {
+    for (const std::size_t axis_b : axes_b_) {
+      const Vec3d& u_a = kFrame[axis_a];
+      const Vec3d& u_b = axes_b[axis_b];
+      const Vec3d c = cross(u_a, u_b);
+      if (!(dot(c, c) > kLeastSine * kLeastSine)) continue;
+      const Interval along_c = along(c, rotation);
+      consider({u_a, u_b, c}, {along_a[axis_a], along_b[axis_b], along_c});
+      const Vec3d across_a = cross(c, u_a), across_b = cross(c, u_b);
+      consider({across_a, across_b, c}, {along(across_a, rotation), along(across_b, rotation), along_c});
+    }
   }
   return best;
 }

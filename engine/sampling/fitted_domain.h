@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "engine/numeric/transform.h"
 #include "engine/sampling/domain.h"
@@ -26,8 +27,8 @@ struct Parallelepiped {
 /// Made for one pair of bodies, asked for many orientations. Holds references.
 ///
 /// B at R x + t meets A only if, for every n, -(h_A(-n) + h_RB(n)) <= n . t <= h_A(n) + h_RB(-n), h being the support
-/// functions; three normals make a parallelepiped. With u_A and u_B the axes in which the bodies are most unlike the
-/// other two (the long axis of a rod, the short one of a plate) and c = u_A x u_B there are tried
+/// functions; three normals make a parallelepiped. With u_A and u_B the axes in which the bodies are unlike the others
+/// (the long axis of a rod, the short one of a plate, either of a strip) and c = u_A x u_B there are tried
 ///   A's axes;  B's axes;  (u_A, u_B, c);  (c x u_A, c x u_B, c).
 /// A body's axes are those of its frame. The third fits two plates, which along a plate's normal are no farther apart
 /// than the other plate reaches; the last fits two rods, which meet only where the parallelogram of their axes is: its
@@ -54,7 +55,7 @@ class FittedDomain {
   const ConvexBody& b_;
   double margin_;            // what rounding, and R not being quite a rotation, can change of n . t, |n| = 1 (E13)
   Intervals own_a_, own_b_;  // of each body along its own axes
-  std::size_t axis_a_, axis_b_;
+  std::vector<std::size_t> axes_a_, axes_b_;
   Vec3d largest_half_extent_;
 };
 

@@ -1,6 +1,8 @@
 // Runs: what fixes the hits, when they stop, and what the estimate is worth.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <sstream>
 
 #include "tests/golden/program.h"
 #include "tests/golden/sample_files.h"
@@ -249,6 +251,63 @@ TEST_F(Run, SizesFarFromOneWork) {
       EXPECT_LT(std::fabs(document.at("z").get<double>()), 5.0) << body;
     }
     EXPECT_GT(document.at("estimate").at("std_error"), 0.0);
+  }
+}
+
+// A prism over a regular polygon of circumradius 1/2, as an .obj file.
+std::string prism_of(int n_sides, double radius, double thickness) {
+  std::ostringstream file;
+  file.precision(17);
+  for (const double z : {-0.5 * thickness, 0.5 * thickness}) {
+    for (int k = 0; k < n_sides; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / n_sides;
+      file << "v " << radius * std::cos(angle) << " " << radius * std::sin(angle) << " " << z << "\n";
+    }
+  }
+  file << "f";
+  for (int k = n_sides; k > 0; --k) file << " " << k;
+  file << "\nf";
+  for (int k = 1; k <= n_sides; ++k) file << " " << n_sides + k;
+  file << "\n";
+  for (int k = 1; k <= n_sides; ++k) {
+    const int next = k % n_sides + 1;
+    file << "f " << k << " " << next << " " << n_sides + next << " " << n_sides + k << "\n";
+  }
+  return file.str();
+}
+
+TEST_F(Run, ExactAveragesOfThinBodiesAreRight) {
+  // Faces were once picked by area alone, and a rim of a millionth of it never; the mean curvature of a thin ellipsoid
+  // was sampled by uniform normals, of which none met the narrow band that it faces.
+  write_file("disc.obj", prism_of(200, 0.5, 1e-6));
+  write_file("rod.obj", prism_of(200, 5e-7, 1.0));
+  for (const Words& words :
+       {Words{"disc.obj", "plate:1,1", "--orientations", "cone:0"}, Words{"disc.obj", "--orientations", "cone:1e-6"},
+        Words{"rod.obj", "--orientations", "cone:0"}, Words{"rod.obj", "--orientations", "onsager:1e10"},
+        Words{"rounded:0.5,ellipsoid:1e-9,1e-9,1", "box:1,1,1", "--orientations", "fixed:1,0.3,0.2,0.5"},
+        Words{"rounded:0.5,ellipsoid:1,1e-6,1", "box:1,1,1", "--orientations", "fixed:1,0.3,0.2,0.5"},
+        Words{"rounded:0.1,ellipsoid:1e-6,1e-6,1", "capsule:1,0.1", "--orientations", "cone:20"},
+        Words{"rounded:0.1,ellipsoid:1,1e-3,1e-6", "capsule:1,0.1", "--orientations", "cone:20"}}) {
+    Words all = words;
+    all.insert(all.end(), {"--estimator", "hit-or-miss-fitted", "--trials", "30000"});
+    const json document = json_of(all);
+    const double exact = document.at("exact_average").at("excluded_volume");
+    EXPECT_LT(document.at("exact_average").at("error").get<double>(), 2e-3 * exact) << words[0];
+    ASSERT_TRUE(document.at("z").is_number()) << words[0];
+    EXPECT_LT(std::fabs(document.at("z").get<double>()), 4.0) << words[0] << " " << words.back();
+  }
+}
+
+TEST_F(Run, AFittedDomainFitsStrips) {
+  // A strip is long and flat: with its short axis alone a needle beside it hit once in a thousand trials.
+  for (const Words& words : {Words{"needle:1", "plate:1,1e-3"}, Words{"needle:1", "plate:1,1e-6"},
+                             Words{"plate:1,1e-4", "plate:1,1e-4", "--orientations", "cone:10"},
+                             Words{"box:1,1e-4,1e-12", "needle:1"}, Words{"capsule:1,1e-4", "plate:1,1e-4"}}) {
+    Words all = words;
+    all.insert(all.end(), {"--estimator", "hit-or-miss-fitted", "--trials", "20000"});
+    const json document = json_of(all);
+    EXPECT_GT(document.at("estimate").at("hits").get<double>(), 10000.0) << words[0] << " " << words[1];
+    EXPECT_LT(std::fabs(document.at("z").get<double>()), 4.0) << words[0] << " " << words[1];
   }
 }
 
