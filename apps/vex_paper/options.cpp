@@ -1,6 +1,7 @@
 #include "apps/vex_paper/options.h"
 
 #include "apps/common/numbers.h"
+#include "apps/vex_paper/rows.h"
 #include "engine/numeric/errors.h"
 
 namespace vex {
@@ -61,6 +62,10 @@ PaperOptions interpret(const PaperCommandLine& words) {
     options.table_1 = options.table_2 = options.text = options.erratum = true;
   }
   options.trials = words.trials.empty() ? 1'000'000 : parse_positive_count(words.trials, "--trials");
+  if (options.seed > Sampling::kLargestSeed) {
+    throw UsageError("too large a seed (" + words.seed + " for --seed) - at most " +
+                     std::to_string(Sampling::kLargestSeed) + ": every row makes one of its own from it");
+  }
   return options;
 }
 

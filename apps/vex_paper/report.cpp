@@ -135,7 +135,7 @@ std::string erratum_text(const PaperRun& run) {
     }
     text += "\nThe one-sided test at fixed relative orientations\n" + table_text(fixed);
   }
-  text += "\nOther wrong tests on the same poses: what they give for <V_ex>\n" + table_text(others);
+  text += "\nOther wrong tests: what they give for <V_ex>\n" + table_text(others);
   return text;
 }
 
@@ -153,15 +153,18 @@ std::string curve_text(const PaperRun& run) {
 }
 
 std::string referees_text(const PaperRun& run) {
-  std::vector<std::vector<std::string>> lines = {{"bodies (unit volume)", "test", "poses", "differ", "exact: GJK right",
-                                                  "test right", "undecided GJK", "test", "seconds"}};
+  std::vector<std::vector<std::string>> lines = {{"bodies (unit volume)", "test", "poses", "differ", "GJK right",
+                                                  "test right", "not judged", "GJK undecided", "test undecided",
+                                                  "seconds"}};
   for (const RefereeRow& row : run.referees) {
-    lines.push_back({row.what.label, row.test, short_count(static_cast<double>(row.n_poses)),
-                     std::to_string(row.n_disagreements), std::to_string(row.n_engine_right),
-                     std::to_string(row.n_test_right), std::to_string(row.n_engine_undecided),
-                     std::to_string(row.n_test_undecided), fixed_number(1, row.seconds)});
+    lines.push_back(
+        {row.what.label, row.test, short_count(static_cast<double>(row.n_poses)), std::to_string(row.n_disagreements),
+         std::to_string(row.n_engine_right), std::to_string(row.n_test_right), std::to_string(row.n_not_judged()),
+         std::to_string(row.n_engine_undecided), std::to_string(row.n_test_undecided), fixed_number(1, row.seconds)});
   }
-  return "\nReferees  GJK and the specialised tests on the same poses\n" + table_text(lines);
+  return "\nReferees  GJK and the specialised tests on the same poses; where they differ exact arithmetic says who is "
+         "right\n" +
+         table_text(lines);
 }
 
 // --- JSON
@@ -220,6 +223,7 @@ Json erratum_json(const ErratumRow& row) {
   json["excluded_volume"] = one_sided.excluded_volume;
   json["std_error"] = one_sided.std_error;
   json["deficit"] = one_sided.deficit;
+  json["z_of_exact_test"] = row.z_of_exact_test();
   if (row.what.printed) {
     json["z"] = row.z();
     add_printed(json, row.what);
@@ -245,6 +249,7 @@ Json referee_json(const RefereeRow& row) {
           {"disagreements", row.n_disagreements},
           {"engine_right", row.n_engine_right},
           {"test_right", row.n_test_right},
+          {"not_judged", row.n_not_judged()},
           {"engine_undecided", row.n_engine_undecided},
           {"test_undecided", row.n_test_undecided},
           {"complete", row.complete},
@@ -263,7 +268,11 @@ std::vector<const Row*> PaperRun::compared_rows() const {
 
 bool PaperRun::has_disagreement() const {
   const std::vector<const Row*> rows = compared_rows();
-  return std::ranges::any_of(rows, [this](const Row* row) { return std::fabs(row->z()) > options.max_z; }) ||
+  const auto is_off = [this](double z) { return std::fabs(z) > options.max_z; };
+  for (const std::vector<ErratumRow>* part : {&erratum, &erratum_orientations, &curve}) {
+    if (std::ranges::any_of(*part, [&](const ErratumRow& row) { return is_off(row.z_of_exact_test()); })) return true;
+  }
+  return std::ranges::any_of(rows, [&](const Row* row) { return is_off(row->z()); }) ||
          std::ranges::any_of(referees, [](const RefereeRow& row) { return row.n_test_right > 0; });
 }
 

@@ -38,6 +38,7 @@ struct Sampling {
   const std::atomic<int>* interrupt = nullptr;
   std::function<void(const Progress&)> on_progress{};
 
+  static constexpr std::uint64_t kLargestSeed = ~std::uint64_t{0} / 1000 - 1;
   /// Of a case: row 7 under seed 1 is a run of vex_mesh with seed 1007.
   std::uint64_t seed_of(const Case& of) const { return 1000 * seed + static_cast<std::uint64_t>(of.number); }
 };
@@ -72,7 +73,11 @@ struct ErratumRow {
   Case what;
   double exact = 0.0;
   RunRecord record{};
+  VolumeEstimate found{};          // by the exact test on the same trials
   std::vector<WrongValue> values;  // of the one-sided test first
+
+  /// The exact test against the exact value, in standard errors: whether the deficits can be trusted.
+  double z_of_exact_test() const { return (found.excluded_volume - exact) / found.std_error; }
 
   /// The one-sided test's value against the paper's, in standard errors of both together. Only where the paper has one.
   double z() const;
@@ -97,13 +102,18 @@ struct RefereeRow {
   std::string test;
   std::uint64_t n_poses = 0, n_engine_undecided = 0, n_test_undecided = 0;
   std::uint64_t n_disagreements = 0;
-  std::uint64_t n_engine_right = 0, n_test_right = 0;  // of those that exact arithmetic judged
+  std::uint64_t n_engine_right = 0, n_test_right = 0;  // of those that exact arithmetic judged: the first 1000 of a run
+  std::uint64_t n_not_judged() const { return n_disagreements - n_engine_right - n_test_right; }
   double seconds = 0.0;
   bool complete = false;
 };
 
 std::vector<Case> referee_cases();
-/// A row for each test that takes the pair.
-std::vector<RefereeRow> measure_referees(const Case& what, const Sampling& sampling);
+/// The specialised tests: boxes, ellipsoids, capsules and spheres; boxes by their edges.
+std::vector<BackendKind> specialised_tests();
+/// A row for each of the tests that takes the pair. No quick verdict is put before the engine: it answers every pose.
+std::vector<RefereeRow> measure_referees(const Case& what, const Sampling& sampling,
+                                         const std::vector<BackendKind>& tests = specialised_tests(),
+                                         const BackendKind& engine = gjk_backend());
 
 }  // namespace vex

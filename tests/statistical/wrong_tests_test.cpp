@@ -16,10 +16,10 @@
 namespace vex {
 namespace {
 
-VolumeEstimate two_unit_cubes(const BackendKind& backend) {
+VolumeEstimate two_unit_cubes(const BackendKind& backend) {  // in a domain that holds what is invented, too
   const ConvexBody cube = parse_shape("box:1,1,1").body;
   MonteCarloSettings settings;
-  settings.domain = ball_domain(cube, cube);
+  settings.domain = box_domain(cube, cube);
   settings.stop.trials = 1000000;
   settings.n_threads = 2;
   settings.backend = backend;
@@ -33,7 +33,7 @@ double z_of(const VolumeEstimate& found, double expected) {
 }
 
 TEST(WrongBoxTests, ComeToTheirOwnAverages) {
-  const double expected[] = {10.569, 10.138, 9.661, 7.313, 12.116};
+  const double expected[] = {10.569, 10.138, 9.661, 7.313, 12.170};
   const std::vector<BackendKind> kinds = wrong_box_backends();
   ASSERT_EQ(kinds.size(), std::size(expected));
   for (std::size_t k = 0; k < kinds.size(); ++k) {
