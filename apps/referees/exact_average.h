@@ -42,9 +42,10 @@ struct ExactAverageSettings {
 /// Otherwise: randomised quasi-Monte Carlo, scrambled Sobol' points (engine/sampling/sobol.h) over the law's
 /// coordinates and, for each body, up to two for a normal on a curved part and one that picks a face and an edge where
 /// there are more than 64 of either (those of a mesh, in the order of a Hilbert curve over the sphere, so that
-/// neighbours of the coordinate are neighbours on the sphere). The error is the standard error of the mean over the
-/// independent randomisations. Where nothing is random (one orientation; flat faces or two ellipsoids; not more than
-/// `largest_cost`) it is one sum, and the error its rounding bound alone.
+/// neighbours of the coordinate are neighbours on the sphere). Half of the picks go by area, half by area times
+/// a typical height: the rim of a thin body has next to no area but may have most of the integral. The error is the
+/// standard error of the mean over the independent randomisations. Where nothing is random (one orientation; flat faces
+/// or two ellipsoids; not more than `largest_cost`) it is one sum, and the error its rounding bound alone.
 ///
 /// What a law or a body makes superfluous is not drawn: over uniform rotations every normal of a body has the same
 /// mean; laws that spin each body about its z axis do what the angle about z of a ring's or a rim's normal would do;
