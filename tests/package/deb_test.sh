@@ -151,6 +151,10 @@ step "vex_mesh measures a body in an empty environment"
 env -i "$scratch/root/usr/bin/vex_mesh" box:1,1,1 --trials 20000 >"$scratch/report" || fail "exit code $?"
 grep -qE '^ *<V_ex> +11(\.0*)?$' "$scratch/report" || { cat "$scratch/report"; fail "two unit cubes: 11"; }
 
+step "vex_paper computes a table in an empty environment"
+env -i "$scratch/root/usr/bin/vex_paper" --table 1 --trials 2000 --max-z 100 >"$scratch/report" || fail "exit code $?"
+grep -qE '^ *1e-6 +2000007 ' "$scratch/report" || { cat "$scratch/report"; fail "the row of ratio 1e-6"; }
+
 if command -v lintian >/dev/null; then
   step "lintian"
   allow_root=
