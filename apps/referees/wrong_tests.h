@@ -21,7 +21,7 @@ BackendKind vertices_either_way_backend();
 /// Is a vertex of B inside A? 7.313.
 BackendKind vertices_one_way_backend();
 
-/// Does no face normal separate? Forgets the nine axes across two edges: 12.170. It invents
+/// Does no face normal separate? Forgets the nine axes across two edges: 12.169. It invents
 /// overlaps, also where the circumscribed balls do not meet: domains that hold all true contacts are too small for it,
 /// but box_domain is not.
 BackendKind face_normals_only_backend();
