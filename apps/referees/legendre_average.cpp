@@ -17,7 +17,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kMaxDegree = 2048;      // even
 constexpr std::size_t kMostVertices = 20000;  // of a mesh: its measures are not even asked for
-constexpr double kMostSteps = 6e7;            // of the polynomials' recursion, some nanoseconds each
+constexpr double kMostSteps = 4e8;            // of the polynomials' recursion, about a nanosecond each
 constexpr double kLargestError = 1e-6;        // relative to what V_ex can be at most: beyond it random points do better
 constexpr double kLargestAspectRatio = 100.0;  // of ellipsoids: the nodes they take grow with its square
 constexpr double kLargestAlpha = 500.0;        // far below 2 kMaxDegree, where the Bessel functions' recursion begins
