@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "apps/common/common_options.h"
 #include "apps/common/numbers.h"
 #include "apps/common/text.h"
 #include "engine/numeric/errors.h"
@@ -54,11 +55,6 @@ double scale_factor(const Measures& measures, const BodyOptions& options, const 
     throw InputError("a flat body has no volume to scale to 1 (" + text + ") - leave out --unit-volume");
   }
   return options.scale / std::cbrt(measures.volume);
-}
-
-nlohmann::ordered_json number_or_null(const std::optional<double>& value) {
-  if (!value) return nullptr;
-  return *value;
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "apps/common/common_options.h"
 
+#include <cmath>
+
 #include "apps/common/numbers.h"
 #include "apps/common/run_program.h"
 #include "engine/sampling/random_stream.h"
@@ -41,6 +43,11 @@ nlohmann::ordered_json document_head(const std::string& command, const CommonOpt
   return {{"version", version()}, {"stream_version", kStreamVersion}, {"command", command},
           {"seed", options.seed}, {"threads", options.n_threads},     {"complete", complete},
           {"seconds", seconds}};
+}
+
+nlohmann::ordered_json number_or_null(const std::optional<double>& value) {
+  if (!value || !std::isfinite(*value)) return nullptr;
+  return *value;
 }
 
 std::vector<double> twelve_numbers(const Transformd& pose) {

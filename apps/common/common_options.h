@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,9 @@ CommonOptions interpret_common(const CommonWords& words);
 /// version, stream_version, command, seed, threads, complete, seconds.
 nlohmann::ordered_json document_head(const std::string& command, const CommonOptions& options, bool complete,
                                      double seconds);
+
+/// A number, or null where there is none or it is not finite: JSON has no infinity.
+nlohmann::ordered_json number_or_null(const std::optional<double>& value);
 
 /// r11, r12, ... r33, tx, ty, tz.
 std::vector<double> twelve_numbers(const Transformd& pose);

@@ -21,9 +21,6 @@ std::vector<std::string> backend_names(const MeshRun& run) {
   return names;
 }
 
-// A number, or null where it is none: JSON has no infinity.
-Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json estimate_json(const MeshRun& run) {
   const Tally& tally = run.record.tally;
   Json json;

@@ -54,32 +54,28 @@ int run_vex_paper(const PaperCommandLine& words, const std::string& command) {
   if (!run.options.json.empty()) json.emplace(run.options.json, std::span<const std::string>());
 
   struct Part {
-    bool wanted;
-    std::vector<Case> (*cases)();
+    std::vector<Case> cases;  // none where the part is not wanted
     std::function<bool(const Case&, const Sampling&)> measure_one;
   };
-  const auto into = [](std::vector<Row>& rows) {
-    return [&rows](const Case& what, const Sampling& sampling) {
-      const std::optional<Row> row = measure(what, sampling);
+  // Where a measured row goes; `measure_row` gives none for a case that was interrupted before its first trial.
+  const auto into = [](auto& rows, const auto& measure_row) {
+    return [&rows, measure_row](const Case& what, const Sampling& sampling) {
+      const auto row = measure_row(what, sampling);
       if (row) rows.push_back(*row);
       return row && row->record.complete;
     };
   };
-  const auto wrong_into = [](std::vector<ErratumRow>& rows) {
-    return [&rows](const Case& what, const Sampling& sampling) {
-      const std::optional<ErratumRow> row = measure_erratum(what, sampling);
-      if (row) rows.push_back(*row);
-      return row && row->record.complete;
-    };
+  const auto if_wanted = [](bool wanted, std::vector<Case> (*cases)()) {
+    return wanted ? cases() : std::vector<Case>{};
   };
   const std::vector<Part> parts = {
-      {run.options.table_1, table_one, into(run.table_1)},
-      {run.options.table_2, table_two, into(run.table_2)},
-      {run.options.text, cases_of_the_text, into(run.text)},
-      {run.options.erratum, erratum_cases, wrong_into(run.erratum)},
-      {run.options.erratum, erratum_orientations, wrong_into(run.erratum_orientations)},
-      {run.options.curve, curve_cases, wrong_into(run.curve)},
-      {run.options.referees, referee_cases, [&run](const Case& what, const Sampling& sampling) {
+      {if_wanted(run.options.table_1, table_one), into(run.table_1, measure)},
+      {if_wanted(run.options.table_2, table_two), into(run.table_2, measure)},
+      {if_wanted(run.options.text, cases_of_the_text), into(run.text, measure)},
+      {if_wanted(run.options.erratum, erratum_cases), into(run.erratum, measure_erratum)},
+      {if_wanted(run.options.erratum, erratum_orientations), into(run.erratum_orientations, measure_erratum)},
+      {if_wanted(run.options.curve, curve_cases), into(run.curve, measure_erratum)},
+      {if_wanted(run.options.referees, referee_cases), [&run](const Case& what, const Sampling& sampling) {
          const std::vector<RefereeRow> rows = measure_referees(what, sampling);
          run.referees.insert(run.referees.end(), rows.begin(), rows.end());
          return rows.front().complete;
@@ -87,12 +83,8 @@ int run_vex_paper(const PaperCommandLine& words, const std::string& command) {
 
   catch_interrupts();
   Runner runner(run);
-  for (const Part& part : parts) {
-    if (part.wanted) runner.expect(part.cases().size());
-  }
-  for (const Part& part : parts) {
-    if (part.wanted) runner.all(part.cases(), part.measure_one);
-  }
+  for (const Part& part : parts) runner.expect(part.cases.size());
+  for (const Part& part : parts) runner.all(part.cases, part.measure_one);
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
   if (!run.options.quiet && !(json && json->is_standard_output())) std::cout << report_text(run);

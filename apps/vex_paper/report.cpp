@@ -169,10 +169,6 @@ std::string referees_text(const PaperRun& run) {
 
 // --- JSON
 
-Json number_or_null(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
-
 void add_printed(Json& json, const Case& what) {
   const std::optional<paper::Printed>& printed = what.printed;
   json["paper"] = printed ? Json(printed->excluded_volume) : Json(nullptr);
@@ -207,13 +203,7 @@ Json row_json(const Row& row) {
   return json;
 }
 
-Json rows_json(const std::vector<Row>& rows) {
-  Json list = Json::array();
-  for (const Row& row : rows) list.push_back(row_json(row));
-  return list;
-}
-
-Json erratum_json(const ErratumRow& row) {
+Json row_json(const ErratumRow& row) {
   Json json;
   const WrongValue& one_sided = row.values.front();
   json["label"] = row.what.label;
@@ -242,7 +232,7 @@ Json erratum_json(const ErratumRow& row) {
   return json;
 }
 
-Json referee_json(const RefereeRow& row) {
+Json row_json(const RefereeRow& row) {
   return {{"bodies", {row.what.a, row.what.b}},
           {"test", row.test},
           {"poses", row.n_poses},
@@ -254,6 +244,13 @@ Json referee_json(const RefereeRow& row) {
           {"test_undecided", row.n_test_undecided},
           {"complete", row.complete},
           {"seconds", row.seconds}};
+}
+
+template <class AnyRow>
+Json rows_json(const std::vector<AnyRow>& rows) {
+  Json list = Json::array();
+  for (const AnyRow& row : rows) list.push_back(row_json(row));
+  return list;
 }
 
 }  // namespace
@@ -282,14 +279,10 @@ Json report_json(const PaperRun& run) {
   json["table_1"] = rows_json(run.table_1);
   json["table_2"] = rows_json(run.table_2);
   json["text"] = rows_json(run.text);
-  json["erratum"] = Json::array();
-  for (const ErratumRow& row : run.erratum) json["erratum"].push_back(erratum_json(row));
-  json["erratum_orientations"] = Json::array();
-  for (const ErratumRow& row : run.erratum_orientations) json["erratum_orientations"].push_back(erratum_json(row));
-  json["curve"] = Json::array();
-  for (const ErratumRow& row : run.curve) json["curve"].push_back(erratum_json(row));
-  json["referees"] = Json::array();
-  for (const RefereeRow& row : run.referees) json["referees"].push_back(referee_json(row));
+  json["erratum"] = rows_json(run.erratum);
+  json["erratum_orientations"] = rows_json(run.erratum_orientations);
+  json["curve"] = rows_json(run.curve);
+  json["referees"] = rows_json(run.referees);
   if (const std::vector<const Row*> rows = run.compared_rows(); !rows.empty()) {
     const MeanAndSpread z = of_z(rows);
     json["z"] = {{"rows", rows.size()}, {"mean", z.mean}, {"spread", z.spread}};

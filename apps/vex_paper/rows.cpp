@@ -60,19 +60,31 @@ struct LoadedPair {
   }
 };
 
+// The next case of a part, its bodies scaled to unit volume.
+Case& add_case(std::vector<Case>& cases, int first_number, std::string label, std::string a, std::string b) {
+  Case& one = cases.emplace_back();
+  one.number = first_number + static_cast<int>(cases.size()) - 1;
+  one.label = std::move(label);
+  one.a = std::move(a);
+  one.b = std::move(b);
+  one.unit_volume = true;
+  return one;
+}
+
+// Two equal bodies of this aspect ratio.
+Case& add_ratio(std::vector<Case>& cases, int first_number, double ratio, std::string (*body)(double ratio)) {
+  Case& one = add_case(cases, first_number, short_number(ratio), body(ratio), body(ratio));
+  one.aspect_ratio = ratio;
+  return one;
+}
+
 std::vector<Case> cases_of_table(std::span<const paper::TableRow> rows, int first_number,
                                  std::string (*body)(double ratio)) {
   std::vector<Case> cases;
   for (const paper::TableRow& row : rows) {
-    Case one;
-    one.number = first_number + static_cast<int>(cases.size());
-    one.label = short_number(row.aspect_ratio);
-    one.aspect_ratio = row.aspect_ratio;
-    one.a = one.b = body(row.aspect_ratio);
-    one.unit_volume = true;
+    Case& one = add_ratio(cases, first_number, row.aspect_ratio, body);
     one.printed = row.printed;
     one.remark = remark_on(row, LoadedPair(one).formula());
-    cases.push_back(one);
   }
   return cases;
 }
@@ -127,15 +139,10 @@ std::vector<Case> table_two() {
 std::vector<Case> cases_of_the_text() {
   std::vector<Case> cases;
   const auto add = [&cases](std::string label, std::string a, std::string b, std::string orientations) -> Case& {
-    Case one;
-    one.number = kText + static_cast<int>(cases.size());
-    one.label = std::move(label);
-    one.a = std::move(a);
-    one.b = std::move(b);
+    Case& one = add_case(cases, kText, std::move(label), std::move(a), std::move(b));
     one.unit_volume = one.a.rfind("capsule", 0) != 0;
     one.orientations = std::move(orientations);
-    cases.push_back(std::move(one));
-    return cases.back();
+    return one;
   };
   const std::string capsule = "capsule:1,0.25", cube = "box:1,1,1", sphere = "sphere:1";
   add("capsules L = 1, R = 0.25", capsule, capsule, "isotropic").printed = paper::kCapsules;
@@ -201,14 +208,9 @@ std::vector<Case> erratum_orientations() {
         std::pair{"turned 45 degrees about an edge", "fixed:2.414213562373095,0,0,1"},
         std::pair{"turned 60 degrees about a diagonal", "fixed:3,1,1,1"},
         std::pair{"turned by 1 + 2i + 3j + 4k", "fixed:1,2,3,4"}}) {
-    Case one;
-    one.number = kErratumOrientations + static_cast<int>(cases.size());
-    one.label = label;
-    one.a = one.b = "box:1,1,1";
-    one.unit_volume = true;
+    Case& one = add_case(cases, kErratumOrientations, label, "box:1,1,1", "box:1,1,1");
     one.orientations = orientations;
     one.domain = Domain::Kind::box;
-    cases.push_back(one);
   }
   return cases;
 }
@@ -218,13 +220,7 @@ std::vector<Case> curve_cases() {
   for (const double ratio : {1e-6, 1e-5, 1e-4, 1e-3, 0.003, 0.01, 0.02, 0.04, 0.07, 0.1,  0.15, 0.2,  0.3,
                              0.4,  0.5,  0.6,  0.7,  0.8,   0.9,  1.0,  1.1,  1.25, 1.5,  1.75, 2.0,  2.5,
                              3.0,  4.0,  5.0,  6.0,  8.0,   11.0, 16.0, 22.0, 32.0, 45.0, 64.0, 100.0}) {
-    Case one;
-    one.number = kCurve + static_cast<int>(cases.size());
-    one.label = short_number(ratio);
-    one.aspect_ratio = ratio;
-    one.a = one.b = box_of(ratio);
-    one.unit_volume = true;
-    cases.push_back(one);
+    add_ratio(cases, kCurve, ratio, box_of);
   }
   return cases;
 }
@@ -268,14 +264,8 @@ ChiSquared chi_squared(const std::vector<ErratumRow>& rows) {
 
 std::vector<Case> referee_cases() {
   std::vector<Case> cases;
-  const auto add = [&cases](std::string a, std::string b) {
-    Case one;
-    one.number = kReferees + static_cast<int>(cases.size());
-    one.label = a == b ? a : a + " and " + b;
-    one.a = std::move(a);
-    one.b = std::move(b);
-    one.unit_volume = true;
-    cases.push_back(std::move(one));
+  const auto add = [&cases](const std::string& a, const std::string& b) {
+    add_case(cases, kReferees, a == b ? a : a + " and " + b, a, b);
   };
   for (const double ratio : {1e-6, 0.01, 1.0, 64.0}) add(box_of(ratio), box_of(ratio));
   for (const double ratio : {0.03125, 0.5, 4.0, 32.0}) add(spheroid_of(ratio), spheroid_of(ratio));
