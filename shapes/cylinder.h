@@ -23,6 +23,10 @@ class Cylinder {
     return {rim.x, rim.y, copy_sign(L(half_length_), dir.z)};
   }
   double support_error() const { return 8.0 * kUnitRoundoff * radius_; }  // the disc's; the end is exact (E2)
+  ExactForm exact_form() const {
+    const Vec3d disc{radius_, radius_, 0.0};
+    return {{}, {{{0.0, 0.0, -half_length_}, disc}, {{0.0, 0.0, half_length_}, disc}}, 0.0};
+  }
   Vec3d centre() const { return {}; }
   double circumradius() const { return norm(Vec3d{radius_, 0.0, half_length_}) * (1.0 + gamma(4)); }
   double inradius() const { return std::min(half_length_, radius_); }

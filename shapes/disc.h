@@ -18,6 +18,7 @@ class Disc {
     return disc_support(L(radius_), dir);
   }
   double support_error() const { return 8.0 * kUnitRoundoff * radius_; }  // E2
+  ExactForm exact_form() const { return {{}, {{{}, {radius_, radius_, 0.0}}}, 0.0}; }
   Vec3d centre() const { return {}; }
   double circumradius() const { return radius_; }
   double inradius() const { return 0.0; }

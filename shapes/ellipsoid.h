@@ -28,6 +28,7 @@ class Ellipsoid {
   double circumradius() const { return std::max({axes_.x, axes_.y, axes_.z}); }
   double inradius() const { return std::min({axes_.x, axes_.y, axes_.z}); }
 
+  ExactForm exact_form() const { return {{}, {{{}, axes_}}, 0.0}; }
   /// Semi-axes along x, y, z.
   Vec3d semi_axes() const { return axes_; }
 

@@ -20,6 +20,7 @@ class Hemisphere {
     return select<L>(dir.z > L(0.0), ball_support(L(radius_), dir), disc_support(L(radius_), dir));
   }
   double support_error() const { return 8.0 * kUnitRoundoff * radius_; }  // the ball's and the disc's (E2)
+  ExactForm exact_form() const { return {{}, {{{}, {radius_, radius_, radius_}, true}}, 0.0}; }
   /// Not far above the flat face: the ball of radius R about the origin is the smallest around it, but leaves no ball
   /// inside. An eighth costs 2 % of volume of the outer ball.
   Vec3d centre() const { return {0.0, 0.0, 0.125 * radius_}; }

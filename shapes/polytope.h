@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/numeric/vec3.h"
+#include "engine/support/exact_form.h"
 
 namespace vex {
 
@@ -39,6 +40,7 @@ class Polytope {
 
   std::size_t n_vertices() const { return x_.size(); }
   std::vector<Vec3d> vertices() const;
+  ExactForm exact_form() const { return {vertices(), {}, 0.0}; }
   template <class L = double>
   Vec3<L> vertex(std::size_t i) const {
     return {L(x_[i]), L(y_[i]), L(z_[i])};

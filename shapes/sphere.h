@@ -20,6 +20,15 @@ class Sphere {
   /// Length of dir within 3 u, quotient and product each u (E2).
   double support_error() const { return 8.0 * kUnitRoundoff * radius_; }
   Vec3d centre() const { return {}; }
+
+  /// A point with a ball about it.
+  template <class L>
+  Vec3<L> core_support(const Vec3<L>&) const {
+    return {};
+  }
+  double core_support_error() const { return 0.0; }
+  double ball_radius() const { return radius_; }
+  ExactForm exact_form() const { return {{Vec3d{}}, {}, radius_}; }
   double circumradius() const { return radius_; }
   double inradius() const { return radius_; }
 

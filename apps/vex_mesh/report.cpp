@@ -12,8 +12,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr DecidedBy kAllDecidedBy[] = {DecidedBy::outer_bound, DecidedBy::inner_bound, DecidedBy::gjk, DecidedBy::exact,
-                                       DecidedBy::peer};
+constexpr DecidedBy kAllDecidedBy[] = {DecidedBy::outer_bound,   DecidedBy::inner_bound, DecidedBy::gjk,
+                                       DecidedBy::double_double, DecidedBy::exact,       DecidedBy::peer};
 
 std::vector<std::string> backend_names(const MeshRun& run) {
   std::vector<std::string> names = {run.options.backend.name};
@@ -66,11 +66,12 @@ std::string decided_by_text(const Tally& tally) {
   for (const DecidedBy by : kAllDecidedBy) {
     const std::uint64_t n = tally.n_decided_by[static_cast<std::size_t>(by)];
     if (n == 0) continue;
-    const char* const name = by == DecidedBy::outer_bound   ? "outer balls "
-                             : by == DecidedBy::inner_bound ? "inner balls "
-                             : by == DecidedBy::gjk         ? "GJK "
-                             : by == DecidedBy::exact       ? "exact "
-                                                            : "peer ";
+    const char* const name = by == DecidedBy::outer_bound     ? "outer balls "
+                             : by == DecidedBy::inner_bound   ? "inner balls "
+                             : by == DecidedBy::gjk           ? "GJK "
+                             : by == DecidedBy::double_double ? "double-double "
+                             : by == DecidedBy::exact         ? "exact "
+                                                              : "peer ";
     const double percent = 100.0 * static_cast<double>(n) / static_cast<double>(tally.n_trials);
     text += (text.empty() ? "" : ", ") + std::string(name) + short_number(percent, 3) + " %";
   }

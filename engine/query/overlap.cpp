@@ -51,7 +51,8 @@ Verdict overlap(const ConvexBody& a, const ConvexBody& b, const Transformd& a_fr
     const PortalResult<double> found = refine_portal(difference, start, error, max_support_calls);
     n_support_calls += found.n_support_calls;
     if (certificate != nullptr) {
-      *certificate = {found.separating_dir, {found.v0, found.v1, found.v2, found.v3}, n_support_calls};
+      certificate->separating_dir = found.separating_dir;
+      certificate->n_support_calls = n_support_calls;
     }
     if (found.disjoint) return Verdict::disjoint(DecidedBy::gjk);
     if (found.overlap) return Verdict::overlap(DecidedBy::gjk);

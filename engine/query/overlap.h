@@ -1,20 +1,12 @@
 // Do two convex bodies share a point?
 #pragma once
 
-#include <array>
-
 #include "engine/numeric/transform.h"
+#include "engine/query/certificate.h"
 #include "engine/query/verdict.h"
 #include "engine/support/convex_body.h"
 
 namespace vex {
-
-/// What re-proves a verdict of `overlap`, in A's frame, lengths in the bodies' units.
-struct OverlapCertificate {
-  Vec3d separating_dir;          // of a disjoint verdict: every point of A is behind every point of B along it
-  std::array<Vec3d, 4> simplex;  // of an overlap verdict: points of A - B, up to rounding, around the origin
-  int n_support_calls = 0;       // support mappings of A - B evaluated, for any verdict
-};
 
 /// Support calls after which a search from one inner point is given up. Random pairs need 3 to 5 and near-touching ones
 /// of curved bodies a few dozen; what reaches the cap is reported as such, never answered.

@@ -16,11 +16,12 @@ enum class Outcome : std::uint8_t {
 enum class DecidedBy : std::uint8_t {
   outer_bound,  // the circumscribed balls do not meet
   inner_bound,  // the inscribed balls meet
-  gjk,          // a separating direction, or a simplex around the origin
-  exact,        // exact arithmetic
+  gjk,          // a separating direction, or a simplex around the origin, in double precision
+  double_double,  // the same in twice the precision, for curved bodies that nearly touch
+  exact,        // rational arithmetic, for polytopes, rounded or not, that double precision leaves open
   peer,         // another library, which proves nothing
 };
-inline constexpr int kNDecidedBy = 5;
+inline constexpr int kNDecidedBy = 6;
 
 enum class UndecidedReason : std::uint8_t {
   none,
@@ -54,6 +55,7 @@ constexpr std::string_view name_of(DecidedBy by) {
     case DecidedBy::outer_bound: return "outer_bound";
     case DecidedBy::inner_bound: return "inner_bound";
     case DecidedBy::gjk: return "gjk";
+    case DecidedBy::double_double: return "double_double";
     case DecidedBy::exact: return "exact";
     case DecidedBy::peer: break;
   }

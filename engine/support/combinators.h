@@ -1,11 +1,13 @@
 // Support mappings made of others: posed, inflated by a ball, Minkowski difference.
 #pragma once
 
+#include <optional>
 #include <utility>
 
 #include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
 #include "engine/numeric/transform.h"
+#include "engine/support/convex_body.h"
 #include "engine/support/support_mapping.h"
 
 namespace vex {
@@ -78,6 +80,36 @@ class Inflated {
 
   const Body& body() const { return body_; }
   double radius() const { return radius_; }
+
+  template <class L>
+  Vec3<L> core_support(const Vec3<L>& dir) const {
+    if constexpr (HasBallPart<Body>) {
+      return body_.core_support(dir);
+    } else {
+      return body_.support(dir);
+    }
+  }
+  double core_support_error() const {
+    if constexpr (HasBallPart<Body>) {
+      return body_.core_support_error();
+    } else {
+      return body_.support_error();
+    }
+  }
+  /// Of a body with a ball part of its own the radii add up, rounded to nearest.
+  double ball_radius() const {
+    if constexpr (HasBallPart<Body>) {
+      return body_.ball_radius() + radius_;
+    } else {
+      return radius_;
+    }
+  }
+  std::optional<ExactForm> exact_form() const {
+    std::optional<ExactForm> form;
+    if constexpr (HasExactForm<Body>) form = body_.exact_form();
+    if (form) form->ball_radius += radius_;
+    return form;
+  }
 
  private:
   Body body_;

@@ -1,13 +1,29 @@
 // Any convex body, chosen at run time.
 #pragma once
 
+#include <concepts>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "engine/numeric/rounding.h"
+#include "engine/support/exact_form.h"
 #include "engine/support/support_mapping.h"
 
 namespace vex {
+
+/// A body with a ball about each of its points tells the ball apart from the rest, the core: balls stay balls under any
+/// pose, and a query adds the two bodies' balls in one.
+template <class S>
+concept HasBallPart = requires(const S& body, const Vec3d& dir) {
+  { body.core_support(dir) } -> std::same_as<Vec3d>;
+  { body.core_support_error() } -> std::convertible_to<double>;
+  { body.ball_radius() } -> std::convertible_to<double>;
+};
+template <class S>
+concept HasExactForm = requires(const S& body) {
+  { body.exact_form() } -> std::convertible_to<std::optional<ExactForm>>;
+};
 
 /// Holds any support mapping; itself one. Cheap to copy: copies share the shape, which never changes.
 ///
@@ -22,10 +38,25 @@ class ConvexBody {
         circumradius_(shape.circumradius()),
         inradius_(shape.inradius()),
         support_error_(shape.support_error()),
-        model_(std::make_shared<const ModelOf<Shape>>(std::move(shape))) {}
+        core_support_error_(support_error_) {
+    if constexpr (HasBallPart<Shape>) {
+      core_support_error_ = shape.core_support_error();
+      ball_radius_ = shape.ball_radius();
+    }
+    model_ = std::make_shared<const ModelOf<Shape>>(std::move(shape));
+  }
 
   Vec3d support(const Vec3d& dir) const { return model_->support(dir); }
   double support_error() const { return support_error_; }
+
+  /// The body is its core with a ball of this radius, 0 or more, about each point.
+  double ball_radius() const { return ball_radius_; }
+  Vec3d core_support(const Vec3d& dir) const { return model_->core_support(dir); }
+  double core_support_error() const { return core_support_error_; }
+
+  /// What the body is exactly; none where its class does not tell. Copies the vertices of a polytope.
+  std::optional<ExactForm> exact_form() const { return model_->exact_form(); }
+
   Vec3d centre() const { return centre_; }
   double circumradius() const { return circumradius_; }
   double inradius() const { return inradius_; }
@@ -44,11 +75,27 @@ class ConvexBody {
   struct Model {
     virtual ~Model() = default;
     virtual Vec3d support(const Vec3d& dir) const = 0;
+    virtual Vec3d core_support(const Vec3d& dir) const = 0;
+    virtual std::optional<ExactForm> exact_form() const = 0;
   };
   template <class Shape>
   struct ModelOf final : Model {
     explicit ModelOf(Shape s) : shape(std::move(s)) {}
     Vec3d support(const Vec3d& dir) const override { return shape.support(dir); }
+    Vec3d core_support(const Vec3d& dir) const override {
+      if constexpr (HasBallPart<Shape>) {
+        return shape.core_support(dir);
+      } else {
+        return shape.support(dir);
+      }
+    }
+    std::optional<ExactForm> exact_form() const override {
+      if constexpr (HasExactForm<Shape>) {
+        return shape.exact_form();
+      } else {
+        return std::nullopt;
+      }
+    }
     Shape shape;
   };
 
@@ -56,6 +103,8 @@ class ConvexBody {
   double circumradius_;
   double inradius_;
   double support_error_;
+  double core_support_error_;
+  double ball_radius_ = 0.0;
   std::shared_ptr<const Model> model_;
 };
 

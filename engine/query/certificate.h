@@ -1,0 +1,55 @@
+// The certificate of a verdict: what is enough to prove it again, and the checker that does.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string>
+
+#include "engine/numeric/transform.h"
+#include "engine/query/verdict.h"
+#include "engine/support/convex_body.h"
+
+namespace vex {
+
+/// A point of A - B. On a body's curved part it is the exact support point in a direction; on a vertex it is that
+/// vertex, with the ball's point in that direction where the body is rounded.
+struct Witness {
+  Vec3d dir, dir_low;  // the direction dir + dir_low, in A's frame; that of B's point is the opposite one
+  Vec3d point_a;       // near the point of A, in A's frame: tells which part of the body is meant
+  Vec3d point_b;       // near the point of B, in B's own frame
+};
+
+/// What re-proves a verdict of `overlap`. Everything is in A's frame, lengths in the bodies' units.
+///
+/// Disjoint: every point of A is behind every point of B along separating_dir + separating_dir_low. Where both bodies
+/// are rounded polytopes (ExactForm) and that direction is zero, it is the exact direction that minus the point of the
+/// witnesses' hull nearest to the origin has; no double may be near enough.
+///
+/// Overlap: the convex hull of the witnesses contains the origin; of two rounded polytopes, the hull of the witnesses
+/// without the balls comes at least as near to the origin as the sum of the radii.
+struct OverlapCertificate {
+  Vec3d separating_dir, separating_dir_low;
+  std::array<Witness, 4> witnesses{};
+  int n_witnesses = 0;
+
+  /// Of an undecided verdict: bounds of the signed gap, the distance where it is positive and minus the penetration
+  /// depth where it is negative.
+  double gap_lower = -std::numeric_limits<double>::infinity();
+  double gap_upper = std::numeric_limits<double>::infinity();
+
+  int n_support_calls = 0;  // support mappings of A - B evaluated by the search, for any verdict
+};
+
+/// Whether a certificate proves what is claimed, and if not, what is missing.
+struct CertificateCheck {
+  bool is_proven = false;
+  std::string fault;  // empty where proven
+};
+
+/// Proves `claimed` (disjoint or overlap) again from the bodies' exact forms and the certificate alone, in exact
+/// arithmetic: rational numbers, square roots enclosed by rational bounds. Uses nothing of the search. Slow: tens of
+/// microseconds for boxes, and the number of vertices counts. Not proven where a body has no exact form.
+CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
+                                   Outcome claimed, const OverlapCertificate& certificate);
+
+}  // namespace vex
