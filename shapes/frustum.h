@@ -33,9 +33,10 @@ class Frustum {
   double support_error() const { return 16.0 * kUnitRoundoff * (std::max(lower_radius_, upper_radius_) + height_); }
   ExactForm exact_form() const {
     const double h = 0.5 * height_;
-    return {{},
-            {{{0.0, 0.0, -h}, {lower_radius_, lower_radius_, 0.0}}, {{0.0, 0.0, h}, {upper_radius_, upper_radius_, 0.0}}},
-            0.0};
+    return {
+        {},
+        {{{0.0, 0.0, -h}, {lower_radius_, lower_radius_, 0.0}}, {{0.0, 0.0, h}, {upper_radius_, upper_radius_, 0.0}}},
+        0.0};
   }
   Vec3d centre() const { return {0.0, 0.0, centre_z_}; }
   double circumradius() const { return circumradius_; }

@@ -28,6 +28,16 @@ struct LaneTraits<double> {
   static constexpr int width = 1;
 };
 
+/// How far an operation of this lane type may be off, relative to its result: 2^-53 unless its traits say otherwise.
+template <class L>
+constexpr double unit_roundoff() {
+  if constexpr (requires { LaneTraits<L>::unit_roundoff; }) {
+    return LaneTraits<L>::unit_roundoff;
+  } else {
+    return 0x1p-53;
+  }
+}
+
 template <class L>
 using MaskOf = typename LaneTraits<L>::Mask;
 

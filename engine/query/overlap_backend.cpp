@@ -23,7 +23,8 @@ class GjkBackend final : public OverlapBackend {
 }  // namespace
 
 BackendKind gjk_backend() {
-  return {"gjk", false, [](const ConvexBody& a, const ConvexBody& b) { return std::make_unique<GjkBackend>(a, b); }, {}};
+  return {
+      "gjk", false, [](const ConvexBody& a, const ConvexBody& b) { return std::make_unique<GjkBackend>(a, b); }, {}};
 }
 
 }  // namespace vex

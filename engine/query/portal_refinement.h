@@ -27,7 +27,7 @@ struct PortalResult {
   MaskOf<L> overlap{false};
   MaskOf<L> capped{false};
   Vec3<L> separating_dir;   // where disjoint
-  Vec3<L> v0, v1, v2, v3;   // where overlap: a simplex of points of K, up to QueryError::support, around the origin
+  Vec3<L> v0, v1, v2, v3;   // points of K, up to QueryError::support; where overlap, a simplex around the origin
   int n_support_calls = 0;  // of the packet
 };
 
@@ -55,13 +55,16 @@ Face<L> face_of(const Vec3<L>& a, const Vec3<L>& b, const Vec3<L>& c) {
   return {cross(e, f), product};
 }
 
+/// More than underflow can take from a dot product of a normal, for points up to 2^330 (E14).
+inline constexpr double kUnderflow = 0x1p-700;
+
 /// The plane of the face passes the origin at more than the points' own error, with the origin behind it (E7); `point`
 /// is any of its corners.
 template <class L>
 MaskOf<L> has_origin_behind(const Face<L>& face, const Vec3<L>& point, const QueryError<L>& error) {
-  const L rounding = L(8.0 * kUnitRoundoff) * (face.edge_product * norm_1(point));
-  const L area = norm_1(face.normal) + L(4.0 * kUnitRoundoff) * face.edge_product;
-  return dot(face.normal, point) > L(1.0 + 0x1p-40) * (rounding + error.support * area);
+  const L rounding = L(8.0 * unit_roundoff<L>()) * (face.edge_product * norm_1(point));
+  const L area = norm_1(face.normal) + L(4.0 * unit_roundoff<L>()) * face.edge_product;
+  return dot(face.normal, point) > L(1.0 + 0x1p-40) * (rounding + error.support * area) + L(kUnderflow);
 }
 
 /// The simplex contains the origin, proven: every face has it behind by more than the points' own error.
@@ -76,9 +79,10 @@ MaskOf<L> proves_overlap(const Vec3<L>& v0, const Vec3<L>& v1, const Vec3<L>& v2
 
 }  // namespace detail
 
-/// Searches K = `difference` for the origin. `v0`: a point of K, better deep inside. `max_support_calls`: where to give
-/// up.
-template <class L, class Difference>
+/// Searches K = `difference` for the origin. `v0`: a point of K, better deep inside; lengths up to 2^330.
+/// `max_support_calls`: where to give up. Without `kProven` the signs are believed as they are computed: only for
+/// measuring what the proofs cost.
+template <class L, class Difference, bool kProven = true>
 PortalResult<L> refine_portal(const Difference& difference, const Vec3<L>& v0, const QueryError<L>& error,
                               int max_support_calls) {
   using Mask = MaskOf<L>;
@@ -101,7 +105,7 @@ PortalResult<L> refine_portal(const Difference& difference, const Vec3<L>& v0, c
       dir_length = norm_1(dir);
     }
     const Vec3<L> w = difference.support(dir);
-    const L slack = error.support * dir_length;
+    const L slack = kProven ? error.support * dir_length : L(0.0);
     const L value = dot(dir, w);
     const Mask separated = both(active, value < -slack);
     if (any(separated)) {
@@ -111,7 +115,7 @@ PortalResult<L> refine_portal(const Difference& difference, const Vec3<L>& v0, c
       if (!any(active)) break;
     }
     // A direction of no length, or a NaN, leads nowhere.
-    active = both(active, slack > L(0.0));
+    active = both(active, dir_length > L(0.0));
 
     const Mask got_v1 = awaits_v1;
     const Mask got_v2 = awaits_v2;
@@ -166,7 +170,8 @@ PortalResult<L> refine_portal(const Difference& difference, const Vec3<L>& v0, c
       dir = select<L>(refining, portal.normal, dir);
       const Mask behind = both(both(active, refining), dot(portal.normal, v1) > L(0.0));
       if (any(behind)) {
-        const Mask inside = both(behind, detail::proves_overlap(v0, v1, v2, v3, portal, error));
+        Mask inside = behind;
+        if constexpr (kProven) inside = both(behind, detail::proves_overlap(v0, v1, v2, v3, portal, error));
         result.overlap = either(result.overlap, inside);
         result.v1 = select<L>(inside, v1, result.v1);
         result.v2 = select<L>(inside, v2, result.v2);
@@ -176,6 +181,9 @@ PortalResult<L> refine_portal(const Difference& difference, const Vec3<L>& v0, c
     }
   }
   result.v0 = v0;
+  result.v1 = select<L>(result.overlap, result.v1, v1);
+  result.v2 = select<L>(result.overlap, result.v2, v2);
+  result.v3 = select<L>(result.overlap, result.v3, v3);
   return result;
 }
 

@@ -3,7 +3,7 @@
 
 #include "engine/numeric/rounding.h"
 #include "engine/numeric/transform.h"
-#include "engine/support/support_mapping.h"
+#include "engine/support/convex_body.h"
 
 namespace vex {
 
@@ -11,14 +11,16 @@ namespace vex {
 template <class L>
 struct QueryError {
   L reach;    // no point of A - B, computed or true, is farther than this from the origin
-  L support;  // h(d) <= fl(d . w) + support * |d|_1 for w = s_A(d) - s_B(-d) as computed; w is within this of A - B
+  L support;  // h(d) <= fl(d . w) + support * |d|_1 for w, the support point as computed; w is within this of A - B
 };
 
 /// E1. For a pose whose R is a rotation to within 1e-6, which is what poses are required to be.
-template <class A, class B, class L>
-QueryError<L> query_error(const A& a, const B& b, const Transform<L>& a_from_b) {
+template <class L>
+QueryError<L> query_error(const ConvexBody& a, const ConvexBody& b, const Transform<L>& a_from_b) {
   const L reach = L(a.reach() + 2.0 * b.reach()) + norm_1(a_from_b.translation);
-  return {reach, L(a.support_error() + 2.0 * b.support_error()) + L(40.0 * kUnitRoundoff) * reach};
+  const double own =
+      a.core_support_error() + 2.0 * b.core_support_error() + 8.0 * kUnitRoundoff * (a.ball_radius() + b.ball_radius());
+  return {reach, L(own) + L(40.0 * kUnitRoundoff) * reach};
 }
 
 }  // namespace vex

@@ -14,12 +14,12 @@ enum class Outcome : std::uint8_t {
 
 /// Which stage of a query spoke.
 enum class DecidedBy : std::uint8_t {
-  outer_bound,  // the circumscribed balls do not meet
-  inner_bound,  // the inscribed balls meet
-  gjk,          // a separating direction, or a simplex around the origin, in double precision
+  outer_bound,    // the circumscribed balls do not meet
+  inner_bound,    // the inscribed balls meet
+  gjk,            // a separating direction, or a simplex around the origin, in double precision
   double_double,  // the same in twice the precision, for curved bodies that nearly touch
-  exact,        // rational arithmetic, for polytopes, rounded or not, that double precision leaves open
-  peer,         // another library, which proves nothing
+  exact,          // rational arithmetic, for polytopes, rounded or not, that double precision leaves open
+  peer,           // another library, which proves nothing
 };
 inline constexpr int kNDecidedBy = 6;
 

@@ -320,10 +320,15 @@ TEST(Overlap, CertificateOfOverlapIsASimplexAroundTheOrigin) {
   int n = 0;
   for (int k = 0; k < 200; ++k) {
     OverlapCertificate proof;
-    if (overlap(a.body, b.body, random_pose(random, domain, b.body), &proof).outcome != Outcome::overlap) continue;
+    const Transformd pose = random_pose(random, domain, b.body);
+    if (overlap(a.body, b.body, pose, &proof).outcome != Outcome::overlap) continue;
     ++n;
     std::vector<exact::Point> simplex;
-    for (const Vec3d& v : proof.simplex) simplex.push_back(exact::exactly(v));
+    for (int i = 0; i < proof.n_witnesses; ++i) {
+      const Witness& witness = proof.witnesses[static_cast<std::size_t>(i)];
+      simplex.push_back(exact::minus(exact::exactly(witness.point_a), exact::exactly(pose(witness.point_b))));
+    }
+    ASSERT_FALSE(simplex.empty());
     EXPECT_EQ(exact::inner(exact::nearest_point(simplex), exact::nearest_point(simplex)), 0);
   }
   EXPECT_GT(n, 20);

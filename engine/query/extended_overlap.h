@@ -1,0 +1,22 @@
+// The search of portal_refinement.h in double-double arithmetic, on the bodies' exact forms: for curved bodies that
+// double precision leaves open, and for the witnesses of an overlap.
+#pragma once
+
+#include "engine/query/certificate.h"
+#include "engine/query/placed_forms.h"
+
+namespace vex {
+
+struct ExtendedOverlap {
+  Verdict verdict;
+  int n_support_calls = 0;
+};
+
+/// Disjoint, overlap, or undecided; where `certificate` is given it receives the separating direction, or the bounds of
+/// the gap.
+ExtendedOverlap extended_overlap(const PlacedForms& forms, OverlapCertificate* certificate, int max_support_calls);
+
+/// Four witnesses around the origin, of bodies that are known to overlap. False where none are found.
+bool find_witnesses(const PlacedForms& forms, OverlapCertificate& certificate, int max_support_calls);
+
+}  // namespace vex

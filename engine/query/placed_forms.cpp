@@ -1,0 +1,66 @@
+#include "engine/query/placed_forms.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vex {
+namespace {
+
+double largest_coordinate(const Vec3d& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+
+double largest_length(const ExactForm& form) {
+  double largest = form.ball_radius;
+  for (const Vec3d& p : form.points) largest = std::max(largest, largest_coordinate(p));
+  for (const ExactForm::Piece& piece : form.pieces) {
+    largest = std::max({largest, largest_coordinate(piece.centre), largest_coordinate(piece.semi_axes)});
+  }
+  return largest;
+}
+
+Vec3d scaled(const Vec3d& v, int exponent) {
+  return {std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent), std::ldexp(v.z, -exponent)};
+}
+
+bool is_finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+}  // namespace
+
+const std::vector<std::size_t>& VertexSet::farthest(const Vec3d& dir) const {
+  found_.clear();
+  values_.resize(points_.size());
+  double largest = -HUGE_VAL;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    values_[i] = dot(points_[i], dir);
+    largest = std::max(largest, values_[i]);
+  }
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (values_[i] >= largest - 0x1p-45) found_.push_back(i);
+  }
+  return found_;
+}
+
+std::optional<PlacedForms> placed_forms(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b) {
+  std::optional<ExactForm> form_a = a.exact_form(), form_b = b.exact_form();
+  if (!form_a || !form_b) return std::nullopt;
+  PlacedForms forms{std::move(*form_a), std::move(*form_b), a_from_b, {}, 0, VertexSet({}), VertexSet({})};
+  const double largest = std::max(
+      {largest_length(forms.a), 2.0 * largest_length(forms.b), 2.0 * largest_coordinate(a_from_b.translation)});
+  if (!std::isfinite(largest)) return std::nullopt;
+  if (largest > 0.0) forms.exponent = std::ilogb(largest) + 2;  // |R x| <= 1.74 |x|, and t beside it
+
+  std::vector<Vec3d> points_a, points_b;
+  for (const Vec3d& p : forms.a.points) points_a.push_back(scaled(p, forms.exponent));
+  Transformd scaled_pose = a_from_b;
+  scaled_pose.translation = scaled(a_from_b.translation, forms.exponent);
+  for (const Vec3d& p : forms.b.points) {
+    forms.placed_b.push_back(a_from_b(p));
+    if (!is_finite(forms.placed_b.back())) return std::nullopt;
+    points_b.push_back(forms.b.is_polytope() ? scaled(forms.placed_b.back(), forms.exponent)
+                                             : scaled_pose(scaled(p, forms.exponent)));
+  }
+  forms.points_a = VertexSet(std::move(points_a));
+  forms.points_b = VertexSet(std::move(points_b));
+  return forms;
+}
+
+}  // namespace vex

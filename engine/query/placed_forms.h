@@ -1,0 +1,49 @@
+// Two bodies' exact forms, placed: what the stages behind the filter work on.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/numeric/transform.h"
+#include "engine/support/convex_body.h"
+
+namespace vex {
+
+/// Finitely many points as doubles, times a power of two so that no coordinate exceeds 1, of which those are wanted
+/// that are farthest in some direction.
+class VertexSet {
+ public:
+  /// `points`: coordinates up to 1, each within 16 u of the point that is meant.
+  explicit VertexSet(std::vector<Vec3d> points) : points_(std::move(points)) {}
+
+  std::size_t size() const { return points_.size(); }
+  const Vec3d& operator[](std::size_t i) const { return points_[i]; }
+
+  /// Every index that may be the farthest one in a direction that is within 2^-52 of each coordinate of `dir`, whose
+  /// largest coordinate is between 1/4 and 2: computed values within 2^-45 of the largest (E15).
+  const std::vector<std::size_t>& farthest(const Vec3d& dir) const;
+
+ private:
+  std::vector<Vec3d> points_;
+  mutable std::vector<std::size_t> found_;
+  mutable std::vector<double> values_;
+};
+
+/// A's and B's exact forms with B's pose. One instance serves one query.
+struct PlacedForms {
+  ExactForm a, b;
+  Transformd a_from_b;
+  /// B's points in A's frame: of a polytope these rounded ones are the body.
+  std::vector<Vec3d> placed_b;
+  /// Lengths times 2^-exponent are at most 1, up to the sum of a few.
+  int exponent = 0;
+  VertexSet points_a{{}}, points_b{{}};  // scaled; those of B placed
+
+  bool are_rounded_polytopes() const { return a.is_rounded_polytope() && b.is_rounded_polytope(); }
+};
+
+/// None where a body has no exact form, or a placed coordinate is not finite.
+std::optional<PlacedForms> placed_forms(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b);
+
+}  // namespace vex
