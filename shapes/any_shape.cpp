@@ -106,12 +106,18 @@ std::string list_of_shapes() {
                    ")");
 }
 
-double parse_size(std::string_view word, std::string_view text) {
+// "between 1e-45 and 1e45"
+std::string range_text(const SizeRange& range) {
+  const auto power = [](double size) { return "1e" + std::to_string(static_cast<int>(std::lround(std::log10(size)))); };
+  return "between " + power(range.smallest) + " and " + power(range.largest);
+}
+
+double parse_size(std::string_view word, std::string_view text, const SizeRange& range) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error == std::errc::result_out_of_range) {
     throw InputError("a size is out of range (\"" + std::string(word) + "\" in " + std::string(text) +
-                     ") - use sizes between 1e-45 and 1e45");
+                     ") - use sizes " + range_text(range));
   }
   if (error != std::errc{} || end != word.data() + word.size()) {
     throw UsageError("not a number (\"" + std::string(word) + "\" in " + std::string(text) +
@@ -124,10 +130,10 @@ double parse_size(std::string_view word, std::string_view text) {
   return value;
 }
 
-double size_in_range(double size, std::string_view text) {
-  if (!(size >= kSmallestSize && size <= kLargestSize)) {
-    throw InputError("a size is out of range (" + std::string(text) +
-                     ") - use sizes between 1e-45 and 1e45: choose another unit of length");
+double size_in_range(double size, std::string_view text, const SizeRange& range) {
+  if (!(size >= range.smallest && size <= range.largest)) {
+    throw InputError("a size is out of range (" + std::string(text) + ") - use sizes " + range_text(range) +
+                     ": choose another unit of length");
   }
   return size;
 }
@@ -154,7 +160,7 @@ std::optional<RoundedText> parse_rounded(std::string_view text) {
   while (is_rounded(parts.body)) {
     const std::string_view sizes = parts.body.substr(kRounded.name.size() + 1);
     const std::size_t comma = sizes.find(',');
-    parts.radius += parse_size(sizes.substr(0, comma), text);
+    parts.radius += parse_size(sizes.substr(0, comma), text, kMeasuredSizes);
     if (comma == std::string_view::npos || comma + 1 == sizes.size()) {
       throw UsageError("no body to round (" + std::string(text) +
                        ") - write rounded:r,BODY, as in rounded:0.1,box:1,2,3");
@@ -164,19 +170,19 @@ std::optional<RoundedText> parse_rounded(std::string_view text) {
   return parts;
 }
 
-MeasuredBody rounded(const MeasuredBody& body, double radius, std::string_view source) {
-  const Rounded<ConvexBody> shape(body.body, body.measures, size_in_range(radius, source));
+MeasuredBody rounded(const MeasuredBody& body, double radius, std::string_view source, const SizeRange& range) {
+  const Rounded<ConvexBody> shape(body.body, body.measures, size_in_range(radius, source, range));
   MeasuredBody made{std::string(kRounded.name), ConvexBody(shape), shape.measures()};
   if (body.normals.area && body.normals.mean_curvature) {
     made.normals = parallel_body_normal_measures(body.normals, radius);
   }
-  require_size_in_range(made.body, made.measures, source);
+  require_size_in_range(made.body, made.measures, source, range);
   return made;
 }
 
-MeasuredBody parse_shape(std::string_view text, double scale) {
+MeasuredBody parse_shape(std::string_view text, double scale, const SizeRange& range) {
   if (const std::optional<RoundedText> parts = parse_rounded(text)) {
-    return rounded(parse_shape(parts->body, scale), parts->radius * scale, text);
+    return rounded(parse_shape(parts->body, scale, range), parts->radius * scale, text, range);
   }
   const std::string_view name = name_part(text);
   const auto* const entry =
@@ -189,14 +195,14 @@ MeasuredBody parse_shape(std::string_view text, double scale) {
   if (rest.empty()) refuse_count(0, text, entry->shape);
   while (true) {
     const std::size_t comma = rest.find(',');
-    sizes.push_back(size_in_range(parse_size(rest.substr(0, comma), text) * scale, text));
+    sizes.push_back(size_in_range(parse_size(rest.substr(0, comma), text, range) * scale, text, range));
     if (comma == std::string_view::npos) break;
     rest = rest.substr(comma + 1);
   }
   if (sizes.size() != entry->n_sizes) refuse_count(sizes.size(), text, entry->shape);
   MeasuredBody made = entry->make(sizes);
   made.kind = entry->shape.name;
-  require_size_in_range(made.body, made.measures, text);
+  require_size_in_range(made.body, made.measures, text, range);
   return made;
 }
 
@@ -208,12 +214,14 @@ std::vector<Vec3d> vertices_of(const ConvexBody& body) {
   return {};
 }
 
-void require_size_in_range(const ConvexBody& body, const Measures& measures, std::string_view source) {
-  const bool too_large = body.reach() > 2.0 * kLargestSize || !std::isfinite(measures.volume);
-  const bool too_small = body.circumradius() < 0.5 * kSmallestSize;
+void require_size_in_range(const ConvexBody& body, const Measures& measures, std::string_view source,
+                           const SizeRange& range) {
+  const bool too_large =
+      body.reach() > 2.0 * range.largest || (range.needs_measures && !std::isfinite(measures.volume));
+  const bool too_small = body.circumradius() < 0.5 * range.smallest;
   if (too_large || too_small) {
     throw InputError(std::string("a body is too ") + (too_large ? "large" : "small") + " (" + std::string(source) +
-                     ") - use sizes and coordinates between 1e-45 and 1e45: choose another unit of length");
+                     ") - use sizes and coordinates " + range_text(range) + ": choose another unit of length");
   }
 }
 

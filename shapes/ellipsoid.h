@@ -13,12 +13,14 @@ class Ellipsoid {
  public:
   Ellipsoid(double semi_axis_x, double semi_axis_y, double semi_axis_z) : axes_{semi_axis_x, semi_axis_y, semi_axis_z} {
     VEX_EXPECT(semi_axis_x > 0.0 && semi_axis_y > 0.0 && semi_axis_z > 0.0);
+    scaled_axes_ = scaled_to_unit_exponent(axes_);
   }
 
-  /// The image of the unit ball under D = diag(a, b, c): s(d) = D (D d / |D d|).
+  /// The image of the unit ball under D = diag(a, b, c): s(d) = D (D d / |D d|), where the inner D's are divided by a
+  /// power of two, so that no square overflows.
   template <class L>
   Vec3<L> support(const Vec3<L>& dir) const {
-    const Vec3<L> image{L(axes_.x) * dir.x, L(axes_.y) * dir.y, L(axes_.z) * dir.z};
+    const Vec3<L> image{L(scaled_axes_.x) * dir.x, L(scaled_axes_.y) * dir.y, L(scaled_axes_.z) * dir.z};
     const Vec3<L> unit = ball_support(L(1.0), image);
     return {L(axes_.x) * unit.x, L(axes_.y) * unit.y, L(axes_.z) * unit.z};
   }
@@ -49,6 +51,7 @@ class Ellipsoid {
 
  private:
   Vec3d axes_;
+  Vec3d scaled_axes_;  // the longest between 1 and 2
 };
 
 }  // namespace vex

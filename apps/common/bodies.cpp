@@ -51,6 +51,9 @@ constexpr const char* kCoordinates = "32-bit floats of the file reader, promoted
 
 double scale_factor(const Measures& measures, const BodyOptions& options, const std::string& text) {
   if (!options.unit_volume) return options.scale;
+  if (!std::isfinite(measures.volume)) {
+    throw InputError("the volume overflows (" + text + ") - leave out --unit-volume");
+  }
   if (measures.volume == 0.0) {
     throw InputError("a flat body has no volume to scale to 1 (" + text + ") - leave out --unit-volume");
   }
@@ -68,10 +71,11 @@ LoadedBody load_body(const std::string& text, const BodyOptions& options) {
     return scale_factor(radius > 0.0 ? parallel_body_measures(measures, radius) : measures, options, text);
   };
 
+  const SizeRange& range = options.with_measures ? kMeasuredSizes : kQueriedSizes;
   if (looks_like_a_named_shape(core) && core.find(':') == std::string::npos) refuse_without_sizes(core);
   if (names_a_shape(core) || looks_like_a_named_shape(core)) {
-    const double scale = factor(parse_shape(core).measures);
-    return {text, parse_shape(text, scale), scale};
+    const double scale = factor(parse_shape(core, 1.0, range).measures);
+    return {text, parse_shape(text, scale, range), scale};
   }
   double scale = 1.0;
   MeshOptions mesh_options;
@@ -84,8 +88,8 @@ LoadedBody load_body(const std::string& text, const BodyOptions& options) {
   LoadedBody loaded{text, {"polyhedron", ConvexBody(std::move(mesh.body)), mesh.measures}, scale, mesh.report};
   loaded.shape.normals = std::move(mesh.normals);
   loaded.shape.n_faces = options.hull ? mesh.report.n_triangles : mesh.report.n_faces;
-  require_size_in_range(loaded.shape.body, loaded.shape.measures, text);
-  if (round) loaded.shape = rounded(loaded.shape, radius * scale, text);
+  require_size_in_range(loaded.shape.body, loaded.shape.measures, text, range);
+  if (round) loaded.shape = rounded(loaded.shape, radius * scale, text, range);
   return loaded;
 }
 

@@ -16,6 +16,7 @@ struct BodyOptions {
   bool hull = false;               // of meshes: the convex hull of whatever the file holds
   bool unit_volume = false;        // scale to V = 1 about the origin ...
   double scale = 1.0;              // ... and then by this
+  bool with_measures = true;  // V, S and M must be finite: sizes of named bodies are kMeasuredSizes, or kQueriedSizes
 };
 
 struct LoadedBody {

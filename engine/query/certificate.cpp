@@ -143,11 +143,14 @@ DyadicVector meant_point(const ExactForm& form, const Vec3d& near, const DyadicV
   return exactly(nearest);
 }
 
+DyadicVector direction_of(const Vec3d& high, const Vec3d& low) { return exactly(high) + exactly(low); }
+
 // A point of A - B without the balls.
 DyadicVector core_point(const Scene& scene, const Witness& witness, const DyadicVector& dir) {
   const Vec3d* vertex = nullptr;
   const DyadicVector of_a = meant_point(scene.a, witness.point_a, dir, vertex);
-  const DyadicVector of_b = meant_point(scene.b, witness.point_b, whole::direction_to_b(scene.a_from_b, -dir), vertex);
+  const DyadicVector of_b =
+      meant_point(scene.b, witness.point_b, direction_of(witness.dir_b, witness.dir_b_low), vertex);
   return of_a - (vertex != nullptr ? scene.placed_vertex(*vertex) : scene.placed(of_b));
 }
 
@@ -209,8 +212,6 @@ bool holds_ball(const std::vector<Vector>& w, const Integer& margin) {
 
 CertificateCheck failed(std::string fault) { return {false, std::move(fault)}; }
 
-DyadicVector direction_of(const Vec3d& high, const Vec3d& low) { return exactly(high) + exactly(low); }
-
 bool is_finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 // Both bodies are points and a ball: everything is rational.
@@ -269,7 +270,6 @@ CertificateCheck check_tetrahedron(const Scene& scene, const OverlapCertificate&
   const Dyadic margin = reach_of(scene) * Dyadic(1, 16 - kBits);
   std::vector<DyadicVector> points;
   for (const Witness& witness : certificate.witnesses) {
-    if (!is_finite(witness.dir) || !is_finite(witness.dir_low)) return failed("a witness' direction is not finite");
     const DyadicVector dir = direction_of(witness.dir, witness.dir_low);
     DyadicVector point = core_point(scene, witness, dir);
     if (whole::sign(balls) > 0) {
@@ -309,7 +309,10 @@ CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, con
   }
   if (certificate.n_witnesses < 1 || certificate.n_witnesses > 4) return failed("there are no witnesses");
   for (const Witness& witness : certificate.witnesses) {
-    if (!is_finite(witness.point_a) || !is_finite(witness.point_b)) return failed("a witness is not finite");
+    for (const Vec3d& v :
+         {witness.dir, witness.dir_low, witness.dir_b, witness.dir_b_low, witness.point_a, witness.point_b}) {
+      if (!is_finite(v)) return failed("a witness is not finite");
+    }
   }
   if (form_a->is_rounded_polytope() && form_b->is_rounded_polytope()) {
     return check_rounded_polytopes(scene, claimed, certificate);

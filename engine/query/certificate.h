@@ -14,9 +14,10 @@ namespace vex {
 /// A point of A - B. On a body's curved part it is the exact support point in a direction; on a vertex it is that
 /// vertex, with the ball's point in that direction where the body is rounded.
 struct Witness {
-  Vec3d dir, dir_low;  // the direction dir + dir_low, in A's frame; that of B's point is the opposite one
-  Vec3d point_a;       // near the point of A, in A's frame: tells which part of the body is meant
-  Vec3d point_b;       // near the point of B, in B's own frame
+  Vec3d dir, dir_low;      // the direction dir + dir_low of A's point and of the balls, in A's frame
+  Vec3d dir_b, dir_b_low;  // that of B's point, in B's own frame: about the opposite, but no rounding stands between
+  Vec3d point_a;           // near the point of A, in A's frame: tells which part of the body is meant
+  Vec3d point_b;           // near the point of B, in B's own frame
 };
 
 /// What re-proves a verdict of `overlap`. Everything is in A's frame, lengths in the bodies' units.

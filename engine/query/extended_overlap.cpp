@@ -60,14 +60,15 @@ class ExtendedDifference {
 
   Vec3e support(const Vec3e& dir) const {
     const Farthest a = farthest_of_a(dir);
+    const Vec3e dir_b = a_from_b_.direction_to_b(-dir);
     Vec3e own_b;
-    const Farthest b = farthest_of_b(-dir, own_b);
+    const Farthest b = farthest_of_b(-dir, dir_b, own_b);
     Vec3e w = a.point - b.point;
     if (ball_radius_ > Extended(0.0)) w = w + ball_support(ball_radius_, dir);
     if (records_ != nullptr) {
       records_->push_back({w,
-                           {high_part(dir), low_part(dir), scaled(high_part(a.point), forms_.exponent),
-                            scaled(high_part(own_b), forms_.exponent)}});
+                           {high_part(dir), low_part(dir), high_part(dir_b), low_part(dir_b),
+                            scaled(high_part(a.point), forms_.exponent), scaled(high_part(own_b), forms_.exponent)}});
     }
     note_gap(dir, w);
     return w;
@@ -106,11 +107,11 @@ class ExtendedDifference {
     return best;
   }
 
-  // In A's frame; `own` is the same point in B's.
-  Farthest farthest_of_b(const Vec3e& dir, Vec3e& own) const {
+  // `dir` and the point in A's frame; `dir_b` and `own` are the same in B's.
+  Farthest farthest_of_b(const Vec3e& dir, const Vec3e& dir_b, Vec3e& own) const {
     Farthest best;
     if (!forms_.b.pieces.empty()) {
-      own = farthest_piece(forms_.b, a_from_b_.direction_to_b(dir)).point;
+      own = farthest_piece(forms_.b, dir_b).point;
       const Vec3e placed = a_from_b_(own);
       best.consider(placed, dot(placed, dir));
     }

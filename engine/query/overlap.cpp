@@ -125,7 +125,7 @@ FilterResult filter(const ConvexBody& a, const ConvexBody& b, const Transformd& 
 
 Witness witness_of(const PlacedForms& forms, const ExactOverlap& exact, int k) {
   const auto index = static_cast<std::size_t>(k);
-  return {{}, {}, forms.a.points[exact.carriers_a[index]], forms.b.points[exact.carriers_b[index]]};
+  return {{}, {}, {}, {}, forms.a.points[exact.carriers_a[index]], forms.b.points[exact.carriers_b[index]]};
 }
 
 // What the filter left open, and the witnesses of what it did not.
