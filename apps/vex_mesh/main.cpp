@@ -81,6 +81,7 @@ void sample(MeshRun& run) {
   settings.law = options.law;
   settings.domain = run.domain;
   settings.quick_verdicts = options.quick_verdicts;
+  settings.verify = options.verify;
   settings.stop = options.stop;
   settings.backend = options.backend;
   settings.cross_check = run.options.cross_check;
@@ -133,6 +134,8 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
   if (json) json->write(report_json(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 
   if (run.record.stopped_by == StopReason::interrupted) return kSignalBase + interrupting_signal().load();
+  // A peer's verdict that has no proof is the peer's fault, and reported as such.
+  if (run.record.unproven.n_all > 0 && !run.options.backend.is_peer) return kFault;
   return run.z && std::fabs(*run.z) > options.max_z ? kDisagreement : kSuccess;
 }
 

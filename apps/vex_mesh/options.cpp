@@ -102,6 +102,9 @@ void declare_options(CLI::App& app, CommandLine& words) {
       ->group(query);
   app.add_flag("--cross-check", words.cross_check, "Ask every backend about every pose and list each disagreement")
       ->group(query);
+  app.add_flag("--verify", words.verify,
+               "Prove every verdict again from its certificate, in exact arithmetic: some hundred times slower")
+      ->group(query);
 
   const std::string bodies = "Bodies";
   app.add_flag("--unit-volume", words.unit_volume, "Scale every body to V = 1 about the origin")->group(bodies);
@@ -122,7 +125,6 @@ void declare_options(CLI::App& app, CommandLine& words) {
   declare_output(app, words);
 
   const std::string later = "Not built yet";
-  app.add_flag("--verify", words.verify, "Prove every verdict again")->group(later);
   app.add_option("--isa", words.isa, "Instruction set of the kernels")->type_name("NAME")->group(later);
   app.add_option("--checkpoint", words.checkpoint, "Save the run's state")->type_name("FILE")->group(later);
   app.add_option("--resume", words.resume, "Continue a saved run")->type_name("FILE")->group(later);
@@ -143,8 +145,7 @@ void declare_options(CLI::App& app, CommandLine& words) {
 
 Options interpret(const CommandLine& words) {
   for (const auto& [given, option] :
-       std::initializer_list<std::pair<bool, const char*>>{{words.verify, "--verify"},
-                                                           {!words.isa.empty(), "--isa"},
+       std::initializer_list<std::pair<bool, const char*>>{{!words.isa.empty(), "--isa"},
                                                            {!words.checkpoint.empty(), "--checkpoint"},
                                                            {!words.resume.empty(), "--resume"}}) {
     if (given) not_built_yet(option);
@@ -187,6 +188,7 @@ Options interpret(const CommandLine& words) {
       if (kind.name != options.backend.name) options.cross_check.push_back(std::move(kind));
     }
   }
+  options.verify = words.verify;
   options.quick_verdicts = !words.no_quick_verdicts;
   if (!words.convex_tolerance.empty()) {
     options.bodies.convex_tolerance = parse_number(words.convex_tolerance, "--convex-tolerance");

@@ -36,6 +36,7 @@ struct Options : CommonOptions {
   bool is_cross_check = false;
   std::vector<BackendKind> cross_check;  // the backends beside `backend`
   bool quick_verdicts = true;
+  bool verify = false;
   BodyOptions bodies;
   bool dump_vertices = false;
 };

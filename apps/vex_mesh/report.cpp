@@ -104,6 +104,39 @@ std::string cross_check_text(const MeshRun& run) {
   return text;
 }
 
+Json verification_json(const MeshRun& run) {
+  const FirstOf<UnprovenTrial>& unproven = run.record.unproven;
+  Json json{{"proven", run.record.n_proven_again},
+            {"unproven", unproven.n_all},
+            {"undecided", run.record.tally.n_undecided},
+            {"faults", Json::array()}};
+  for (const UnprovenTrial& trial : unproven.kept) {
+    json["faults"].push_back({{"index", trial.index},
+                              {"matrix", twelve_numbers(trial.a_from_b)},
+                              {"verdict", name_of(trial.outcome)},
+                              {"fault", trial.fault}});
+  }
+  return json;
+}
+
+std::string verification_text(const MeshRun& run) {
+  const FirstOf<UnprovenTrial>& unproven = run.record.unproven;
+  std::string text = "\nVerification  " + std::to_string(run.record.n_proven_again) +
+                     " verdicts proven again, in exact arithmetic; " + std::to_string(unproven.n_all) + " not\n";
+  if (run.record.tally.n_undecided > 0) {
+    text += "   " + std::to_string(run.record.tally.n_undecided) + " undecided trials claim nothing\n";
+  }
+  constexpr std::size_t kShown = 10;
+  for (std::size_t j = 0; j < unproven.kept.size() && j < kShown; ++j) {
+    const UnprovenTrial& trial = unproven.kept[j];
+    text += "   trial " + std::to_string(trial.index) + ", " + std::string(name_of(trial.outcome)) + ": " +
+            trial.fault + "\n      r11 ... r33, tx, ty, tz =";
+    for (const double value : twelve_numbers(trial.a_from_b)) text += " " + hex_number(value);
+    text += "\n";
+  }
+  return text;
+}
+
 // With its error, unless that is beyond the digits shown.
 std::string exact_average_text(const ExactAverage& average) {
   return average.error > 1e-11 * average.excluded_volume ? with_error(average.excluded_volume, average.error)
@@ -184,6 +217,7 @@ Json report_json(const MeshRun& run) {
     json["z"] = nullptr;
     json["z_reason"] = run.z_reason;
   }
+  if (run.options.verify) json["verification"] = verification_json(run);
   if (run.options.is_cross_check) {
     json["n_disagreements"] = run.record.disagreements.n_all;
     json["disagreements"] = disagreements_json(run);
@@ -244,6 +278,7 @@ std::string report_text(const MeshRun& run) {
   if (run.record.stopped_by == StopReason::max_trials) text += " - incomplete: --max-trials was reached first";
   text += "\n";
   if (run.options.is_cross_check) text += cross_check_text(run);
+  if (run.options.verify) text += verification_text(run);
 
   if (run.z) {
     text += "\nz = " + short_number(*run.z, 3) + " standard errors between Monte Carlo and " +

@@ -176,4 +176,14 @@ Verdict overlap(const ConvexBody& a, const ConvexBody& b, const Transformd& a_fr
   return verdict;
 }
 
+CertificateCheck prove_again(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, Outcome claimed) {
+  OverlapCertificate certificate;
+  const Verdict verdict = overlap(a, b, a_from_b, &certificate);
+  if (verdict.outcome != claimed) {
+    return {false,
+            "the engine says " + std::string(name_of(verdict.outcome)) + ", not " + std::string(name_of(claimed))};
+  }
+  return check_certificate(a, b, a_from_b, claimed, certificate);
+}
+
 }  // namespace vex

@@ -20,4 +20,8 @@ inline constexpr int kMaxSupportCalls = 512;
 Verdict overlap(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
                 OverlapCertificate* certificate = nullptr, int max_support_calls = kMaxSupportCalls);
 
+/// Proves again what some backend answered: asks `overlap` for the same outcome with its certificate, and the checker
+/// for the certificate. Not proven where the engine answers otherwise, which is then said.
+CertificateCheck prove_again(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, Outcome claimed);
+
 }  // namespace vex

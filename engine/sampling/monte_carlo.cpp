@@ -44,13 +44,17 @@ struct BlockRecord {
   FirstOf<UndecidedTrial> undecided;
   FirstOf<Disagreement> disagreements;
   std::vector<Comparison> comparisons;
+  std::uint64_t n_proven_again = 0;
+  FirstOf<UnprovenTrial> unproven;
 };
 
 // One thread's means of answering trials: its own backends and buffers, filled a batch at a time.
 class TrialRunner {
  public:
   TrialRunner(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings)
-      : settings_(settings),
+      : a_(a),
+        b_(b),
+        settings_(settings),
         sampler_(a, b, settings.seed, settings.law, settings.domain),
         is_fitted_(settings.domain.kind == Domain::Kind::fitted),
         quick_verdict_(a, b, kDrawnRotationError),
@@ -107,6 +111,22 @@ class TrialRunner {
       }
     }
     if (!checks_.empty()) cross_check(first, n, record);
+    if (settings_.verify) verify(first, n, record);
+  }
+
+  void verify(std::uint64_t first, std::size_t n, BlockRecord& record) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const Outcome outcome = verdicts_[k].outcome;
+      if (outcome == Outcome::undecided) continue;
+      CertificateCheck check = prove_again(a_, b_, poses_[k], outcome);
+      if (check.is_proven) {
+        ++record.n_proven_again;
+        continue;
+      }
+      ++record.unproven.n_all;
+      if (record.unproven.kept.size() == FirstOf<UnprovenTrial>::kKept) continue;
+      record.unproven.kept.push_back({first + k, poses_[k], outcome, std::move(check.fault)});
+    }
   }
 
   void cross_check(std::uint64_t first, std::size_t n, BlockRecord& record) {
@@ -129,6 +149,8 @@ class TrialRunner {
     }
   }
 
+  const ConvexBody& a_;
+  const ConvexBody& b_;
   const MonteCarloSettings& settings_;
   PoseSampler sampler_;
   bool is_fitted_;
@@ -175,6 +197,7 @@ class Run {
     record_.seconds = seconds_since(start_);
     keep_first(record_.undecided);
     keep_first(record_.disagreements);
+    keep_first(record_.unproven);
     return std::move(record_);
   }
 
@@ -269,6 +292,8 @@ class Run {
     record_.tally += done.tally;
     append(record_.undecided, std::move(done.undecided));
     append(record_.disagreements, std::move(done.disagreements));
+    append(record_.unproven, std::move(done.unproven));
+    record_.n_proven_again += done.n_proven_again;
     for (std::size_t c = 0; c < done.comparisons.size(); ++c) record_.comparisons[c] += done.comparisons[c];
     if (!stopped_ && record_.tally.n_trials == round_end_) evaluate();
   }

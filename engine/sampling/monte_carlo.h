@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "engine/query/overlap_backend.h"
@@ -32,6 +33,8 @@ struct MonteCarloSettings {
   BackendKind backend = gjk_backend();
   /// Answer the same poses again, for comparison; they do not change the tally.
   std::vector<BackendKind> cross_check;
+  /// Prove every verdict again (`prove_again`): some hundred times the cost of a trial.
+  bool verify = false;
   /// Becomes non-zero from outside, for example from a signal handler: the run ends within a block of each thread.
   const std::atomic<int>* interrupt = nullptr;
   /// Called on the calling thread.
@@ -43,6 +46,14 @@ struct Disagreement {
   std::uint64_t index = 0;  // of the trial
   Transformd a_from_b;
   std::vector<Outcome> outcomes;  // of the run's backend, then of those it was checked against
+};
+
+/// A verdict that could not be proven again.
+struct UnprovenTrial {
+  std::uint64_t index = 0;
+  Transformd a_from_b;
+  Outcome outcome = Outcome::undecided;
+  std::string fault;
 };
 
 struct UndecidedTrial {
@@ -66,6 +77,8 @@ struct RunRecord {
   FirstOf<UndecidedTrial> undecided;
   FirstOf<Disagreement> disagreements;
   std::vector<Comparison> comparisons;  // with each backend of `cross_check`
+  std::uint64_t n_proven_again = 0;     // of a verified run; with `unproven` and the undecided, all trials
+  FirstOf<UnprovenTrial> unproven;
 };
 
 /// Draws trials 0, 1, 2, ... of (seed, Stream::pose) until the stop rule ends the run, and counts.

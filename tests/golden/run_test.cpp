@@ -311,5 +311,22 @@ TEST_F(Run, AFittedDomainFitsStrips) {
   }
 }
 
+TEST_F(Run, EveryVerdictIsProvenAgain) {
+  write_file("rod.obj", kTriangulatedCube);
+  for (const Words& words : {Words{"box:1,1,1"}, Words{"rod.obj", "ellipsoid:1,2,3"}, Words{"capsule:1,0.5", "disc:1"},
+                             Words{"cone:1,1", "box:1,1,1", "--backend", "ccd-gjk"}}) {
+    Words all = words;
+    all.insert(all.end(), {"--trials", "2000", "--verify"});
+    const json document = json_of(all);
+    EXPECT_EQ(document.at("verification").at("proven"), 2000) << words[0];
+    EXPECT_EQ(document.at("verification").at("unproven"), 0) << words[0];
+    EXPECT_TRUE(document.at("verification").at("faults").empty());
+  }
+  EXPECT_FALSE(json_of({"box:1,1,1", "--trials", "100"}).contains("verification"));
+  const Finished run_of_program = run({"box:1,1,1", "--trials", "500", "--verify"});
+  EXPECT_EQ(run_of_program.exit_code, 0);
+  EXPECT_NE(run_of_program.out.find("500 verdicts proven again, in exact arithmetic; 0 not"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace vex::golden

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "engine/query/overlap.h"
 #include "engine/sampling/fitted_domain.h"
 #include "engine/scene/quick_verdict.h"
 #include "shapes/box.h"
@@ -158,6 +159,32 @@ TEST(MonteCarlo, CountsAndListsUndecidedTrialsAndNeverCallsThemHitsOrMisses) {
       ASSERT_LT(record.undecided.kept[k - 1].index, record.undecided.kept[k].index);
     }
     ASSERT_GT(trial_pose(a, a, settings, record.undecided.kept[k].index).translation.x, 0.0);
+  }
+}
+
+TEST(MonteCarlo, ProvesEveryVerdictAgainAndFindsTheWrongOnes) {
+  const ConvexBody a = Box(1, 1, 1), b = Ellipsoid(0.5, 0.5, 1);
+  MonteCarloSettings settings = settings_for(a, b, 3000);
+  settings.n_threads = 2;
+  settings.verify = true;
+  const RunRecord right = run_hit_or_miss(a, b, settings);
+  EXPECT_EQ(right.n_proven_again, 3000u);
+  EXPECT_EQ(right.unproven.n_all, 0u);
+
+  // Wrong in one corner of the domain, either way; and unsure in another.
+  settings.quick_verdicts = false;
+  settings.backend = scripted("liar", [&](const Transformd& pose) {
+    if (pose.translation.y < -0.9) return Verdict::undecided(DecidedBy::peer, UndecidedReason::rounding);
+    const bool meets = (overlap(a, b, pose).outcome == Outcome::overlap) != (pose.translation.x > 0.9);
+    return meets ? Verdict::overlap(DecidedBy::peer) : Verdict::disjoint(DecidedBy::peer);
+  });
+  const RunRecord wrong = run_hit_or_miss(a, b, settings);
+  EXPECT_GT(wrong.unproven.n_all, 50u);
+  EXPECT_GT(wrong.tally.n_undecided, 50u);
+  EXPECT_EQ(wrong.n_proven_again + wrong.unproven.n_all + wrong.tally.n_undecided, 3000u);
+  for (const UnprovenTrial& trial : wrong.unproven.kept) {
+    EXPECT_GT(trial_pose(a, b, settings, trial.index).translation.x, 0.9);
+    EXPECT_NE(trial.fault.find("the engine says"), std::string::npos);
   }
 }
 
