@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "apps/referees/exact_overlap.h"
+#include "tests/referees/contact.h"
 #include "tests/referees/polytopes.h"
 
 namespace vex {
@@ -89,25 +90,17 @@ TEST(ExactAxes, AgreeOnRandomHulls) {
 
 TEST(ExactAxes, AgreeWithinBitsOfContact) {
   std::mt19937_64 random(107);
-  const Points bodies[] = {box_vertices(1, 1, 1),
-                           box_vertices(0.2, 1, 3),
-                           test_tetrahedron(0.7).vertices,
-                           {{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}}};
+  const TestPolytope bodies[] = {test_box(1, 1, 1), test_box(0.2, 1, 3), test_tetrahedron(0.7),
+                                 test_hull({{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}}, {}, 0.0)};
   Census census;
-  for (const Points& a : bodies) {
-    for (const Points& b : bodies) {
+  for (const TestPolytope& a : bodies) {
+    for (const TestPolytope& b : bodies) {
       Transformd pose = random_rotation(random);
       const Vec3d dir = random_direction(random);
-      double together = 0.0, apart = 20.0;
-      while (true) {
-        const double middle = 0.5 * (together + apart);
-        if (middle <= together || middle >= apart) break;
-        pose.translation = middle * dir;
-        (exact::overlap(a, exact::placed(b, pose)) ? together : apart) = middle;
-      }
-      for (const double distance : {std::nextafter(together, 0.0), together, apart, std::nextafter(apart, 20.0)}) {
+      const auto [apart, together] = exact::contact_along(a, b, pose, dir);
+      for (const double distance : {std::nextafter(together, 0.0), together, apart, std::nextafter(apart, 100.0)}) {
         pose.translation = distance * dir;
-        census.expect_agreement(a, exact::placed(b, pose));
+        census.expect_agreement(a.vertices, exact::placed(b.vertices, pose));
       }
     }
   }
