@@ -82,14 +82,16 @@ using Vector = std::array<Float, 3>;
 Float dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Vector to_float(const Point& p) { return {to_float(p[0]), to_float(p[1]), to_float(p[2])}; }
 
-// {c + M x : |x| <= 1}; M by columns.
+// {c + M x : |x| <= 1}, of a dome only where x_z >= 0; M by columns.
 struct PlacedPiece {
   Vector centre;
   std::array<Vector, 3> columns;
+  bool is_dome = false;
 
   Vector support(const Vector& dir) const {
     Vector image;
     for (std::size_t k = 0; k < 3; ++k) image[k] = dot(columns[k], dir);
+    if (is_dome && image[2] < 0) image[2] = 0;
     const Float length = sqrt(dot(image, image));
     Vector point = centre;
     if (length == 0) return point;
@@ -114,15 +116,13 @@ Point placed_exactly(const Vec3d& p, const Transformd& pose) {
 }
 
 PlacedForm placed_form(const ConvexBody& body, const Transformd& pose) {
-  const std::optional<ExactForm> form = body.exact_form();
-  VEX_EXPECT(form.has_value());
-  PlacedForm placed{{}, {}, Rational(form->ball_radius)};
-  for (const Vec3d& p : form->points) {
-    placed.points.push_back(form->is_polytope() ? exactly(pose(p)) : placed_exactly(p, pose));
+  const ExactForm form = body.exact_form().value();
+  PlacedForm placed{{}, {}, Rational(form.ball_radius)};
+  for (const Vec3d& p : form.points) {
+    placed.points.push_back(form.is_polytope() ? exactly(pose(p)) : placed_exactly(p, pose));
   }
-  for (const ExactForm::Piece& piece : form->pieces) {
-    VEX_EXPECT(!piece.is_dome);
-    PlacedPiece own{to_float(placed_exactly(piece.centre, pose)), {}};
+  for (const ExactForm::Piece& piece : form.pieces) {
+    PlacedPiece own{to_float(placed_exactly(piece.centre, pose)), {}, piece.is_dome};
     const double axes[] = {piece.semi_axes.x, piece.semi_axes.y, piece.semi_axes.z};
     const Vec3d columns[] = {{pose.row_x.x, pose.row_y.x, pose.row_z.x},
                              {pose.row_x.y, pose.row_y.y, pose.row_z.y},
@@ -235,8 +235,8 @@ SignedDistance ellipsoid_signed_distance(const ConvexBody& a, const ConvexBody& 
   Float rolling_radius = 0;
   double radii = 0.0;
   const auto take = [&](const exact::PlacedForm& form, const ConvexBody& body, const Vector& out, int sign) {
-    const std::optional<ExactForm> exact_form = body.exact_form();
-    radii += exact_form->ball_radius;
+    const ExactForm exact_form = body.exact_form().value();
+    radii += exact_form.ball_radius;
     Vector point{};
     if (form.pieces.empty()) {
       VEX_EXPECT(form.points.size() == 1);
@@ -244,12 +244,12 @@ SignedDistance ellipsoid_signed_distance(const ConvexBody& a, const ConvexBody& 
     } else {
       VEX_EXPECT(form.pieces.size() == 1 && form.points.empty());
       point = form.pieces[0].support(out);
-      const Vec3d axes = exact_form->pieces[0].semi_axes;
+      const Vec3d axes = exact_form.pieces[0].semi_axes;
       const Float least = std::min({axes.x, axes.y, axes.z}), most = std::max({axes.x, axes.y, axes.z});
       rolling_radius += least * least / most * (1.0 - 1e-5);  // R is a rotation to within 1e-6
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      p[k] += sign * (point[k] + exact_form->ball_radius * out[k]);
+      p[k] += sign * (point[k] + exact_form.ball_radius * out[k]);
     }
   };
   take(form_a, a, dir, 1);

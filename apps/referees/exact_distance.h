@@ -21,10 +21,11 @@ struct SignedDistance {
   double error = 0.0;
 };
 
-/// For bodies of few vertices that have an exact form, and are neither ellipsoids nor domes: exact between polytopes,
-/// rounded or not (sphere, capsule); between bounds where a disc is part of one (disc, cylinder, cone, frustum), as
-/// narrow as 1e-20 of the bodies' reach where the contact is not on two discs. About the input as docs/derivations.md
-/// defines it. Milliseconds for boxes, seconds for discs.
+/// For bodies of few vertices that have an exact form (std::bad_optional_access otherwise): exact between polytopes,
+/// rounded or not (sphere, capsule); between proven bounds where a disc is part of one (disc, cylinder, cone, frustum),
+/// as narrow as 1e-20 of the bodies' reach unless two curved edges or sides meet; valid but wide, and slow, for
+/// ellipsoids and hemispheres. About the input as docs/derivations.md defines it. Milliseconds for boxes, tenths of a
+/// second for discs.
 SignedDistance exact_signed_distance(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b);
 
 /// For ellipsoids and spheres, from a direction in A's frame close to the normal at contact, pointing from A to B; it

@@ -92,6 +92,20 @@ TEST(ExactSignedDistance, OfCylindersIsBetweenNarrowBounds) {
   expect_distance("needle:2", "cylinder:2,0.5", at(3.5, 0, -6), 5.0);
 }
 
+TEST(ExactSignedDistance, OfConesAndHemispheresIsThatOfTheirFlatSidesAndTips) {
+  for (const char* text : {"cone:1,0.5", "hemisphere:0.5", "frustum:1,0.5,0.25"}) {
+    const double top = body(text).support({0, 0, 1}).z, bottom = body(text).support({0, 0, -1}).z;
+    for (const double gap : {0.25, -0.125}) {
+      const SignedDistance below = exact_signed_distance(body("box:2,2,1"), body(text), at(0, 0, 0.5 - bottom + gap));
+      EXPECT_NEAR(below.value, gap, below.error + 1e-15) << text;
+      EXPECT_LE(below.error, 1e-15) << text;
+      const SignedDistance above = exact_signed_distance(body("box:2,2,1"), body(text), at(0, 0, -0.5 - top - gap));
+      EXPECT_NEAR(above.value, gap, above.error + 1e-15) << text;
+      EXPECT_LE(above.error, 1e-15) << text;
+    }
+  }
+}
+
 TEST(ExactSignedDistance, IsMutualAndEndsInContact) {
   std::mt19937_64 random(211);
   int n_overlap = 0;
