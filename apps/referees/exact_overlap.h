@@ -138,20 +138,26 @@ inline bool overlap(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b) {
   }
 }
 
-/// The squared distance of the convex hull from the origin, by the same descent, to its end.
-inline Rational distance_sq_from_origin(const std::vector<Point>& points) {
+/// The point of the convex hull nearest to the origin, by the same descent, to its end.
+inline Point nearest_to_origin(const std::vector<Point>& points) {
   std::vector<Point> simplex = {points[0]};
   while (true) {
     const Point v = nearest_point(simplex);
     const Rational v_sq = inner(v, v);
-    if (v_sq == 0) return 0;
+    if (v_sq == 0) return v;
     const Point* w = &points[0];
     for (const Point& candidate : points) {
       if (inner(candidate, v) < inner(*w, v)) w = &candidate;
     }
-    if (inner(*w, v) >= v_sq) return v_sq;  // no point of the hull is nearer along v
+    if (inner(*w, v) >= v_sq) return v;  // no point of the hull is nearer along v
     simplex.push_back(*w);
   }
+}
+
+/// The squared distance of the convex hull from the origin.
+inline Rational distance_sq_from_origin(const std::vector<Point>& points) {
+  const Point nearest = nearest_to_origin(points);
+  return inner(nearest, nearest);
 }
 
 /// Whether every point of `a` lies strictly behind every point of `b` along `dir`: what a disjoint verdict claims.
