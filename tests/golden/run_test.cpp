@@ -312,7 +312,7 @@ TEST_F(Run, AFittedDomainFitsStrips) {
 }
 
 TEST_F(Run, EveryVerdictIsProvenAgain) {
-  write_file("rod.obj", kTriangulatedCube);
+  write_file("rod.obj", cube_obj());
   for (const Words& words : {Words{"box:1,1,1"}, Words{"rod.obj", "ellipsoid:1,2,3"}, Words{"capsule:1,0.5", "disc:1"},
                              Words{"cone:1,1", "box:1,1,1", "--backend", "ccd-gjk"}}) {
     Words all = words;
