@@ -98,6 +98,10 @@ void PoseFile::read_header() {
     if (interrupt_.load() != 0) return;
     throw InputError("the file of poses is empty (" + name_ + ") - its first line is " + kHeaders);
   }
+  if (is_too_long) {
+    throw InputError(name_ + ", line 1: too long a header (more than " + std::to_string(kLongestLine) +
+                     " characters) - it is " + kHeaders);
+  }
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (line.substr(0, kByteOrderMark.size()) == kByteOrderMark) line.remove_prefix(kByteOrderMark.size());
   try {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "apps/common/numbers.h"
+#include "apps/common/text.h"
 #include "engine/numeric/errors.h"
 #include "engine/numeric/quaternion.h"
 
@@ -54,11 +55,10 @@ std::size_t number_of_cells(std::string_view line) {
   return static_cast<std::size_t>(std::ranges::count(line, ',')) + 1;
 }
 
-// What a message quotes: not more than a reader takes in.
+// What a message quotes: not more than a reader takes in, and no character that ends a message.
 std::string quoted(std::string_view text) {
   constexpr std::size_t kLongest = 40;
-  std::string result = "\"" + std::string(text.substr(0, kLongest));
-  return result + (text.size() > kLongest ? "...\"" : "\"");
+  return "\"" + printable(text.substr(0, kLongest)) + (text.size() > kLongest ? "...\"" : "\"");
 }
 
 enum class Reading { a_number, not_a_number, not_finite, out_of_range };
