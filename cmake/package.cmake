@@ -25,8 +25,9 @@ The program vex_mesh computes the volume that a convex body forbids to the
 centre of another one, averaged over their orientations, and with it the
 second virial coefficient of hard particles: by Monte Carlo with collision
 verdicts that are proven against rounding, and by the formula from the
-bodies' volume, surface and integrated mean curvature. vex_paper repeats the
-computations of a paper of 2002 and explains its faulty values.
+bodies' volume, surface and integrated mean curvature. vex_pair answers
+whether two bodies overlap at given poses. vex_paper repeats the computations
+of a paper of 2002 and explains its faulty values.
 .
 Bodies are closed convex meshes in any format that assimp reads, or named
 ones such as box:1,2,3.")

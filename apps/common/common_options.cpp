@@ -15,17 +15,21 @@ void declare_seed_and_threads(CLI::App& app, CommonWords& words, const std::stri
   app.add_option("--threads", words.threads, "Threads (default: all cores)")->type_name("N")->group(group);
 }
 
-void declare_output(CLI::App& app, CommonWords& words) {
+void declare_json_and_quiet(CLI::App& app, CommonWords& words, const std::string& quiet) {
   const std::string output = "Output";
   app.add_option("--json", words.json,
                  "Write one JSON document; - is standard output, where then nothing else is printed")
       ->type_name("FILE")
       ->group(output);
+  app.add_flag("--quiet", words.quiet, quiet)->group(output);
+}
+
+void declare_output(CLI::App& app, CommonWords& words) {
+  declare_json_and_quiet(app, words, "Print no report and draw no progress bar");
   app.add_option("--max-z", words.max_z,
                  "Exit with 4 where Monte Carlo and exact value differ by more standard errors (default 6)")
       ->type_name("Z")
-      ->group(output);
-  app.add_flag("--quiet", words.quiet, "Print no report and draw no progress bar")->group(output);
+      ->group("Output");
 }
 
 CommonOptions interpret_common(const CommonWords& words) {

@@ -21,7 +21,10 @@ struct CommonWords {
 /// --seed and --threads in the group of this name.
 void declare_seed_and_threads(CLI::App& app, CommonWords& words, const std::string& group);
 
-/// --json, --max-z and --quiet.
+/// --json and --quiet; `quiet` is what the latter means.
+void declare_json_and_quiet(CLI::App& app, CommonWords& words, const std::string& quiet);
+
+/// The same and --max-z.
 void declare_output(CLI::App& app, CommonWords& words);
 
 /// What the words mean.

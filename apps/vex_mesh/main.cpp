@@ -103,10 +103,7 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
 
   const LoadedBody loaded_a = load_body(options.a, options.bodies);
   MeshRun run{command, options, loaded_a, options.a == options.b ? loaded_a : load_body(options.b, options.bodies)};
-  if (options.dump_vertices && !run.a.is_polytope() && !run.b.is_polytope()) {
-    throw UsageError("not a polytope, so it has no vertices to list (" + run.a.source +
-                     ") - leave out --dump-vertices");
-  }
+  if (options.dump_vertices) require_vertices_to_list(run.a, run.b);
   choose_backends(run);
   const ConvexBody& a = run.a.shape.body;
   const ConvexBody& b = run.b.shape.body;

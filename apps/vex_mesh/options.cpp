@@ -1,30 +1,18 @@
 #include "apps/vex_mesh/options.h"
 
-#include <algorithm>
 #include <initializer_list>
-#include <string_view>
+#include <utility>
 
+#include "apps/common/choices.h"
 #include "apps/common/numbers.h"
 #include "apps/common/orientations.h"
 #include "apps/common/run_program.h"
 #include "apps/peers/peers.h"
 #include "apps/referees/specialised_backend.h"
 #include "engine/numeric/errors.h"
-#include "shapes/any_shape.h"
 
 namespace vex {
 namespace {
-
-// The word is one of `built`, or it is said whether it is planned or unknown.
-void require_one_of(const std::string& word, const char* option, std::initializer_list<std::string_view> built,
-                    std::initializer_list<std::string_view> planned) {
-  if (std::ranges::find(built, word) != built.end()) return;
-  const std::string name = word.substr(0, word.find(':'));
-  if (std::ranges::find(planned, name) != planned.end()) not_built_yet(std::string(option) + " " + word);
-  std::string choices;
-  for (const std::string_view choice : built) choices += (choices.empty() ? "" : ", ") + std::string(choice);
-  throw UsageError("not a choice (\"" + word + "\" for " + option + ") - there are " + choices);
-}
 
 // The engine's own first, then the peers, and the tests made for one kind of pair.
 std::vector<BackendKind> every_backend() {
@@ -106,22 +94,7 @@ void declare_options(CLI::App& app, CommandLine& words) {
                "Prove every verdict again from its certificate, in exact arithmetic: some hundred times slower")
       ->group(query);
 
-  const std::string bodies = "Bodies";
-  app.add_flag("--unit-volume", words.unit_volume, "Scale every body to V = 1 about the origin")->group(bodies);
-  app.add_option("--scale", words.scale, "Scale every body about the origin (after --unit-volume)")
-      ->type_name("X")
-      ->group(bodies);
-  app.add_flag("--hull", words.hull,
-               "Take the convex hull of whatever a mesh file holds: not convex, several parts, or points alone")
-      ->group(bodies);
-  app.add_option("--convex-tolerance", words.convex_tolerance,
-                 "How far from convex a mesh may be, relative to its size (default 1e-6)")
-      ->type_name("X")
-      ->group(bodies);
-  app.add_flag("--dump-vertices", words.dump_vertices,
-               "List a polytope's vertices in hexadecimal: they are the body, exactly")
-      ->group(bodies);
-
+  declare_body_options(app, words);
   declare_output(app, words);
 
   const std::string later = "Not built yet";
@@ -129,11 +102,7 @@ void declare_options(CLI::App& app, CommandLine& words) {
   app.add_option("--checkpoint", words.checkpoint, "Save the run's state")->type_name("FILE")->group(later);
   app.add_option("--resume", words.resume, "Continue a saved run")->type_name("FILE")->group(later);
 
-  std::string named = "Named bodies:";
-  for (const NamedShape& shape : named_shapes()) {
-    named += "\n  " + std::string(shape.name) + ":" + std::string(shape.parameters) + "  " + std::string(shape.meaning);
-  }
-  app.footer(named +
+  app.footer(named_bodies_help() +
              "\n\nExit codes:"
              "\n  0  success"
              "\n  1  a fault of the program"
@@ -190,15 +159,7 @@ Options interpret(const CommandLine& words) {
   }
   options.verify = words.verify;
   options.quick_verdicts = !words.no_quick_verdicts;
-  if (!words.convex_tolerance.empty()) {
-    options.bodies.convex_tolerance = parse_number(words.convex_tolerance, "--convex-tolerance");
-    if (options.bodies.convex_tolerance < 0.0 || options.bodies.convex_tolerance > 0.1) {
-      throw UsageError("out of range (\"" + words.convex_tolerance + "\" for --convex-tolerance) - from 0 to 0.1");
-    }
-  }
-  options.bodies.hull = words.hull;
-  options.bodies.unit_volume = words.unit_volume;
-  if (!words.scale.empty()) options.bodies.scale = parse_positive_number(words.scale, "--scale");
+  options.bodies = interpret_bodies(words);
   options.dump_vertices = words.dump_vertices;
   return options;
 }

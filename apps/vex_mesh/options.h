@@ -6,21 +6,20 @@
 #include <string>
 #include <vector>
 
-#include "apps/common/bodies.h"
+#include "apps/common/body_options.h"
 #include "apps/common/common_options.h"
 #include "engine/sampling/monte_carlo.h"
 
 namespace vex {
 
 /// The words of the command line, as they stand.
-struct CommandLine : CommonWords {
+struct CommandLine : CommonWords, BodyWords {
   std::string a, b;
   std::string trials, relative_error, seconds, max_trials;
   std::string estimator, sequence, domain, backend, orientations, isa;
-  std::string convex_tolerance;
-  std::string scale, checkpoint, resume;
+  std::string checkpoint, resume;
   bool no_quick_verdicts = false, cross_check = false;
-  bool hull = false, verify = false, unit_volume = false, dump_vertices = false;
+  bool verify = false;
 };
 
 /// Declares the options; parsing fills `words`, which must outlive `app`.

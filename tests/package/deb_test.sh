@@ -151,6 +151,10 @@ step "vex_mesh measures a body in an empty environment"
 env -i "$scratch/root/usr/bin/vex_mesh" box:1,1,1 --trials 20000 >"$scratch/report" || fail "exit code $?"
 grep -qE '^ *<V_ex> +11(\.0*)?$' "$scratch/report" || { cat "$scratch/report"; fail "two unit cubes: 11"; }
 
+step "vex_pair answers in an empty environment"
+env -i "$scratch/root/usr/bin/vex_pair" box:1,1,1 box:1,1,1 --translation 0.5,0,0 >"$scratch/report" || fail "exit code $?"
+grep -q 'OVERLAP' "$scratch/report" || { cat "$scratch/report"; fail "two cubes half an edge apart"; }
+
 step "vex_paper computes a table in an empty environment"
 env -i "$scratch/root/usr/bin/vex_paper" --table 1 --trials 2000 --max-z 100 >"$scratch/report" || fail "exit code $?"
 grep -qE '^ *1e-6 +2000007 ' "$scratch/report" || { cat "$scratch/report"; fail "the row of ratio 1e-6"; }

@@ -1,0 +1,93 @@
+// vex_pair A B: whether two convex bodies overlap, in one pose or in each of a file of poses, and how that is proven.
+#include <chrono>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+#include "apps/common/interrupt.h"
+#include "apps/common/output_file.h"
+#include "apps/common/run_program.h"
+#include "apps/vex_pair/report.h"
+#include "engine/numeric/errors.h"
+
+namespace vex {
+namespace {
+
+std::optional<OutputFile> output_file(const PairOptions& options) {
+  if (options.json.empty()) return std::nullopt;
+  std::vector<std::string> inputs = {file_named_by(options.a), file_named_by(options.b)};
+  if (options.poses != "-" && !options.poses.empty()) inputs.push_back(options.poses);
+  return OutputFile(options.json, inputs);
+}
+
+// Whether the text went out; nothing to write is written.
+bool write_out(std::string_view text) {
+  if (!text.empty()) std::cout << text << std::flush;
+  return static_cast<bool>(std::cout);
+}
+
+void answer_one(PairRun& run) {
+  const RowLayout& layout = run.options.layout;
+  run.one = answer(run.a.shape.body, run.b.shape.body, *run.options.pose, layout.with_certificate);
+  run.found.counts.add(*run.one);
+  RowLayout json_layout = layout;
+  json_layout.format = RowLayout::Format::jsonl;
+  append_row(run.found.first_rows, json_layout, 0, *run.one);
+}
+
+std::string text_of_one(const PairRun& run) {
+  const RowLayout& layout = run.options.layout;
+  if (layout.format == RowLayout::Format::screen) return run.options.quiet ? "" : report_text(run);
+  std::string text = row_header(layout);
+  append_row(text, layout, 0, *run.one);
+  return text;
+}
+
+int run_vex_pair(const PairCommandLine& words, const std::string& command) {
+  const auto start = std::chrono::steady_clock::now();
+  const PairOptions options = interpret(words);
+  const std::optional<OutputFile> json = output_file(options);
+  const bool owns_output = json && json->is_standard_output();
+
+  // Opened before the bodies are loaded, which may take long; a pipe's header comes when it comes.
+  std::unique_ptr<PoseFile> poses;
+  if (!options.pose) poses = std::make_unique<PoseFile>(options.poses, interrupting_signal());
+  const LoadedBody a = load_body(options.a, options.bodies);
+  PairRun run{command, options, a, options.a == options.b ? a : load_body(options.b, options.bodies)};
+  if (options.dump_vertices) require_vertices_to_list(run.a, run.b);
+
+  catch_interrupts();
+  if (poses) {
+    poses->read_header();
+    StreamSettings settings{options.layout, options.keep_going, json.has_value(), options.n_threads};
+    const bool is_silent = owns_output || (options.quiet && options.layout.format == RowLayout::Format::screen);
+    run.found = answer_stream(*poses, run.a.shape.body, run.b.shape.body, settings, interrupting_signal(),
+                              [&](std::string_view rows) { return is_silent || write_out(rows); });
+  } else {
+    answer_one(run);
+  }
+  run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+  if (!run.found.first_problem.empty() && !options.keep_going) throw InputError(run.found.first_problem);
+  if (run.one && !owns_output) write_out(text_of_one(run));
+  if (poses && !options.quiet && !owns_output && std::cout) {
+    std::fprintf(stderr, "vex_pair: %s", summary_text(run).c_str());
+  }
+  if (json) json->write(report_json(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  if (run.found.interrupted) return kSignalBase + interrupting_signal().load();
+  if (run.found.counts.n_refused > 0) {
+    throw InputError(std::to_string(run.found.counts.n_refused) + " of " + std::to_string(run.found.counts.n_rows) +
+                     " rows were refused - the first: " + run.found.first_problem);
+  }
+  return kSuccess;
+}
+
+}  // namespace
+}  // namespace vex
+
+int main(int argc, char** argv) {
+  CLI::App app("Whether two convex bodies overlap, proven: in one pose, or in each of a file of poses.", "vex_pair");
+  vex::PairCommandLine words;
+  vex::declare_options(app, words);
+  return vex::run_program(app, argc, argv, [&] { return vex::run_vex_pair(words, vex::command_line(argc, argv)); });
+}

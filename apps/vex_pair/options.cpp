@@ -1,0 +1,144 @@
+#include "apps/vex_pair/options.h"
+
+#include <initializer_list>
+#include <utility>
+
+#include "apps/common/choices.h"
+#include "apps/common/run_program.h"
+#include "apps/vex_pair/pose_text.h"
+#include "engine/numeric/errors.h"
+
+namespace vex {
+namespace {
+
+// The one pose of the command line; none where a file of them is named.
+std::optional<Transformd> pose_of_words(const PairCommandLine& words) {
+  const bool has_parts = !words.rotation.empty() || !words.translation.empty();
+  const int n_ways = (words.matrix.empty() ? 0 : 1) + (has_parts ? 1 : 0) + (words.poses.empty() ? 0 : 1);
+  const char* const ways = "give --matrix, or --rotation and --translation or one of them, or --poses";
+  if (n_ways == 0) throw UsageError(std::string("no pose is given (of B in A's frame) - ") + ways);
+  if (n_ways > 1) {
+    throw UsageError("poses are given in more than one way (" + std::string(words.matrix.empty() ? "" : "--matrix ") +
+                     (has_parts ? "--rotation or --translation " : "") + (words.poses.empty() ? "" : "--poses") +
+                     ") - " + ways);
+  }
+  if (!words.poses.empty()) return std::nullopt;
+  if (!words.matrix.empty()) {
+    std::array<double, 12> numbers{};
+    read_numbers(words.matrix, "--matrix", numbers);
+    return pose_of_matrix(numbers);
+  }
+  std::array<double, 4> wxyz = {1.0, 0.0, 0.0, 0.0};
+  std::array<double, 3> t = {0.0, 0.0, 0.0};
+  if (!words.rotation.empty()) read_numbers(words.rotation, "--rotation", wxyz);
+  if (!words.translation.empty()) read_numbers(words.translation, "--translation", t);
+  return pose_of_quaternion(wxyz, {t[0], t[1], t[2]});
+}
+
+}  // namespace
+
+void declare_options(CLI::App& app, PairCommandLine& words) {
+  app.add_option("A", words.a,
+                 "A mesh file (.obj .stl .ply .off .gltf .glb .dae .3mf ...) or a named body such as box:1,2,3")
+      ->type_name("")
+      ->required();
+  app.add_option("B", words.b, "The second body")->type_name("")->required();
+
+  const std::string pose = "B's pose in A's frame, R x + t (in one of three ways)";
+  app.add_option("--matrix", words.matrix,
+                 "R row by row, and t. R is taken as it is, and refused where R^T R is off by more than 1e-6, or where "
+                 "it mirrors")
+      ->type_name("r11,r12,r13,r21,...,r33,tx,ty,tz")
+      ->group(pose);
+  app.add_option("--rotation", words.rotation,
+                 "A quaternion of any length but 0, which is divided by its length (default 1,0,0,0)")
+      ->type_name("w,x,y,z")
+      ->group(pose);
+  app.add_option("--translation", words.translation, "t, beside --rotation or alone (default 0,0,0)")
+      ->type_name("x,y,z")
+      ->group(pose);
+  app.add_option("--poses", words.poses,
+                 std::string("A pose a row, below the header ") + kHeaders + "; - is standard input")
+      ->type_name("FILE.csv")
+      ->group(pose);
+  app.add_flag("--keep-going", words.keep_going,
+               "Answer what follows a bad row, too: it becomes a row with an error, and the exit code is 3 in the end. "
+               "Without it, the rows before the first bad one are answered")
+      ->group(pose);
+
+  const std::string query = "Query";
+  app.add_option("--query", words.query,
+                 "overlap (default): do A and B share a point? distance, depth, signed, ray, cast, toi and manifold "
+                 "come later")
+      ->type_name("NAME")
+      ->group(query);
+  app.add_flag("--certificate", words.certificate,
+               "Give what proves each verdict, and whether exact arithmetic has proven it again from that")
+      ->group(query);
+  app.add_option("--threads", words.threads, "Threads (default: all cores); the answers do not depend on them")
+      ->type_name("N")
+      ->group(query);
+  app.add_option("--seed", words.seed, "Nothing here is random; in the head of --json")->type_name("N")->group(query);
+
+  declare_body_options(app, words);
+
+  app.add_flag("--jsonl", words.jsonl, "Print an object of JSON a pose")->group("Output");
+  app.add_flag("--csv", words.csv, "Print the same as columns")->group("Output");
+  declare_json_and_quiet(app, words, "Print no report and no summary: only what --jsonl or --csv print");
+
+  const std::string later = "Not built yet";
+  app.add_option("--ray", words.ray, "Of --query ray: origin and direction")
+      ->type_name("ox,oy,oz,dx,dy,dz")
+      ->group(later);
+  app.add_option("--cast", words.cast, "Of --query cast: how B moves")->type_name("dx,dy,dz")->group(later);
+  app.add_option("--toi", words.toi, "Of --query toi: B's velocity and angular velocity")
+      ->type_name("vx,vy,vz,wx,wy,wz")
+      ->group(later);
+  app.add_option("--margin", words.margin, "How near counts as contact")->type_name("M")->group(later);
+
+  app.footer(named_bodies_help() +
+             "\n\nNumbers of poses may be decimal (0.1) or hexadecimal (0x1.999999999999ap-4)."
+             "\n\nExit codes:"
+             "\n  0  success; undecided verdicts are answers, too"
+             "\n  1  a fault of the program"
+             "\n  2  wrong usage"
+             "\n  3  input refused: a body, a pose, or a row of --poses"
+             "\n  130, 143  interrupted (the rows answered until then are written)");
+}
+
+PairOptions interpret(const PairCommandLine& words) {
+  for (const auto& [word, option] : std::initializer_list<std::pair<const std::string&, const char*>>{
+           {words.ray, "--ray"}, {words.cast, "--cast"}, {words.toi, "--toi"}, {words.margin, "--margin"}}) {
+    if (!word.empty()) not_built_yet(option);
+  }
+  require_one_of(words.query.empty() ? "overlap" : words.query, "--query", {"overlap"},
+                 {"distance", "depth", "signed", "ray", "cast", "toi", "manifold"});
+  if (words.jsonl && words.csv) throw UsageError("two forms of the same rows (--jsonl and --csv) - choose one");
+  if ((words.jsonl || words.csv) && words.json == "-") {
+    throw UsageError(std::string("standard output is asked for twice (--json - and ") +
+                     (words.jsonl ? "--jsonl" : "--csv") + ") - write one of them into a file");
+  }
+
+  PairOptions options;
+  static_cast<CommonOptions&>(options) = interpret_common(words);
+  options.a = words.a;
+  options.b = words.b;
+  options.bodies = interpret_bodies(words);
+  options.dump_vertices = words.dump_vertices;
+  options.pose = pose_of_words(words);
+  options.poses = words.poses;
+  options.keep_going = words.keep_going;
+  if (options.pose && options.keep_going) {
+    throw UsageError("one pose has no rows behind it (--keep-going) - it goes with --poses");
+  }
+  if (options.dump_vertices && options.json.empty() && (!options.pose || words.jsonl || words.csv)) {
+    throw UsageError("rows have no place for a body's vertices (--dump-vertices) - add --json FILE, or give one pose");
+  }
+  if (words.jsonl) options.layout.format = RowLayout::Format::jsonl;
+  if (words.csv) options.layout.format = RowLayout::Format::csv;
+  options.layout.with_certificate = words.certificate;
+  options.layout.with_error = options.keep_going;
+  return options;
+}
+
+}  // namespace vex

@@ -1,0 +1,40 @@
+// The command line of vex_pair.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "apps/common/body_options.h"
+#include "apps/common/common_options.h"
+#include "apps/vex_pair/row_text.h"
+
+namespace vex {
+
+/// The words of the command line, as they stand.
+struct PairCommandLine : CommonWords, BodyWords {
+  std::string a, b;
+  std::string matrix, rotation, translation, poses;
+  std::string query, ray, cast, toi, margin;
+  bool certificate = false, keep_going = false, jsonl = false, csv = false;
+};
+
+/// Declares the options; parsing fills `words`, which must outlive `app`.
+void declare_options(CLI::App& app, PairCommandLine& words);
+
+/// What the words mean.
+struct PairOptions : CommonOptions {
+  std::string a, b;
+  BodyOptions bodies;
+  bool dump_vertices = false;
+  std::optional<Transformd> pose;  // one; or else:
+  std::string poses;               // a file of them, or "-"
+  RowLayout layout;
+  bool keep_going = false;
+};
+
+/// Throws UsageError where a word means nothing, or something that is not built yet; InputError where the one pose is
+/// none.
+PairOptions interpret(const PairCommandLine& words);
+
+}  // namespace vex

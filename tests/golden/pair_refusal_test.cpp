@@ -1,0 +1,88 @@
+// vex_pair: what it refuses, with which exit code, and what it says.
+#include "tests/golden/pair.h"
+
+namespace vex::golden {
+namespace {
+
+TEST_F(PairRefusal, AHeaderThatIsNone) {
+  const auto expect_refused = [this](const std::string& content, const std::string& part) {
+    write_file("poses.csv", content);
+    expect_wrong({"--poses", "poses.csv", "--json", "result.json"}, 3, part);
+  };
+  expect_refused("", "the file of poses is empty (poses.csv)");
+  expect_refused("0,0,0,1,0,0,0\n", "poses.csv, line 1: the header is missing");
+  expect_refused("tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,1\n",
+                 "line 1: not a header of poses (\"qx\" where qw is expected)");
+  expect_refused("\n" + kQuaternionHeader, "line 1: not a header");
+  expect_wrong({"--poses", "missing.csv"}, 3, "cannot be read (missing.csv: No such file");
+  expect_wrong({"--poses", "."}, 3, "Is a directory");
+  expect_wrong({"--poses", "-"}, 3, "the file of poses is empty (standard input)");
+  EXPECT_EQ(files(), std::vector<std::string>{"poses.csv"});
+  write_file("poses.csv", "\xEF\xBB\xBF tx , ty , tz , qw , qx , qy , qz\r\n 0.5 , 0 , 0 , 1 , 0 , 0 , 0 \r\n\r\n");
+  const Finished tolerated = cubes({"--poses", "poses.csv", "--quiet", "--csv"});
+  EXPECT_EQ(tolerated.exit_code, 0) << tolerated.err;
+  EXPECT_EQ(lines_of(tolerated.out).size(), 2u);
+}
+
+TEST_F(PairRefusal, ExactlyOneWayToGiveAPose) {
+  const std::string unit = "1,0,0,0,1,0,0,0,1,0,0,0";
+  expect_wrong({}, 2, "no pose is given");
+  expect_wrong({"--matrix", unit, "--translation", "0,0,0"}, 2, "more than one way (--matrix --rotation or");
+  expect_wrong({"--matrix", unit, "--poses", "poses.csv"}, 2, "more than one way");
+  expect_wrong({"--rotation", "1,0,0,0", "--poses", "-"}, 2, "more than one way");
+  expect_wrong({"--matrix", unit, "--keep-going"}, 2, "goes with --poses");
+  expect_refusal(run({"box:1,1,1", "--matrix", unit}), 2, "nothing is given for B", "vex_pair");
+}
+
+TEST_F(PairRefusal, APoseThatIsNone) {
+  expect_wrong({"--matrix", "1,0,0,0,1,0,0,0,1"}, 2, "wrong number of numbers (9 for --matrix)");
+  expect_wrong({"--matrix", "1,0,0,0,1,0,0,0,one,0,0,0"}, 2, "not a number (\"one\" for --matrix)");
+  expect_wrong({"--matrix", "1,0,0,0,1,0,0,0,nan,0,0,0"}, 3, "not finite");
+  expect_wrong({"--matrix", "1,0,0,0,1,0,0,0,1,0,0,inf"}, 3, "not finite");
+  expect_wrong({"--matrix", "1,0,0,0,1,0,0,0,1.00001,0,0,0"}, 3, "not a rotation");
+  expect_wrong({"--matrix", "1,0,0,0,1,0,0,0,-1,0,0,0"}, 3, "a reflection is no pose");
+  expect_wrong({"--rotation", "0,0,0,0"}, 3, "a quaternion of length 0");
+  expect_wrong({"--rotation", "inf,0,0,0"}, 3, "not finite");
+  expect_wrong({"--rotation", "1,0,0"}, 2, "wrong number of numbers (3 for --rotation)");
+  expect_wrong({"--translation", "0,0"}, 2, "wrong number of numbers (2 for --translation)");
+  expect_wrong({"--translation", "0,0,1e400"}, 3, "out of the range of doubles");
+  expect_wrong({"--translation", ""}, 2, "empty");
+}
+
+TEST_F(PairRefusal, WhatIsNotBuiltYetSaysSo) {
+  for (const char* query : {"distance", "depth", "signed", "ray", "cast", "toi", "manifold"}) {
+    expect_wrong({"--translation", "0,0,0", "--query", query}, 2, std::string("not built yet (--query ") + query + ")");
+  }
+  expect_wrong({"--translation", "0,0,0", "--query", "ray", "--ray", "0,0,0,1,0,0"}, 2, "not built yet (--ray)");
+  expect_wrong({"--translation", "0,0,0", "--cast", "1,0,0"}, 2, "not built yet (--cast)");
+  expect_wrong({"--translation", "0,0,0", "--toi", "1,0,0,0,0,0"}, 2, "not built yet (--toi)");
+  expect_wrong({"--translation", "0,0,0", "--margin", "0.1"}, 2, "not built yet (--margin)");
+  expect_wrong({"--translation", "0,0,0", "--query", "volume"}, 2, "not a choice (\"volume\" for --query)");
+  EXPECT_EQ(cubes({"--translation", "0,0,0", "--query", "overlap"}).exit_code, 0);
+}
+
+TEST_F(PairRefusal, OptionsThatMeanNothing) {
+  expect_wrong({"--translatoin", "0,0,0"}, 2, "did you mean --translation?");
+  expect_wrong({"--pose", "poses.csv"}, 2, "did you mean --poses?");
+  expect_wrong({"--translation", "0,0,0", "--threads", "0"}, 2, "--threads");
+  expect_wrong({"--translation", "0,0,0", "--seed", "x"}, 2, "--seed");
+  expect_wrong({"--translation", "0,0,0", "--scale", "0"}, 2, "--scale");
+  expect_wrong({"--translation", "0,0,0", "--max-z", "6"}, 2, "not understood (--max-z 6)");
+  expect_wrong({"--translation", "0,0,0", "--jsonl", "--csv"}, 2, "two forms of the same rows");
+  expect_wrong({"--translation", "0,0,0", "--jsonl", "--json", "-"}, 2, "standard output is asked for twice");
+  expect_wrong({"--translation", "0,0,0", "--csv", "--dump-vertices"}, 2, "no place for a body's vertices");
+  expect_refusal(run({"sphere:1", "sphere:2", "--translation", "0,0,0", "--dump-vertices"}), 2, "not a polytope",
+                 "vex_pair");
+  EXPECT_EQ(cubes({"--translation", "0,0,0", "--seed", "7"}).exit_code, 0) << "every program takes it";
+}
+
+TEST_F(PairRefusal, AnOutputThatWouldCostAnInput) {
+  write_file("poses.csv", kQuaternionHeader);
+  expect_wrong({"--poses", "poses.csv", "--json", "poses.csv"}, 2, "is an input");
+  expect_wrong({"--poses", "poses.csv", "--json", "./poses.csv"}, 2, "is an input");
+  expect_wrong({"--poses", "poses.csv", "--json", "cube.obj"}, 2, "extension of a mesh");
+  EXPECT_EQ(read_file("poses.csv"), kQuaternionHeader);
+}
+
+}  // namespace
+}  // namespace vex::golden
