@@ -111,8 +111,8 @@ nlohmann::ordered_json body_json(const LoadedBody& loaded, bool with_vertices) {
     json["vertices"] = vertices.size();
     json["faces"] = shape.n_faces;
   }
-  json["volume"] = shape.measures.volume;
-  json["surface_area"] = shape.measures.surface_area;
+  json["volume"] = number_or_null(shape.measures.volume);
+  json["surface_area"] = number_or_null(shape.measures.surface_area);
   json["integrated_mean_curvature"] = shape.measures.integrated_mean_curvature;
   json["mean_radius"] = shape.measures.mean_radius();
   json["centre"] = point_json(shape.body.centre());

@@ -6,7 +6,8 @@ namespace vex {
 
 Answer answer(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, bool with_check) {
   Answer result;
-  result.verdict = overlap(a, b, a_from_b, &result.certificate);
+  result.verdict = overlap(a, b, a_from_b, &result.certificate, kMaxSupportCalls,
+                           with_check ? CertificateDetail::full : CertificateDetail::no_witnesses);
   if (with_check && result.verdict.outcome != Outcome::undecided) {
     result.check = check_certificate(a, b, a_from_b, result.verdict.outcome, result.certificate);
   }

@@ -124,6 +124,7 @@ PairOptions interpret(const PairCommandLine& words) {
   options.a = words.a;
   options.b = words.b;
   options.bodies = interpret_bodies(words);
+  options.bodies.with_measures = false;
   options.dump_vertices = words.dump_vertices;
   options.pose = pose_of_words(words);
   options.poses = words.poses;

@@ -19,10 +19,9 @@ struct NamedVector {
   const char* name;
   Vec3d Witness::*vector;
 };
-constexpr NamedVector kWitnessVectors[] = {{"direction", &Witness::dir},
-                                           {"direction_low", &Witness::dir_low},
-                                           {"point_a", &Witness::point_a},
-                                           {"point_b", &Witness::point_b}};
+constexpr NamedVector kWitnessVectors[] = {{"direction", &Witness::dir},     {"direction_low", &Witness::dir_low},
+                                           {"direction_b", &Witness::dir_b}, {"direction_b_low", &Witness::dir_b_low},
+                                           {"point_a", &Witness::point_a},   {"point_b", &Witness::point_b}};
 
 template <class Integer>
 void append_integer(std::string& text, Integer value) {

@@ -130,12 +130,12 @@ Witness witness_of(const PlacedForms& forms, const ExactOverlap& exact, int k) {
 
 // What the filter left open, and the witnesses of what it did not.
 Verdict decide_by_forms(const PlacedForms& forms, const Verdict& filtered, OverlapCertificate* certificate,
-                        int& n_support_calls, int max_support_calls) {
+                        bool wants_witnesses, int& n_support_calls, int max_support_calls) {
   const bool is_open = filtered.outcome == Outcome::undecided;
   if (forms.are_rounded_polytopes()) {
     const ExactOverlap exact = exact_overlap(forms);
     if (is_open) n_support_calls += exact.n_support_calls;
-    if (certificate != nullptr) {
+    if (wants_witnesses) {
       certificate->n_witnesses = exact.n_carriers;
       for (int k = 0; k < exact.n_carriers; ++k) {
         certificate->witnesses[static_cast<std::size_t>(k)] = witness_of(forms, exact, k);
@@ -150,7 +150,7 @@ Verdict decide_by_forms(const PlacedForms& forms, const Verdict& filtered, Overl
     n_support_calls += found.n_support_calls;
     verdict = found.verdict;
   }
-  if (certificate != nullptr && verdict.outcome == Outcome::overlap) {
+  if (wants_witnesses && verdict.outcome == Outcome::overlap) {
     find_witnesses(forms, *certificate, max_support_calls);
   }
   return verdict;
@@ -159,17 +159,18 @@ Verdict decide_by_forms(const PlacedForms& forms, const Verdict& filtered, Overl
 }  // namespace
 
 Verdict overlap(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, OverlapCertificate* certificate,
-                int max_support_calls) {
+                int max_support_calls, CertificateDetail detail) {
   FilterResult found = filter(a, b, a_from_b, max_support_calls);
   Verdict verdict = found.verdict;
   if (certificate != nullptr) {
     *certificate = {};
     certificate->separating_dir = found.separating_dir;
   }
-  const bool wants_witnesses = certificate != nullptr && verdict.outcome == Outcome::overlap;
-  if (verdict.outcome == Outcome::undecided || wants_witnesses) {
+  const bool wants_witnesses = certificate != nullptr && detail == CertificateDetail::full;
+  if (verdict.outcome == Outcome::undecided || (verdict.outcome == Outcome::overlap && wants_witnesses)) {
     if (const std::optional<PlacedForms> forms = placed_forms(a, b, a_from_b)) {
-      verdict = decide_by_forms(*forms, verdict, certificate, found.n_support_calls, max_support_calls);
+      verdict =
+          decide_by_forms(*forms, verdict, certificate, wants_witnesses, found.n_support_calls, max_support_calls);
     }
   }
   if (certificate != nullptr) certificate->n_support_calls = found.n_support_calls;

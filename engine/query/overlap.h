@@ -12,13 +12,22 @@ namespace vex {
 /// of curved bodies a few dozen; what reaches the cap is reported as such, never answered.
 inline constexpr int kMaxSupportCalls = 512;
 
+/// What of a certificate is wanted: all of it, or what the search leaves behind at no cost, which is everything but the
+/// witnesses.
+enum class CertificateDetail { full, no_witnesses };
+
 /// Decides whether A and B, placed by `a_from_b`, share a point; never guesses. No quick verdicts before it.
 ///
-/// R of the pose must be a rotation to within 1e-6. Sizes and coordinates from 1e-45 to 1e45. `certificate`, if given,
-/// receives the proof. Undecided where the bodies touch to within rounding (E1: 40 u of the pair's reach, more where
-/// the difference of the bodies is a needle or a plate: docs/performance.md has measured widths).
+/// R of the pose must be a rotation to within 1e-6. Every size and coordinate may be any finite double, as long as
+/// those of the placed vertices are finite too. Three stages (docs/derivations.md, "What the input is", E1, E14, E15):
+/// a search in double precision whose signs are proven; for bodies with curved parts the same in double-double; for
+/// polytopes, rounded or not, spheres and capsules, whole numbers, which always decide. Undecided, then, is what has
+/// curved parts and touches to within some 1e-26 of the pair's size (docs/stress.md has measured bands), and what has
+/// no exact form and touches to within rounding (E1: 40 u of the pair's reach, more where A - B is a needle or a
+/// plate). `certificate`, if given, receives the proof; of an undecided verdict bounds of the gap.
 Verdict overlap(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
-                OverlapCertificate* certificate = nullptr, int max_support_calls = kMaxSupportCalls);
+                OverlapCertificate* certificate = nullptr, int max_support_calls = kMaxSupportCalls,
+                CertificateDetail detail = CertificateDetail::full);
 
 /// Proves again what some backend answered: asks `overlap` for the same outcome with its certificate, and the checker
 /// for the certificate. Not proven where the engine answers otherwise, which is then said.
