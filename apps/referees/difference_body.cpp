@@ -47,6 +47,14 @@ double largest_coordinate(const ExactForm& form) {
 // 1 - 2^-96: the unit vector of the search is longer than 1 by less than what this takes off.
 const DoubleDouble kShrunk{1.0, -0x1p-96};
 
+// Of a unit vector to rounding: itself where it is no longer than 1, shrunk where it is.
+DyadicPoint within_unit_ball(const Vec3dd& x) {
+  DyadicPoint result = dyadic(x);
+  if (Dyadic(1.0) < inner(result, result)) result = dyadic(kShrunk * x);
+  if (Dyadic(1.0) < inner(result, result)) result = {};  // the middle is a point of the ball, whatever went wrong
+  return result;
+}
+
 }  // namespace
 
 DoubleDouble quotient(const DoubleDouble& a, const DoubleDouble& b) {
@@ -148,8 +156,7 @@ DyadicPoint DifferenceBody::placed_exactly(const DyadicPoint& in_b) const {
 DyadicPoint DifferenceBody::exactly_of(const ExactForm& form, const CorePoint& at) const {
   if (at.is_vertex) return dyadic(form.points[at.index]);
   const Piece& piece = form.pieces[at.index];
-  DyadicPoint x = dyadic(kShrunk * at.x);
-  if (Dyadic(1.0) < inner(x, x)) x = {};  // the centre is a point of the piece, whatever went wrong
+  DyadicPoint x = within_unit_ball(at.x);
   if (piece.is_dome && x[2].sign() < 0) x[2] = {};
   return dyadic(piece.centre) + DyadicPoint{Dyadic(piece.semi_axes.x) * x[0], Dyadic(piece.semi_axes.y) * x[1],
                                             Dyadic(piece.semi_axes.z) * x[2]};
@@ -157,10 +164,7 @@ DyadicPoint DifferenceBody::exactly_of(const ExactForm& form, const CorePoint& a
 
 DyadicPoint DifferenceBody::exactly(const DifferencePoint& point) const {
   const DyadicPoint b = b_.is_polytope() ? dyadic(rounded_b_[point.b.index]) : placed_exactly(exactly_of(b_, point.b));
-  DyadicPoint result = exactly_of(a_, point.a) - b;
-  DyadicPoint ball = dyadic(kShrunk * point.ball_part);
-  if (Dyadic(1.0) < inner(ball, ball)) ball = {};
-  return result + ball_radius() * ball;
+  return (exactly_of(a_, point.a) - b) + ball_radius() * within_unit_ball(point.ball_part);
 }
 
 std::vector<DyadicPoint> DifferenceBody::placed_points() const {

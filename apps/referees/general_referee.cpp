@@ -39,6 +39,29 @@ bool is_around_origin(const DifferenceBody& difference, const std::vector<Differ
 
 exact::Point rational(const DyadicPoint& p) { return {p[0].rational(), p[1].rational(), p[2].rational()}; }
 
+// Whether the hull of the points, which need not have volume, holds the origin. Slow.
+bool hull_holds_origin(const DifferenceBody& difference, const std::vector<DifferencePoint>& points) {
+  std::vector<exact::Point> exact_points;
+  for (const DifferencePoint& p : points) exact_points.push_back(rational(difference.exactly(p)));
+  return exact::distance_sq_from_origin(exact_points) == 0;
+}
+
+// What touching or flat bodies may have at the origin: a face, an edge, a rim across `normal`.
+std::vector<DifferencePoint> points_across(const DifferenceBody& difference, const Vec3d& normal) {
+  const double length = norm_1(normal);
+  const Vec3d other = std::fabs(normal.x) < 0.4 * length ? Vec3d{1.0, 0.0, 0.0} : Vec3d{0.0, 1.0, 0.0};
+  const Vec3d first = cross(other, normal), second = cross(normal, first);
+  const double s = length / norm_1(first), q = length / norm_1(second);
+  std::vector<DifferencePoint> points;
+  for (const double tilt : {0x1p-60, 0x1p-20}) {
+    for (const auto& [i, j] : {std::pair{s, 0.0}, {-s, 0.0}, {0.0, q}, {0.0, -q}, {s, q}, {-s, -q}}) {
+      const Vec3d d = tilt * (i * first + j * second);
+      points.push_back(difference.support(Vec3dd{normal.x, normal.y, normal.z} + Vec3dd{d.x, d.y, d.z}));
+    }
+  }
+  return points;
+}
+
 }  // namespace
 
 GeneralReferee::GeneralReferee(const ConvexBody& a, const ConvexBody& b)
@@ -59,18 +82,27 @@ Outcome GeneralReferee::judge(const Transformd& a_from_b, const Vec3d& hint) con
   }
   // Where a search ends in a tie that rounding cannot break, another start comes from another side.
   const Vec3d starts[] = {has_hint ? hint : Vec3d{0.3, -0.5, 0.7}, {-0.71, 0.37, 0.53}, {0.17, 0.83, -0.41}};
+  std::vector<DifferencePoint> around_last;
   for (const Vec3d& start : starts) {
-    const exact::SearchResult found = exact::search_origin(difference, {start.x, start.y, start.z});
+    exact::SearchResult found = exact::search_origin(difference, {start.x, start.y, start.z});
     if (found.separating_dir) {
       if (difference.lies_behind(*found.separating_dir)) return Outcome::disjoint;
     } else if (is_around_origin(difference, found.around)) {
       return Outcome::overlap;
+    } else {
+      around_last = std::move(found.around);
     }
     if (difference.is_rounded_polytope()) {
       if (const std::optional<Outcome> outcome = by_rational_numbers(difference, a_from_b)) return *outcome;
     }
   }
-  return has_exact_outcome_ ? exact_outcome(body_a_, body_b_, a_from_b) : Outcome::undecided;
+  if (has_exact_outcome_) return exact_outcome(body_a_, body_b_, a_from_b);
+  if (around_last.empty()) return Outcome::undecided;
+  if (has_hint) {
+    const std::vector<DifferencePoint> more = points_across(difference, hint);
+    around_last.insert(around_last.end(), more.begin(), more.end());
+  }
+  return hull_holds_origin(difference, around_last) ? Outcome::overlap : Outcome::undecided;
 }
 
 std::optional<Outcome> GeneralReferee::by_rational_numbers(const DifferenceBody& difference,
