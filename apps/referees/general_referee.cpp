@@ -1,6 +1,9 @@
 #include "apps/referees/general_referee.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "apps/referees/difference_body.h"
 #include "apps/referees/exact_overlap.h"
@@ -19,6 +22,8 @@ using exact::Vec3dd;
 constexpr std::size_t kMaxDifferences = 5000;
 // Beyond, the descent in rational numbers takes seconds.
 constexpr std::size_t kMaxVertices = 3000;
+
+bool is_direction(const Vec3d& d) { return d.x != 0.0 || d.y != 0.0 || d.z != 0.0; }
 
 // Whether the closed tetrahedron, which must have volume, holds the origin.
 bool holds_origin(const std::array<DyadicPoint, 4>& w) {
@@ -76,7 +81,7 @@ bool GeneralReferee::is_rational() const { return a_ && b_ && a_->is_rounded_pol
 Outcome GeneralReferee::judge(const Transformd& a_from_b, const Vec3d& hint) const {
   if (!a_ || !b_) return has_exact_outcome_ ? exact_outcome(body_a_, body_b_, a_from_b) : Outcome::undecided;
   const DifferenceBody difference(*a_, *b_, a_from_b);
-  const bool has_hint = hint.x != 0.0 || hint.y != 0.0 || hint.z != 0.0;
+  const bool has_hint = is_direction(hint);
   if (has_hint && difference.support_value(hint) < 0.0 && difference.lies_behind({hint.x, hint.y, hint.z})) {
     return Outcome::disjoint;
   }
@@ -122,9 +127,30 @@ std::optional<Outcome> GeneralReferee::by_rational_numbers(const DifferenceBody&
 }
 
 double GeneralReferee::gap_bound(const Transformd& a_from_b, const Vec3d& hint) const {
-  if (!a_ || !b_) return INFINITY;
+  if (!a_ || !b_) return std::numeric_limits<double>::infinity();
   const DifferenceBody difference(*a_, *b_, a_from_b);
-  return std::fabs(difference.support_value(hint));
+  std::vector<Vec3d> dirs = {a_from_b.translation};
+  if (is_direction(hint)) dirs.push_back(hint);
+  for (const Vec3d& axis : {Vec3d{1.0, 0.0, 0.0}, Vec3d{0.0, 1.0, 0.0}, Vec3d{0.0, 0.0, 1.0}}) {
+    for (const Vec3d& dir : {axis, a_from_b(axis) - a_from_b.translation}) {
+      dirs.push_back(dir);
+      dirs.push_back(-dir);
+    }
+  }
+  const exact::SearchResult found = exact::search_origin(difference, {0.3, -0.5, 0.7});
+  if (found.separating_dir) {
+    const Vec3dd& d = *found.separating_dir;
+    dirs.push_back({d.x.value(), d.y.value(), d.z.value()});
+  }
+  // The distance is the largest gap along any direction, the depth the least overlap along one.
+  double distance = 0.0, depth = std::numeric_limits<double>::infinity();
+  for (const Vec3d& dir : dirs) {
+    if (!is_direction(dir)) continue;
+    const double value = difference.support_value(dir);
+    distance = std::max(distance, -value);
+    depth = std::min(depth, value);
+  }
+  return distance > 0.0 ? distance : depth;
 }
 
 }  // namespace vex

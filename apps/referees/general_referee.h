@@ -29,8 +29,9 @@ class GeneralReferee {
   /// fails. `hint`: a direction that may separate A from B, or zero.
   Outcome judge(const Transformd& a_from_b, const Vec3d& hint) const;
 
-  /// A bound of the gap (distance, or penetration depth) from above: the least |support function| of the difference
-  /// over the hint and directions near it. In double, to a few parts in 1e16 of the pair's reach.
+  /// How far the bodies are from contact: of disjoint ones the largest gap found along a direction, which the distance
+  /// is not below; of others the least overlap along one, which the depth is not above. Looked for along the hint, the
+  /// axes of both bodies, and what a search ends with; in double, to a few parts in 1e16 of the pair's reach.
   double gap_bound(const Transformd& a_from_b, const Vec3d& hint) const;
 
   /// Two polytopes, rounded or not.

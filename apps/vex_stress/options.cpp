@@ -70,7 +70,7 @@ void declare_options(CLI::App& app, StressCommandLine& words) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->group(strata);
-  app.add_option("--pairs", words.pairs, "Poses of every stratum, written like 1e4 (default 500)")
+  app.add_option("--pairs", words.pairs, "Poses of every stratum, written like 1e4 (default 1000)")
       ->type_name("N")
       ->group(strata);
   app.add_flag("--list", words.list, "Name the strata and stop")->group(strata);
@@ -97,7 +97,7 @@ void declare_options(CLI::App& app, StressCommandLine& words) {
 StressOptions interpret(const StressCommandLine& words) {
   StressOptions options;
   static_cast<CommonOptions&>(options) = interpret_common(words);
-  options.pairs = words.pairs.empty() ? 500 : parse_positive_count(words.pairs, "--pairs");
+  options.pairs = words.pairs.empty() ? 1000 : parse_positive_count(words.pairs, "--pairs");
   if (options.pairs > kMostPairs) {
     throw UsageError("too many pairs (" + words.pairs + " for --pairs) - at most " + short_count(kMostPairs) +
                      " a stratum");

@@ -48,8 +48,11 @@ struct StressPair {
   ExactForm form_a, form_b;
   Features features_a, features_b;  // of polytopes of few vertices
 
-  /// R_A + R_B, what distances are relative to.
-  double size() const { return a.circumradius() + b.circumradius(); }
+  /// R_A + R_B, what distances are relative to; 1 for two points.
+  double size() const {
+    const double sum = a.circumradius() + b.circumradius();
+    return sum > 0.0 ? sum : 1.0;
+  }
   bool is_rational() const { return form_a.is_rounded_polytope() && form_b.is_rounded_polytope(); }
 };
 

@@ -8,7 +8,8 @@
 namespace vex {
 namespace {
 
-constexpr double kRowHeight = 15.0, kLabelWidth = 230.0, kCellWidth = 96.0, kTop = 96.0, kMargin = 16.0;
+constexpr double kRowHeight = 15.0, kLabelWidth = 230.0, kCellWidth = 96.0, kTop = 96.0, kMargin = 16.0,
+                 kFamilyGap = 6.0;
 
 struct Colour {
   double r, g, b;
@@ -62,12 +63,18 @@ std::string words(double x, double y, const std::string& text, const std::string
   return "<text x=\"" + short_number(x) + "\" y=\"" + short_number(y) + "\"" + more + ">" + text + "</text>\n";
 }
 
+// What stands before the last part of the name.
+std::string family_of(const StressRow& row) { return row.name.substr(0, row.name.rfind('/')); }
+
 }  // namespace
 
 std::string picture_of(const StressRun& run) {
   const std::size_t n_backends = run.options.backends.size();
   const double width = std::max(2.0 * kMargin + kLabelWidth + static_cast<double>(n_backends) * kCellWidth, 640.0);
-  const double height = kTop + static_cast<double>(run.rows.size()) * kRowHeight + kMargin;
+  double height = kTop + static_cast<double>(run.rows.size()) * kRowHeight + kMargin;
+  for (std::size_t i = 1; i < run.rows.size(); ++i) {
+    if (family_of(run.rows[i]) != family_of(run.rows[i - 1])) height += kFamilyGap;
+  }
   std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + short_number(width) + "\" height=\"" +
                     short_number(height) +
                     "\" font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\" font-size=\"10\">\n";
@@ -85,9 +92,10 @@ std::string picture_of(const StressRun& run) {
     svg += words(kMargin + kLabelWidth + (static_cast<double>(k) + 0.5) * kCellWidth, kTop - 10.0,
                  run.options.backends[k].name, " text-anchor=\"middle\" font-size=\"12\" font-weight=\"bold\"");
   }
-  for (std::size_t i = 0; i < run.rows.size(); ++i) {
+  double y = kTop;
+  for (std::size_t i = 0; i < run.rows.size(); ++i, y += kRowHeight) {
     const StressRow& row = run.rows[i];
-    const double y = kTop + static_cast<double>(i) * kRowHeight;
+    if (i > 0 && family_of(row) != family_of(run.rows[i - 1])) y += kFamilyGap;
     svg += words(kMargin, y + 11.0, row.name);
     for (std::size_t k = 0; k < n_backends; ++k) {
       const double x = kMargin + kLabelWidth + static_cast<double>(k) * kCellWidth;
