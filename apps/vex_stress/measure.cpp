@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <thread>
 
@@ -20,6 +21,10 @@ double microseconds_of(OverlapBackend& backend, const Transformd& pose, Verdict&
   const auto start = std::chrono::steady_clock::now();
   backend.decide({&pose, 1}, {&verdict, 1});
   return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+}
+
+void keep_first(std::optional<StressExample>& kept, const StressExample& example) {
+  if (!kept || example.index < kept->index) kept = example;
 }
 
 // None where the backend has no test of the pair: some find that out only when they build their own bodies (FCL's hulls
@@ -42,7 +47,7 @@ class Bench {
     for (const BackendKind& kind : kinds) backends_.push_back(instance_of(kind, pair));
   }
 
-  void answer(const StressPose& pose, bool has_band, StressRow& row) {
+  void answer(const StressPose& pose, std::uint64_t index, bool has_band, StressRow& row) {
     const Outcome truth = referee_.judge(pose.a_from_b, pose.normal);
     ++row.n_pairs;
     row.n_overlaps += truth == Outcome::overlap ? 1 : 0;
@@ -56,13 +61,13 @@ class Bench {
       for (int again = 0; again < 2 && us > row.counts[k].slowest_us && us < kSurelySlowUs; ++again) {
         us = std::min(us, microseconds_of(*backends_[k], pose.a_from_b, verdict));
       }
-      count(verdict, truth, us, pose, has_band, row.counts[k]);
+      count(verdict, truth, us, pose, index, has_band, row.counts[k]);
     }
   }
 
  private:
-  void count(const Verdict& verdict, Outcome truth, double us, const StressPose& pose, bool has_band,
-             StressCounts& counts) const {
+  void count(const Verdict& verdict, Outcome truth, double us, const StressPose& pose, std::uint64_t index,
+             bool has_band, StressCounts& counts) const {
     ++counts.n_pairs;
     counts.slowest_us = std::max(counts.slowest_us, us);
     const bool is_undecided = verdict.outcome == Outcome::undecided;
@@ -70,13 +75,17 @@ class Bench {
     if (!is_undecided) {
       if (truth == Outcome::undecided || verdict.outcome == truth) return;
       ++(truth == Outcome::overlap ? counts.n_missed : counts.n_invented);
+      keep_first(counts.first_wrong, {index, pair_.name, pose.a_from_b});
       return;
     }
     ++counts.n_undecided;
     if (verdict.reason == UndecidedReason::iteration_cap) ++counts.n_capped;
     const double gap = referee_.gap_bound(pose.a_from_b, pose.normal) / pair_.size();
     counts.widest_undecided = std::max(counts.widest_undecided, gap);
-    if (pair_.is_rational() || (has_band && gap > kUndecidedBand)) ++counts.n_beyond_band;
+    if (pair_.is_rational() || (has_band && gap > kUndecidedBand)) {
+      ++counts.n_beyond_band;
+      keep_first(counts.first_beyond_band, {index, pair_.name, pose.a_from_b});
+    }
   }
 
   const StressPair& pair_;
@@ -103,7 +112,13 @@ void add_row(StressRow& to, const StressRow& from) {
   to.n_pairs += from.n_pairs;
   to.n_overlaps += from.n_overlaps;
   to.n_unjudged += from.n_unjudged;
-  for (std::size_t k = 0; k < to.counts.size(); ++k) to.counts[k].add(from.counts[k]);
+  for (std::size_t k = 0; k < to.counts.size(); ++k) {
+    // Whichever thread ends first: the example is the one of the smallest index.
+    StressCounts& counts = to.counts[k];
+    if (from.counts[k].first_wrong) keep_first(counts.first_wrong, *from.counts[k].first_wrong);
+    if (from.counts[k].first_beyond_band) keep_first(counts.first_beyond_band, *from.counts[k].first_beyond_band);
+    counts.add(from.counts[k]);
+  }
 }
 
 void work(Shared& shared, bool shows_progress) {
@@ -118,7 +133,7 @@ void work(Shared& shared, bool shows_progress) {
       const std::size_t k = index % shared.pairs.size();
       const auto bench = benches.try_emplace(k, shared.pairs[k], shared.referees[k], shared.settings.backends).first;
       Draw draw(shared.settings.seed, shared.stratum.name, index);
-      bench->second.answer(shared.stratum.place(shared.pairs[k], draw), shared.stratum.has_band, row);
+      bench->second.answer(shared.stratum.place(shared.pairs[k], draw), index, shared.stratum.has_band, row);
       ++shared.n_done;
     }
     if (shows_progress && shared.settings.on_progress) shared.settings.on_progress(shared.n_done);
@@ -139,6 +154,8 @@ void StressCounts::add(const StressCounts& other) {
   n_beyond_band += other.n_beyond_band;
   widest_undecided = std::max(widest_undecided, other.widest_undecided);
   slowest_us = std::max(slowest_us, other.slowest_us);
+  if (!first_wrong) first_wrong = other.first_wrong;
+  if (!first_beyond_band) first_beyond_band = other.first_beyond_band;
 }
 
 StressRow measure(const Stratum& stratum, const StressSettings& settings) {

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
-#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +15,13 @@ namespace vex {
 
 /// How far from contact, relative to R_A + R_B, curved bodies of aspect ratios up to 1e6 may still be undecided.
 inline constexpr double kUndecidedBand = 1e-14;
+
+/// A pose to look at, and what makes it again: `vex_stress --stratum NAME --seed SEED`, pose number `index`.
+struct StressExample {
+  std::uint64_t index = 0;
+  std::string pair;
+  Transformd a_from_b;
+};
 
 /// Of one backend.
 struct StressCounts {
@@ -27,8 +34,10 @@ struct StressCounts {
       0;                          // undecided where it must not be: any polytope, rounded or not; farther than the band
   double widest_undecided = 0.0;  // the largest gap or depth, relative to R_A + R_B
   double slowest_us = 0.0;        // the slowest single query
+  std::optional<StressExample> first_wrong{}, first_beyond_band{};  // of the smallest index of a stratum
 
   std::uint64_t n_wrong() const { return n_missed + n_invented; }
+  /// The other's counts as well; examples stay those of the first stratum that has one.
   void add(const StressCounts& other);
 };
 

@@ -38,6 +38,17 @@ std::string counts_text(const StressCounts& counts) {
   return text;
 }
 
+Json example_json(const std::optional<StressExample>& example) {
+  if (!example) return nullptr;
+  return {{"index", example->index}, {"bodies", example->pair}, {"pose", twelve_numbers(example->a_from_b)}};
+}
+
+std::string example_text(const StressExample& example) {
+  std::string text = "pose " + std::to_string(example.index) + ", " + example.pair + ",";
+  for (const double x : twelve_numbers(example.a_from_b)) text += " " + shortest_number(x);
+  return text + "\n";
+}
+
 Json counts_json(const StressCounts& counts) {
   return {{"pairs", counts.n_pairs},
           {"wrong", counts.n_wrong()},
@@ -48,7 +59,9 @@ Json counts_json(const StressCounts& counts) {
           {"widest_undecided", number_or_null(counts.widest_undecided)},
           {"capped", counts.n_capped},
           {"escalated", counts.n_escalated},
-          {"slowest_us", counts.slowest_us}};
+          {"slowest_us", counts.slowest_us},
+          {"first_wrong", example_json(counts.first_wrong)},
+          {"first_beyond_band", example_json(counts.first_beyond_band)}};
 }
 
 }  // namespace
@@ -116,10 +129,11 @@ std::string report_text(const StressRun& run) {
           " (R_A + R_B) from contact, " + std::to_string(ours.n_capped) + " by an iteration cap\n";
   for (const StressRow& row : run.rows) {
     const StressCounts& counts = row.counts[0];
-    if (counts.n_undecided == 0 || counts.n_beyond_band + counts.n_capped == 0) continue;
-    text += "    " + row.name + ": " + std::to_string(counts.n_beyond_band) + " beyond the band, " +
-            std::to_string(counts.n_capped) + " capped, the widest at " + short_number(counts.widest_undecided, 2) +
-            "\n";
+    if (counts.n_wrong() + counts.n_beyond_band + counts.n_capped == 0) continue;
+    text += "    " + row.name + ": " + std::to_string(counts.n_wrong()) + " wrong, " +
+            std::to_string(counts.n_beyond_band) + " beyond the band, " + std::to_string(counts.n_capped) +
+            " capped; undecided up to " + short_number(counts.widest_undecided, 2) + "\n";
+    if (counts.first_wrong) text += "      first wrong: " + example_text(*counts.first_wrong);
   }
   text += "  " + fixed_number(1, run.seconds) + " s on " + std::to_string(run.options.n_threads) + " threads\n";
   if (!run.complete) text += "Interrupted: the last stratum is not complete.\n";
