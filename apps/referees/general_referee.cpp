@@ -51,17 +51,25 @@ bool hull_holds_origin(const DifferenceBody& difference, const std::vector<Diffe
   return exact::distance_sq_from_origin(exact_points) == 0;
 }
 
-// What touching or flat bodies may have at the origin: a face, an edge, a rim across `normal`.
+// What touching or flat bodies may have at the origin: a face, an edge, a rim across `normal`. Of bodies that tie along
+// the normal, tilting it a little chooses a corner; where a body does not tie, the point along the normal itself is
+// taken as well, since a tilt moves it off the plane of contact.
 std::vector<DifferencePoint> points_across(const DifferenceBody& difference, const Vec3d& normal) {
   const double length = norm_1(normal);
   const Vec3d other = std::fabs(normal.x) < 0.4 * length ? Vec3d{1.0, 0.0, 0.0} : Vec3d{0.0, 1.0, 0.0};
   const Vec3d first = cross(other, normal), second = cross(normal, first);
   const double s = length / norm_1(first), q = length / norm_1(second);
-  std::vector<DifferencePoint> points;
+  const DifferencePoint straight = difference.support({normal.x, normal.y, normal.z});
+  std::vector<DifferencePoint> points = {straight};
   for (const double tilt : {0x1p-60, 0x1p-20}) {
-    for (const auto& [i, j] : {std::pair{s, 0.0}, {-s, 0.0}, {0.0, q}, {0.0, -q}, {s, q}, {-s, -q}}) {
+    for (const auto& [i, j] : {std::pair{s, q}, {-s, q}, {s, -q}, {-s, -q}, {s, 0.0}, {-s, 0.0}}) {
       const Vec3d d = tilt * (i * first + j * second);
-      points.push_back(difference.support(Vec3dd{normal.x, normal.y, normal.z} + Vec3dd{d.x, d.y, d.z}));
+      const DifferencePoint tilted = difference.support(Vec3dd{normal.x, normal.y, normal.z} + Vec3dd{d.x, d.y, d.z});
+      DifferencePoint corner = straight;
+      if (tilted.a.is_vertex) corner.a = tilted.a;
+      if (tilted.b.is_vertex) corner.b = tilted.b;
+      points.push_back(tilted);
+      points.push_back(corner);
     }
   }
   return points;
