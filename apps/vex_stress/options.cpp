@@ -103,6 +103,9 @@ StressOptions interpret(const StressCommandLine& words) {
                      " a stratum");
   }
   options.plot = words.plot;
+  if (!words.plot.empty() && words.plot == words.json) {
+    throw UsageError("one file for two outputs (" + words.plot + " for --json and --plot) - give each its own");
+  }
   options.list = words.list;
   options.strata = strata_named(words.strata);
   options.backends = backends_named(words.backends);

@@ -136,6 +136,7 @@ TEST_F(Stress, RefusesWhatItDoesNotKnow) {
   expect_refusal(run({"--plot"}), 2, "a value is missing", "vex_stress");
   expect_refusal(run({"--plot", "no/folder/stress.svg"}), 2, "no/folder", "vex_stress");
   expect_refusal(run({"--json", "no/folder/stress.json"}), 2, "no/folder", "vex_stress");
+  expect_refusal(run({"--json", "-", "--plot", "-"}), 2, "one file for two outputs", "vex_stress");
   expect_refusal(run({"box:1,1,1"}), 2, "not understood (box:1,1,1)", "vex_stress");
   EXPECT_TRUE(files().empty());
 }
