@@ -159,6 +159,10 @@ step "vex_paper computes a table in an empty environment"
 env -i "$scratch/root/usr/bin/vex_paper" --table 1 --trials 2000 --max-z 100 >"$scratch/report" || fail "exit code $?"
 grep -qE '^ *1e-6 +2000007 ' "$scratch/report" || { cat "$scratch/report"; fail "the row of ratio 1e-6"; }
 
+step "vex_stress judges a stratum in an empty environment"
+env -i "$scratch/root/usr/bin/vex_stress" --stratum random/cubes --pairs 100 >"$scratch/report" || fail "exit code $?"
+grep -q 'gjk: 0 wrong' "$scratch/report" || { cat "$scratch/report"; fail "a wrong answer"; }
+
 if command -v lintian >/dev/null; then
   step "lintian"
   allow_root=

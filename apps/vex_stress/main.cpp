@@ -1,0 +1,77 @@
+// vex_stress: bodies placed where overlap tests fail, every backend's answers, and exact arithmetic to judge them.
+#include <chrono>
+#include <iostream>
+
+#include "apps/common/interrupt.h"
+#include "apps/common/output_file.h"
+#include "apps/common/progress_bar.h"
+#include "apps/common/run_program.h"
+#include "apps/vex_stress/options.h"
+#include "apps/vex_stress/plot.h"
+#include "apps/vex_stress/report.h"
+
+namespace vex {
+namespace {
+
+void measure_all(StressRun& run) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto seconds = [start] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  StressSettings settings;
+  settings.seed = run.options.seed;
+  settings.n_pairs = run.options.pairs;
+  settings.n_threads = run.options.n_threads;
+  settings.backends = run.options.backends;
+  settings.interrupt = &interrupting_signal();
+  std::uint64_t n_done = 0;
+  StopRule stop;
+  stop.trials = 0;
+  for (const Stratum& stratum : run.options.strata)
+    *stop.trials += std::min<std::uint64_t>(run.options.pairs, stratum.most_poses);
+  for (const Stratum& stratum : run.options.strata) {
+    ProgressBar bar(!run.options.quiet, stop, stratum.name + "  ");
+    settings.on_progress = [&](std::uint64_t n_of_stratum) {
+      Progress progress;
+      progress.tally.n_trials = n_done + n_of_stratum;
+      progress.seconds = seconds();
+      bar.show(progress);
+    };
+    run.rows.push_back(measure(stratum, settings));
+    n_done += run.rows.back().n_pairs;
+    run.complete = run.rows.back().complete && interrupting_signal().load() == 0;
+    if (!run.complete) break;
+  }
+  run.seconds = seconds();
+}
+
+int run_vex_stress(const StressCommandLine& words, const std::string& command) {
+  StressRun run{command, interpret(words)};
+  if (run.options.list) {
+    std::cout << list_text(run.options);
+    return kSuccess;
+  }
+  std::optional<OutputFile> json, plot;
+  if (!run.options.json.empty()) json.emplace(run.options.json, std::span<const std::string>());
+  if (!run.options.plot.empty()) plot.emplace(run.options.plot, std::span<const std::string>());
+
+  catch_interrupts();
+  measure_all(run);
+  const bool prints_elsewhere = (json && json->is_standard_output()) || (plot && plot->is_standard_output());
+  if (!run.options.quiet && !prints_elsewhere) std::cout << report_text(run);
+  if (json) json->write(report_json(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  if (plot) plot->write(picture_of(run));
+  if (!run.complete) return kSignalBase + interrupting_signal().load();
+  return run.total(0).n_wrong() == 0 ? kSuccess : kFault;
+}
+
+}  // namespace
+}  // namespace vex
+
+int main(int argc, char** argv) {
+  CLI::App app("Where overlap tests fail: near contact, extreme and degenerate, judged by exact arithmetic.",
+               "vex_stress");
+  vex::StressCommandLine words;
+  vex::declare_options(app, words);
+  return vex::run_program(app, argc, argv, [&] { return vex::run_vex_stress(words, vex::command_line(argc, argv)); });
+}
