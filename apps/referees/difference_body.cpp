@@ -26,7 +26,7 @@ Vec3dd unit(const Vec3dd& dir) {
   const DoubleDouble to_one = std::ldexp(1.0, -std::ilogb(largest));
   const Vec3dd d = to_one * dir;
   const DoubleDouble length = square_root(dot(d, d));
-  return {quotient(d.x, length), quotient(d.y, length), quotient(d.z, length)};
+  return {d.x / length, d.y / length, d.z / length};
 }
 
 DoubleDouble length_of(const Vec3dd& d) { return dot(unit(d), d); }
@@ -56,21 +56,6 @@ DyadicPoint within_unit_ball(const Vec3dd& x) {
 }
 
 }  // namespace
-
-DoubleDouble quotient(const DoubleDouble& a, const DoubleDouble& b) {
-  const double first = a.high / b.high;
-  const DoubleDouble rest = a - b * first;
-  const double second = rest.high / b.high;
-  const DoubleDouble rest_2 = rest - b * second;
-  return (DoubleDouble(first) + second) + rest_2.high / b.high;
-}
-
-DoubleDouble square_root(const DoubleDouble& a) {
-  if (!(a.high > 0.0)) return 0.0;
-  const DoubleDouble first = std::sqrt(a.high);
-  const DoubleDouble second = first + (a - first * first) * DoubleDouble(0.5 / first.high);
-  return second + (a - second * second) * DoubleDouble(0.5 / first.high);
-}
 
 DifferenceBody::DifferenceBody(const ExactForm& a, const ExactForm& b, const Transformd& a_from_b)
     : a_(a), b_(b), pose_(a_from_b) {

@@ -16,9 +16,6 @@ namespace vex::exact {
 
 using Vec3dd = Vec3<DoubleDouble>;
 
-DoubleDouble quotient(const DoubleDouble& a, const DoubleDouble& b);
-DoubleDouble square_root(const DoubleDouble& a);
-
 /// A point of a body without its ball: vertex `index` of its points, or the point c + D x of its piece `index`.
 struct CorePoint {
   bool is_vertex = true;

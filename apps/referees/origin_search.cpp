@@ -66,7 +66,7 @@ class Simplex {
     const Vec3dd along = at(j) - at(i);
     const DoubleDouble length_sq = dot(along, along);
     if (!(length_sq.high > 0.0)) return;
-    const DoubleDouble s = quotient(-dot(at(i), along), length_sq);
+    const DoubleDouble s = -dot(at(i), along) / length_sq;
     if (!(s.high > 0.0) || !(s.high < 1.0)) return;
     offer(at(i) + s * along, (1u << i) | (1u << j));
   }
@@ -78,7 +78,7 @@ class Simplex {
     if (!(determinant_of(normal, at(j), at(k)).value() > 0.0)) return;
     if (!(determinant_of(normal, at(k), at(i)).value() > 0.0)) return;
     if (!(determinant_of(normal, at(i), at(j)).value() > 0.0)) return;
-    const DoubleDouble s = quotient(dot(at(i), normal), normal_sq);
+    const DoubleDouble s = dot(at(i), normal) / normal_sq;
     offer(s * normal, (1u << i) | (1u << j) | (1u << k));
   }
 
