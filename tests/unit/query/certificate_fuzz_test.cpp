@@ -52,8 +52,9 @@ OverlapCertificate distorted(const OverlapCertificate& certificate, std::mt19937
   if (c.n_witnesses == 0) c.n_witnesses = 4;
   for (Witness& witness : c.witnesses) {
     witness = certificate.witnesses[random() % 4];
-    witness = {distorted(witness.dir, random), distorted(witness.dir_low, random), distorted(witness.point_a, random),
-               distorted(witness.point_b, random)};
+    witness = {distorted(witness.dir, random),     distorted(witness.dir_low, random),
+               distorted(witness.dir_b, random),   distorted(witness.dir_b_low, random),
+               distorted(witness.point_a, random), distorted(witness.point_b, random)};
   }
   return c;
 }

@@ -98,6 +98,8 @@ TEST(Certificate, WithANumberThatIsNoneProvesNothing) {
       if (!proven.a.exact_form()->is_rounded_polytope() && proven.verdict.outcome == Outcome::overlap) {
         fields.emplace_back([](OverlapCertificate& c) -> double& { return c.witnesses[3].dir.y; });
         fields.emplace_back([](OverlapCertificate& c) -> double& { return c.witnesses[2].dir_low.x; });
+        fields.emplace_back([](OverlapCertificate& c) -> double& { return c.witnesses[1].dir_b.z; });
+        fields.emplace_back([](OverlapCertificate& c) -> double& { return c.witnesses[0].dir_b_low.y; });
       }
       for (const auto& field : fields) {
         OverlapCertificate tampered = proven.certificate;
@@ -219,8 +221,8 @@ TEST(Certificate, OfAnOverlapIsRefusedWhenItsWitnessesAreOthers) {
         for (int j = 0; j < n; ++j) {
           const auto i = static_cast<std::size_t>(j), next = static_cast<std::size_t>((j + 1) % n);
           tampered.witnesses[i].point_b = near.certificate.witnesses[next].point_b;
-          tampered.witnesses[i].dir = -near.certificate.witnesses[i].dir;
-          tampered.witnesses[i].dir_low = -near.certificate.witnesses[i].dir_low;
+          tampered.witnesses[i].dir_b = near.certificate.witnesses[next].dir_b;
+          tampered.witnesses[i].dir_b_low = near.certificate.witnesses[next].dir_b_low;
         }
         ++n_permuted;
         n_permuted_proven += near.proves(tampered) ? 1 : 0;
