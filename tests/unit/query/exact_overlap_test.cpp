@@ -303,5 +303,33 @@ TEST(ExactOverlap, EndsOnHullsOfManyNearlyCoplanarPoints) {
   EXPECT_LT(n_support_calls, 400);
 }
 
+TEST(ExactOverlap, OfFacesThatAreCoplanarButForRoundingIsWhatRationalsSay) {
+  // Points of one tilted plane, rounded, on both bodies, which lie on either side of it: along its normal double
+  // precision takes now this, now that point for the farthest.
+  std::mt19937_64 random(6);
+  int n_overlap = 0, n_disjoint = 0;
+  for (int k = 0; k < 600; ++k) {
+    const Vec3d normal = random_direction(random), e = cross(normal, random_direction(random)), f = cross(normal, e);
+    const Vec3d middle = 3.0 * random_direction(random);
+    const auto face = [&](std::vector<Vec3d>& points) {
+      for (int j = 0; j < 10; ++j) {
+        points.push_back(middle + (random_in_unit_interval(random) - 0.5) * e +
+                         (random_in_unit_interval(random) - 0.5) * f);
+      }
+    };
+    std::vector<Vec3d> below = {middle - normal}, above = {middle + normal};
+    face(below);
+    face(above);
+    const double lift = (random_in_unit_interval(random) - 0.25) * 0x1p-51;
+    const Transformd pose = shifted(lift * normal.x, lift * normal.y, lift * normal.z);
+    const ConvexBody a = hull(below), b = hull(above);
+    const Outcome truth = true_outcome(a, b, pose).value();
+    (truth == Outcome::overlap ? n_overlap : n_disjoint) += 1;
+    ASSERT_NO_FATAL_FAILURE(expect_truth(a, b, pose, truth));
+  }
+  EXPECT_GT(n_overlap, 100);
+  EXPECT_GT(n_disjoint, 20);
+}
+
 }  // namespace
 }  // namespace vex
