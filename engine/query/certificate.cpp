@@ -297,6 +297,12 @@ CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, con
   if (claimed == Outcome::undecided) return failed("an undecided verdict claims nothing");
   const std::optional<ExactForm> form_a = a.exact_form(), form_b = b.exact_form();
   if (!form_a || !form_b) return failed("a body has no exact form");
+  for (const Vec3d& v : {a_from_b.row_x, a_from_b.row_y, a_from_b.row_z, a_from_b.translation}) {
+    if (!is_finite(v)) return failed("the pose is not finite");
+  }
+  for (const Vec3d& p : form_b->points) {
+    if (!is_finite(a_from_b(p))) return failed("a placed vertex is not finite");
+  }
   const Scene scene{*form_a, *form_b, a_from_b};
   if (!is_finite(certificate.separating_dir) || !is_finite(certificate.separating_dir_low)) {
     return failed("the separating direction is not finite");

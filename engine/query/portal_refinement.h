@@ -87,7 +87,8 @@ PortalResult<L> refine_portal(const Difference& difference, const Vec3<L>& v0, c
                               int max_support_calls) {
   using Mask = MaskOf<L>;
   PortalResult<L> result;
-  Vec3<L> v1, v2, v3;
+  // Points of K from the start, so that they are whatever round the search ends in.
+  Vec3<L> v1 = v0, v2 = v0, v3 = v0;
   Vec3<L> dir = -v0;
   Mask active(true);
   // What the next support point will be; a lane in none of these is discovering its portal.
