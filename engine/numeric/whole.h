@@ -5,7 +5,15 @@
 // brought to one exponent, after which nothing needs scaling any more.
 #pragma once
 
+// gcc 12 takes the limbs behind a number's length for uninitialised ones that are read.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 #include <boost/multiprecision/cpp_int.hpp>
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
 
 #include "engine/numeric/transform.h"
 #include "engine/numeric/vec3.h"

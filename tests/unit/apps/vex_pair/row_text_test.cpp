@@ -26,8 +26,9 @@ Answer overlap_answer() {
   Answer answer;
   answer.verdict = Verdict::overlap(DecidedBy::double_double);
   answer.certificate.n_witnesses = 2;
-  answer.certificate.witnesses[0] = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {0.1, 0.2, 0.3}};
-  answer.certificate.witnesses[1] = {{-1, -2, -3}, {-4, -5, -6}, {-7, -8, -9}, {-0.1, -0.2, -0.3}};
+  answer.certificate.witnesses[0] = {{1, 2, 3}, {4, 5, 6}, {10, 11, 12}, {13, 14, 15}, {7, 8, 9}, {0.1, 0.2, 0.3}};
+  answer.certificate.witnesses[1] = {{-1, -2, -3},    {-4, -5, -6}, {-10, -11, -12},
+                                     {-13, -14, -15}, {-7, -8, -9}, {-0.1, -0.2, -0.3}};
   answer.check = CertificateCheck{false, "a \"fault\""};
   return answer;
 }
@@ -79,10 +80,14 @@ TEST(RowText, JsonHasTheCertificateToTheLastBit) {
   EXPECT_EQ(overlap.at("certificate"), (json{{"witnesses",
                                               {{{"direction", {1.0, 2.0, 3.0}},
                                                 {"direction_low", {4.0, 5.0, 6.0}},
+                                                {"direction_b", {10.0, 11.0, 12.0}},
+                                                {"direction_b_low", {13.0, 14.0, 15.0}},
                                                 {"point_a", {7.0, 8.0, 9.0}},
                                                 {"point_b", {0.1, 0.2, 0.3}}},
                                                {{"direction", {-1.0, -2.0, -3.0}},
                                                 {"direction_low", {-4.0, -5.0, -6.0}},
+                                                {"direction_b", {-10.0, -11.0, -12.0}},
+                                                {"direction_b_low", {-13.0, -14.0, -15.0}},
                                                 {"point_a", {-7.0, -8.0, -9.0}},
                                                 {"point_b", {-0.1, -0.2, -0.3}}}}}}));
   const json undecided = json::parse(row(layout, undecided_answer()));
