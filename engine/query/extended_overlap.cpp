@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "engine/numeric/double_double.h"
 #include "engine/query/portal_refinement.h"
@@ -48,14 +49,17 @@ struct Record {
   Witness witness;
 };
 
-// A - B in units of 2^exponent of the forms.
+// What flat differences are thickened by, scaled: far above the rounding of a search, far below 1e-14 of the bodies.
+constexpr double kThickness = 0x1p-56;
+
+// A - B in units of 2^exponent of the forms, with a ball of `thickness` about each point.
 class ExtendedDifference {
  public:
-  ExtendedDifference(const PlacedForms& forms, std::vector<Record>* records)
+  ExtendedDifference(const PlacedForms& forms, std::vector<Record>* records, double thickness = 0.0)
       : forms_(forms), records_(records), a_from_b_(extended(forms.a_from_b)) {
     a_from_b_.translation = extended(scaled(forms.a_from_b.translation, -forms.exponent));
     ball_radius_ = Extended(std::ldexp(forms.a.ball_radius, -forms.exponent)) +
-                   Extended(std::ldexp(forms.b.ball_radius, -forms.exponent));
+                   Extended(std::ldexp(forms.b.ball_radius, -forms.exponent)) + Extended(thickness);
   }
 
   Vec3e support(const Vec3e& dir) const {
@@ -199,33 +203,48 @@ constexpr QueryError<Extended> kError{Extended(8.0), Extended(kSupportError)};
 }  // namespace
 
 ExtendedOverlap extended_overlap(const PlacedForms& forms, OverlapCertificate* certificate, int max_support_calls) {
-  const ExtendedDifference difference(forms, nullptr);
   ExtendedOverlap result;
-  double gap_upper = HUGE_VAL;
+  double gap_lower = -HUGE_VAL, gap_upper = HUGE_VAL;
   bool is_capped = false;
-  result.n_support_calls = static_cast<int>(kDirections.size());
-  for (const Vec3e& start : inner_points(difference)) {
-    const PortalResult<Extended> found = refine_portal<Extended>(difference, start, kError, max_support_calls);
-    result.n_support_calls += found.n_support_calls;
-    if (found.disjoint) {
-      if (certificate != nullptr) {
-        certificate->separating_dir = high_part(found.separating_dir);
-        certificate->separating_dir_low = low_part(found.separating_dir);
+  // Searches `difference` from these points; whether that decided.
+  const auto search = [&](const ExtendedDifference& difference, std::span<const Vec3e> starts, bool is_thickened) {
+    for (const Vec3e& start : starts) {
+      const PortalResult<Extended> found = refine_portal<Extended>(difference, start, kError, max_support_calls);
+      result.n_support_calls += found.n_support_calls;
+      gap_lower = std::max(gap_lower, difference.gap_lower());
+      if (found.disjoint) {
+        if (certificate != nullptr) {
+          certificate->separating_dir = high_part(found.separating_dir);
+          certificate->separating_dir_low = low_part(found.separating_dir);
+        }
+        result.verdict = Verdict::disjoint(DecidedBy::double_double);
+        return true;
       }
-      result.verdict = Verdict::disjoint(DecidedBy::double_double);
-      return result;
+      if (found.overlap && !is_thickened) {
+        result.verdict = Verdict::overlap(DecidedBy::double_double);
+        return true;
+      }
+      is_capped = is_capped || found.capped;
+      const double thickness = is_thickened ? kThickness : 0.0;
+      gap_upper =
+          std::min(gap_upper, thickness + (found.overlap ? 0.0 : distance_of_triangle(found.v1, found.v2, found.v3)));
+      if (found.overlap) return false;
     }
-    if (found.overlap) {
-      result.verdict = Verdict::overlap(DecidedBy::double_double);
-      return result;
-    }
-    is_capped = is_capped || found.capped;
-    gap_upper = std::min(gap_upper, distance_of_triangle(found.v1, found.v2, found.v3));
-  }
+    return false;
+  };
+
+  const ExtendedDifference difference(forms, nullptr);
+  const auto starts = inner_points(difference);
+  result.n_support_calls = static_cast<int>(kDirections.size());
+  if (search(difference, starts, false)) return result;
+  // A difference without volume, of flat bodies in one plane, has no simplex to be searched with. Thickened by a ball
+  // it has; and what is apart from it is apart from the difference itself. Its own overlap proves that contact is near.
+  if (search(ExtendedDifference(forms, nullptr, kThickness), starts, true)) return result;
+
   if (certificate != nullptr) {
     // Lengths of any size again: ldexp rounds, at most, an underflowing one.
     const double upper = gap_upper * (1.0 + 0x1p-50) + 2.0 * kSupportError;
-    certificate->gap_lower = std::ldexp(difference.gap_lower(), forms.exponent);
+    certificate->gap_lower = std::ldexp(gap_lower, forms.exponent);
     certificate->gap_upper = std::ldexp(upper, forms.exponent);
   }
   result.verdict = Verdict::undecided(DecidedBy::double_double,
