@@ -102,11 +102,9 @@ class ExtendedDifference {
 
   Farthest farthest_of_a(const Vec3e& dir) const {
     Farthest best = farthest_piece(forms_.a, dir);
-    if (forms_.points_a.size() > 0) {
-      for (const std::size_t i : forms_.points_a.farthest(vertex_direction(dir))) {
-        const Vec3e point = extended(forms_.points_a[i]);
-        best.consider(point, dot(point, dir));
-      }
+    for (const std::size_t i : forms_.points_a.farthest(vertex_direction(dir))) {
+      const Vec3e point = extended(scaled(forms_.a.points[i], -forms_.exponent));
+      best.consider(point, dot(point, dir));
     }
     return best;
   }
@@ -119,14 +117,13 @@ class ExtendedDifference {
       const Vec3e placed = a_from_b_(own);
       best.consider(placed, dot(placed, dir));
     }
-    if (forms_.points_b.size() > 0) {
-      for (const std::size_t i : forms_.points_b.farthest(vertex_direction(dir))) {
-        const Vec3e own_point = extended(scaled(forms_.b.points[i], -forms_.exponent));
-        const Vec3e placed = forms_.b.is_polytope() ? extended(forms_.points_b[i]) : a_from_b_(own_point);
-        const Extended height = dot(placed, dir);
-        if (!best.is_any || height > best.height) own = own_point;
-        best.consider(placed, height);
-      }
+    for (const std::size_t i : forms_.points_b.farthest(vertex_direction(dir))) {
+      const Vec3e own_point = extended(scaled(forms_.b.points[i], -forms_.exponent));
+      const Vec3e placed =
+          forms_.b.is_polytope() ? extended(scaled(forms_.placed_b[i], -forms_.exponent)) : a_from_b_(own_point);
+      const Extended height = dot(placed, dir);
+      if (!best.is_any || height > best.height) own = own_point;
+      best.consider(placed, height);
     }
     return best;
   }

@@ -63,6 +63,13 @@ Vec3d inner_point(const Difference& difference, const Vec3d& between_centres, co
   return point;
 }
 
+// tests/bench compiles this file once more without the proofs, to measure what they cost.
+#ifdef VEX_FILTER_WITHOUT_PROOFS
+constexpr bool kProven = false;
+#else
+constexpr bool kProven = true;
+#endif
+
 template <class Difference>
 FilterResult filter(const Difference& difference, const Vec3d& between_centres, double inradii,
                     const QueryError<double>& error, int max_support_calls) {
@@ -74,7 +81,8 @@ FilterResult filter(const Difference& difference, const Vec3d& between_centres, 
       start = inner_point(difference, between_centres, kWeights[attempt - 1]);
       result.n_support_calls += static_cast<int>(kDirections.size());
     }
-    const PortalResult<double> found = refine_portal(difference, start, error, max_support_calls);
+    const PortalResult<double> found =
+        refine_portal<double, Difference, kProven>(difference, start, error, max_support_calls);
     result.n_support_calls += found.n_support_calls;
     if (found.disjoint) {
       result.verdict = Verdict::disjoint(DecidedBy::gjk);

@@ -21,19 +21,38 @@ Vec3d scaled(const Vec3d& v, int exponent) {
   return {std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent), std::ldexp(v.z, -exponent)};
 }
 
+// The points less the first one, times a power of two that brings the largest coordinate between 1/2 and 1: each
+// coordinate within 2 u of that.
+std::vector<Vec3d> unit_offsets(const std::vector<Vec3d>& points) {
+  double largest = 0.0;
+  for (const Vec3d& p : points) largest = std::max(largest, largest_coordinate(p));
+  const double factor = largest < 0x1p1000 ? 1.0 : 0.25;
+  std::vector<Vec3d> offsets;
+  offsets.reserve(points.size());
+  largest = 0.0;
+  for (const Vec3d& p : points) {
+    offsets.push_back(factor * p - factor * points.front());
+    largest = std::max(largest, largest_coordinate(offsets.back()));
+  }
+  if (largest == 0.0) return offsets;
+  const int exponent = std::ilogb(largest) + 1;
+  for (Vec3d& p : offsets) p = scaled(p, exponent);
+  return offsets;
+}
+
 bool is_finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 }  // namespace
 
 const std::vector<std::size_t>& VertexSet::farthest(const Vec3d& dir) const {
   found_.clear();
-  values_.resize(points_.size());
+  values_.resize(offsets_.size());
   double largest = -HUGE_VAL;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    values_[i] = dot(points_[i], dir);
+  for (std::size_t i = 0; i < offsets_.size(); ++i) {
+    values_[i] = dot(offsets_[i], dir);
     largest = std::max(largest, values_[i]);
   }
-  for (std::size_t i = 0; i < points_.size(); ++i) {
+  for (std::size_t i = 0; i < offsets_.size(); ++i) {
     if (values_[i] >= largest - 0x1p-45) found_.push_back(i);
   }
   return found_;
@@ -48,18 +67,18 @@ std::optional<PlacedForms> placed_forms(const ConvexBody& a, const ConvexBody& b
   if (!std::isfinite(largest)) return std::nullopt;
   if (largest > 0.0) forms.exponent = std::ilogb(largest) + 2;  // |R x| <= 1.74 |x|, and t beside it
 
-  std::vector<Vec3d> points_a, points_b;
-  for (const Vec3d& p : forms.a.points) points_a.push_back(scaled(p, forms.exponent));
-  Transformd scaled_pose = a_from_b;
-  scaled_pose.translation = scaled(a_from_b.translation, forms.exponent);
   for (const Vec3d& p : forms.b.points) {
     forms.placed_b.push_back(a_from_b(p));
     if (!is_finite(forms.placed_b.back())) return std::nullopt;
-    points_b.push_back(forms.b.is_polytope() ? scaled(forms.placed_b.back(), forms.exponent)
-                                             : scaled_pose(scaled(p, forms.exponent)));
   }
-  forms.points_a = VertexSet(std::move(points_a));
-  forms.points_b = VertexSet(std::move(points_b));
+  forms.points_a = VertexSet(unit_offsets(forms.a.points));
+  std::vector<Vec3d> offsets_b = unit_offsets(forms.b.is_polytope() ? forms.placed_b : forms.b.points);
+  if (!forms.b.is_polytope()) {
+    Transformd turn = a_from_b;
+    turn.translation = {};
+    for (Vec3d& p : offsets_b) p = turn(p);
+  }
+  forms.points_b = VertexSet(std::move(offsets_b));
   return forms;
 }
 

@@ -10,22 +10,20 @@
 
 namespace vex {
 
-/// Finitely many points as doubles, times a power of two so that no coordinate exceeds 1, of which those are wanted
-/// that are farthest in some direction.
+/// Finitely many points, of which those are wanted that are farthest in some direction. Kept as doubles, less the first
+/// point and times a power of two: so however small and however far from the origin the set is, doubles tell its points
+/// apart.
 class VertexSet {
  public:
-  /// `points`: coordinates up to 1, each within 16 u of the point that is meant.
-  explicit VertexSet(std::vector<Vec3d> points) : points_(std::move(points)) {}
-
-  std::size_t size() const { return points_.size(); }
-  const Vec3d& operator[](std::size_t i) const { return points_[i]; }
+  /// `offsets`: from one of the points; coordinates up to 1.8, each within 16 u of what is meant.
+  explicit VertexSet(std::vector<Vec3d> offsets) : offsets_(std::move(offsets)) {}
 
   /// Every index that may be the farthest one in a direction that is within 2^-52 of each coordinate of `dir`, whose
   /// largest coordinate is between 1/4 and 2: computed values within 2^-45 of the largest (E15).
   const std::vector<std::size_t>& farthest(const Vec3d& dir) const;
 
  private:
-  std::vector<Vec3d> points_;
+  std::vector<Vec3d> offsets_;
   mutable std::vector<std::size_t> found_;
   mutable std::vector<double> values_;
 };
@@ -38,7 +36,7 @@ struct PlacedForms {
   std::vector<Vec3d> placed_b;
   /// Lengths times 2^-exponent are at most 1, up to the sum of a few.
   int exponent = 0;
-  VertexSet points_a{{}}, points_b{{}};  // scaled; those of B placed
+  VertexSet points_a{{}}, points_b{{}};  // those of B placed
 
   bool are_rounded_polytopes() const { return a.is_rounded_polytope() && b.is_rounded_polytope(); }
 };

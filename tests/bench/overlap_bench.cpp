@@ -1,7 +1,9 @@
 // Overlap queries a second: the engine and the peers of this build on the same stored poses, in one run, on one core.
 //
 // Ball domain, isotropic orientations, every backend answers every pose itself (no quick verdicts), except in the rows
-// "trial", which time whole trials of the driver: random numbers, pose, quick verdicts, query, tally.
+// "trial", which time whole trials of the driver: random numbers, pose, quick verdicts, query, tally. In the rows
+// "filter" and "trial-filter" the query is the filter alone, and in "...-unproven" that filter with its signs believed
+// as they are computed: what the proofs cost.
 #include <benchmark/benchmark.h>
 
 #include <fstream>
@@ -11,9 +13,12 @@
 
 #include "apps/peers/peers.h"
 #include "apps/referees/specialised_backend.h"
+#include "engine/query/overlap.h"
+#include "engine/query/overlap_filter.h"
 #include "engine/sampling/fitted_domain.h"
 #include "engine/sampling/monte_carlo.h"
 #include "shapes/any_shape.h"
+#include "tests/bench/unproven_filter.h"
 #include "tests/referees/polytopes.h"
 
 namespace vex {
@@ -65,9 +70,35 @@ void time_query(benchmark::State& state, const ConvexBody& body, const BackendKi
   state.counters["hits"] = static_cast<double>(n_hits) / static_cast<double>(n);
 }
 
-void time_trial(benchmark::State& state, const ConvexBody& body, const Domain& domain) {
+// A query by the filter alone; what it leaves open stays so.
+template <FilterResult (*kFilter)(const ConvexBody&, const ConvexBody&, const Transformd&, int)>
+class FilterBackend final : public OverlapBackend {
+ public:
+  FilterBackend(const ConvexBody& a, const ConvexBody& b) : a_(a), b_(b) {}
+  void decide(std::span<const Transformd> a_from_b, std::span<Verdict> verdicts) override {
+    for (std::size_t k = 0; k < a_from_b.size(); ++k) {
+      verdicts[k] = kFilter(a_, b_, a_from_b[k], kMaxSupportCalls).verdict;
+    }
+  }
+
+ private:
+  const ConvexBody& a_;
+  const ConvexBody& b_;
+};
+
+template <FilterResult (*kFilter)(const ConvexBody&, const ConvexBody&, const Transformd&, int)>
+BackendKind filter_backend(const std::string& name) {
+  return {name,
+          false,
+          [](const ConvexBody& a, const ConvexBody& b) { return std::make_unique<FilterBackend<kFilter>>(a, b); },
+          {}};
+}
+
+void time_trial(benchmark::State& state, const ConvexBody& body, const Domain& domain,
+                const BackendKind& kind = gjk_backend()) {
   MonteCarloSettings settings;
   settings.domain = domain;
+  settings.backend = kind;
   settings.stop.trials = kPoses;
   for (auto _ : state) {
     benchmark::DoNotOptimize(run_hit_or_miss(body, body, settings));
@@ -89,6 +120,21 @@ int main(int argc, char** argv) {
     for (const BackendKind& kind : kinds) {
       benchmark::RegisterBenchmark((subject.name + "/" + kind.name).c_str(),
                                    [subject, kind](benchmark::State& state) { time_query(state, subject.body, kind); });
+    }
+    const BackendKind proven = filter_backend<filter_overlap>("filter");
+    const BackendKind unproven = filter_backend<filter_overlap_unproven>("filter-unproven");
+    for (const BackendKind& kind : {proven, unproven}) {
+      benchmark::RegisterBenchmark((subject.name + "/" + kind.name).c_str(),
+                                   [subject, kind](benchmark::State& state) { time_query(state, subject.body, kind); });
+    }
+    for (const BackendKind& kind : {proven, unproven}) {
+      benchmark::RegisterBenchmark(
+          (subject.name + (kind.name == "filter" ? "/trial-filter" : "/trial-unproven")).c_str(),
+          [subject, kind](benchmark::State& state) {
+            time_trial(state, subject.body, ball_domain(subject.body, subject.body), kind);
+          })
+          ->UseRealTime()
+          ->Unit(benchmark::kMillisecond);
     }
     for (const Domain& domain : {ball_domain(subject.body, subject.body), fitted_domain(subject.body, subject.body)}) {
       const std::string name = domain.kind == Domain::Kind::fitted ? "/trial-fitted" : "/trial";

@@ -38,10 +38,10 @@ void expect_tally(const json& estimate) {
   const std::uint64_t trials = count(estimate.at("trials"));
   const std::uint64_t hits = count(estimate.at("hits"));
   std::uint64_t decided = 0;
-  for (const char* key : {"outer_bound", "inner_bound", "gjk", "exact", "peer"}) {
+  for (const char* key : {"outer_bound", "inner_bound", "gjk", "double_double", "exact", "peer"}) {
     decided += count(estimate.at("decided_by").at(key));
   }
-  EXPECT_EQ(estimate.at("decided_by").size(), 5u);
+  EXPECT_EQ(estimate.at("decided_by").size(), 6u);
   EXPECT_EQ(decided + count(estimate.at("undecided")), trials);
   EXPECT_LE(hits, trials);
   EXPECT_LE(count(estimate.at("decided_by").at("inner_bound")), hits);

@@ -1,0 +1,5 @@
+#include "tests/bench/unproven_filter.h"
+
+#define VEX_FILTER_WITHOUT_PROOFS
+#define filter_overlap filter_overlap_unproven
+#include "engine/query/overlap_filter.cpp"  // NOLINT(bugprone-suspicious-include): the same source once more
