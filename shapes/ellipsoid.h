@@ -17,10 +17,11 @@ class Ellipsoid {
   }
 
   /// The image of the unit ball under D = diag(a, b, c): s(d) = D (D d / |D d|), where the inner D's are divided by a
-  /// power of two, so that no square overflows.
+  /// power of two, so that no square overflows (E14).
   template <class L>
   Vec3<L> support(const Vec3<L>& dir) const {
-    const Vec3<L> image{L(scaled_axes_.x) * dir.x, L(scaled_axes_.y) * dir.y, L(scaled_axes_.z) * dir.z};
+    Vec3<L> image{L(scaled_axes_.x) * dir.x, L(scaled_axes_.y) * dir.y, L(scaled_axes_.z) * dir.z};
+    if (any(norm_1(image) < L(0x1p-400))) image = scaled_to_unit_exponent(image);  // or its square would underflow
     const Vec3<L> unit = ball_support(L(1.0), image);
     return {L(axes_.x) * unit.x, L(axes_.y) * unit.y, L(axes_.z) * unit.z};
   }
