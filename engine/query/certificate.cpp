@@ -192,22 +192,31 @@ bool nearest_of_hull(const std::vector<Vector>& w, Nearest& nearest) {
   return nearest.denominator.sign() > 0;
 }
 
-// The ball of radius `margin` about the origin lies in the tetrahedron: every face has the origin behind it by more
-// than that, or, where the margin is 0, does not have it in front.
+// The ball of radius `margin` about the origin lies in the hull of four or more points: the hull has a volume, and
+// every facet has the origin behind it by more than that, or, where the margin is 0, does not have it in front. The
+// plane of a facet is that of three of the points, with all others on one side.
 bool holds_ball(const std::vector<Vector>& w, const Integer& margin) {
-  const int orientation = whole::sign(dot(cross(w[1] - w[0], w[2] - w[0]), w[3] - w[0]));
-  if (orientation == 0) return false;
-  constexpr int kFaces[4][3] = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
-  for (const auto& face : kFaces) {
-    const Vector &p = w[static_cast<std::size_t>(face[0])], &q = w[static_cast<std::size_t>(face[1])],
-                 &r = w[static_cast<std::size_t>(face[2])];
-    const Vector normal = cross(q - p, r - p);
-    // The fourth point is in front of the face (0, 1, 2) for a positive orientation; so must the origin be.
-    const Integer height = orientation > 0 ? Integer(-dot(normal, p)) : dot(normal, p);
-    if (height.sign() < 0) return false;
-    if (margin.sign() > 0 && height * height <= margin * margin * dot(normal, normal)) return false;
+  bool has_volume = false;
+  for (std::size_t i = 0; i < w.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      for (std::size_t k = 0; k < j; ++k) {
+        const Vector normal = cross(w[j] - w[i], w[k] - w[i]);
+        if (whole::is_zero(normal)) continue;
+        bool is_any_above = false, is_any_below = false;
+        for (const Vector& p : w) {
+          const int side = whole::sign(dot(normal, p - w[i]));
+          is_any_above = is_any_above || side > 0;
+          is_any_below = is_any_below || side < 0;
+        }
+        has_volume = has_volume || is_any_above || is_any_below;
+        if (is_any_above == is_any_below) continue;  // through the inside; or all in one plane
+        const Integer height = is_any_below ? dot(normal, w[i]) : Integer(-dot(normal, w[i]));
+        if (height.sign() < 0) return false;
+        if (margin.sign() > 0 && height * height <= margin * margin * dot(normal, normal)) return false;
+      }
+    }
   }
-  return true;
+  return has_volume;
 }
 
 CertificateCheck failed(std::string fault) { return {false, std::move(fault)}; }
@@ -233,7 +242,7 @@ CertificateCheck check_rounded_polytopes(const Scene& scene, Outcome claimed, co
   }
   if (w.size() == 4) {
     if (holds_ball(w, 0)) return {true, {}};
-    return failed("the origin is not in the witnesses' tetrahedron");
+    return failed("the origin is not in the witnesses' hull");
   }
   if (!nearest_of_hull(w, nearest) || !nearest.is_inside) {
     return failed("the witnesses' nearest point to the origin is not within their hull");
@@ -263,13 +272,14 @@ Dyadic reach_of(const Scene& scene) {
   return reach;
 }
 
-CertificateCheck check_tetrahedron(const Scene& scene, const OverlapCertificate& certificate) {
-  if (certificate.n_witnesses != 4) return failed("an overlap of curved bodies needs four witnesses");
+CertificateCheck check_hull(const Scene& scene, const OverlapCertificate& certificate) {
+  if (certificate.n_witnesses < 4) return failed("an overlap of curved bodies needs four witnesses");
   const Dyadic balls = Dyadic(scene.a.ball_radius) + Dyadic(scene.b.ball_radius);
   // Every point below is off by less than 2^-(kBits - 16) of the reach (E16).
   const Dyadic margin = reach_of(scene) * Dyadic(1, 16 - kBits);
   std::vector<DyadicVector> points;
-  for (const Witness& witness : certificate.witnesses) {
+  for (int k = 0; k < certificate.n_witnesses; ++k) {
+    const Witness& witness = certificate.witnesses[static_cast<std::size_t>(k)];
     const DyadicVector dir = direction_of(witness.dir, witness.dir_low);
     DyadicVector point = core_point(scene, witness, dir);
     if (whole::sign(balls) > 0) {
@@ -286,7 +296,7 @@ CertificateCheck check_tetrahedron(const Scene& scene, const OverlapCertificate&
   std::vector<Vector> w = as_whole(points, unit);
   const Integer whole_margin = w.back().x;
   w.pop_back();
-  if (!holds_ball(w, whole_margin)) return failed("the origin is not proven to be in the witnesses' tetrahedron");
+  if (!holds_ball(w, whole_margin)) return failed("the origin is not proven to be in the witnesses' hull");
   return {true, {}};
 }
 
@@ -313,7 +323,7 @@ CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, con
     if (scene.separates(dir)) return {true, {}};
     return failed("the direction does not separate the bodies");
   }
-  if (certificate.n_witnesses < 1 || certificate.n_witnesses > 4) return failed("there are no witnesses");
+  if (certificate.n_witnesses < 1 || certificate.n_witnesses > 6) return failed("there are no witnesses");
   for (const Witness& witness : certificate.witnesses) {
     for (const Vec3d& v :
          {witness.dir, witness.dir_low, witness.dir_b, witness.dir_b_low, witness.point_a, witness.point_b}) {
@@ -324,7 +334,7 @@ CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, con
     return check_rounded_polytopes(scene, claimed, certificate);
   }
   if (claimed == Outcome::disjoint) return failed("there is no separating direction");
-  return check_tetrahedron(scene, certificate);
+  return check_hull(scene, certificate);
 }
 
 }  // namespace vex

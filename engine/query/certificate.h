@@ -26,11 +26,11 @@ struct Witness {
 /// are rounded polytopes (ExactForm) and that direction is zero, it is the exact direction that minus the point of the
 /// witnesses' hull nearest to the origin has; no double may be near enough.
 ///
-/// Overlap: the convex hull of the witnesses contains the origin; of two rounded polytopes, the hull of the witnesses
-/// without the balls comes at least as near to the origin as the sum of the radii.
+/// Overlap: the convex hull of the witnesses, four or up to six of them, contains the origin; of two rounded polytopes,
+/// the hull of the witnesses without the balls comes at least as near to the origin as the sum of the radii.
 struct OverlapCertificate {
   Vec3d separating_dir, separating_dir_low;
-  std::array<Witness, 4> witnesses{};
+  std::array<Witness, 6> witnesses{};  // six points are enough for any hull around a point (E. Steinitz, 1913)
   int n_witnesses = 0;
 
   /// Of an undecided verdict: bounds of the signed gap, the distance where it is positive and minus the penetration

@@ -2,6 +2,8 @@
 // double precision leaves open, and for the witnesses of an overlap.
 #pragma once
 
+#include <functional>
+
 #include "engine/query/certificate.h"
 #include "engine/query/placed_forms.h"
 
@@ -16,7 +18,9 @@ struct ExtendedOverlap {
 /// the gap.
 ExtendedOverlap extended_overlap(const PlacedForms& forms, OverlapCertificate* certificate, int max_support_calls);
 
-/// Four witnesses around the origin, of bodies that are known to overlap. False where none are found.
-bool find_witnesses(const PlacedForms& forms, OverlapCertificate& certificate, int max_support_calls);
+/// Witnesses around the origin, of bodies that are known to overlap; `is_proof` tells of six whether they prove it.
+/// False, and no witnesses, where none are found.
+bool find_witnesses(const PlacedForms& forms, OverlapCertificate& certificate, int max_support_calls,
+                    const std::function<bool()>& is_proof);
 
 }  // namespace vex

@@ -1,5 +1,7 @@
 #include "engine/query/overlap.h"
 
+#include <functional>
+
 #include "engine/query/exact_overlap.h"
 #include "engine/query/extended_overlap.h"
 #include "engine/query/overlap_filter.h"
@@ -15,7 +17,8 @@ Witness witness_of(const PlacedForms& forms, const ExactOverlap& exact, int k) {
 
 // What the filter left open, and the witnesses of what it did not.
 Verdict decide_by_forms(const PlacedForms& forms, const Verdict& filtered, OverlapCertificate* certificate,
-                        bool wants_witnesses, int& n_support_calls, int max_support_calls) {
+                        bool wants_witnesses, int& n_support_calls, int max_support_calls,
+                        const std::function<bool()>& is_proof) {
   const bool is_open = filtered.outcome == Outcome::undecided;
   if (forms.are_rounded_polytopes()) {
     const ExactOverlap exact = exact_overlap(forms);
@@ -36,7 +39,7 @@ Verdict decide_by_forms(const PlacedForms& forms, const Verdict& filtered, Overl
     verdict = found.verdict;
   }
   if (wants_witnesses && verdict.outcome == Outcome::overlap) {
-    find_witnesses(forms, *certificate, max_support_calls);
+    find_witnesses(forms, *certificate, max_support_calls, is_proof);
   }
   return verdict;
 }
@@ -55,7 +58,8 @@ Verdict overlap(const ConvexBody& a, const ConvexBody& b, const Transformd& a_fr
   if (verdict.outcome == Outcome::undecided || (verdict.outcome == Outcome::overlap && wants_witnesses)) {
     if (const std::optional<PlacedForms> forms = placed_forms(a, b, a_from_b)) {
       verdict =
-          decide_by_forms(*forms, verdict, certificate, wants_witnesses, found.n_support_calls, max_support_calls);
+          decide_by_forms(*forms, verdict, certificate, wants_witnesses, found.n_support_calls, max_support_calls,
+                          [&] { return check_certificate(a, b, a_from_b, Outcome::overlap, *certificate).is_proven; });
     }
   }
   if (certificate != nullptr) certificate->n_support_calls = found.n_support_calls;

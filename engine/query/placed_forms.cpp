@@ -41,6 +41,9 @@ std::vector<Vec3d> unit_offsets(const std::vector<Vec3d>& points) {
 }
 
 bool is_finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool is_finite(const Transformd& pose) {
+  return is_finite(pose.row_x) && is_finite(pose.row_y) && is_finite(pose.row_z) && is_finite(pose.translation);
+}
 
 }  // namespace
 
@@ -62,11 +65,12 @@ std::optional<PlacedForms> placed_forms(const ConvexBody& a, const ConvexBody& b
   std::optional<ExactForm> form_a = a.exact_form(), form_b = b.exact_form();
   if (!form_a || !form_b) return std::nullopt;
   PlacedForms forms{std::move(*form_a), std::move(*form_b), a_from_b, {}, 0, VertexSet({}), VertexSet({})};
-  const double largest = std::max(
-      {largest_length(forms.a), 2.0 * largest_length(forms.b), 2.0 * largest_coordinate(a_from_b.translation)});
-  if (!std::isfinite(largest)) return std::nullopt;
-  if (largest > 0.0) forms.exponent = std::ilogb(largest) + 2;  // |R x| <= 1.74 |x|, and t beside it
-
+  const double length_a = largest_length(forms.a), length_b = largest_length(forms.b);
+  const double shift = largest_coordinate(a_from_b.translation);
+  if (!std::isfinite(length_a) || !std::isfinite(length_b) || !is_finite(a_from_b)) return std::nullopt;
+  // |R x| <= 1.74 |x|, and t beside it. Exponents, for twice a length may overflow.
+  const auto exponent_of = [](double length) { return length > 0.0 ? std::ilogb(length) : -1100; };
+  forms.exponent = std::max({exponent_of(length_a), exponent_of(length_b) + 1, exponent_of(shift) + 1}) + 2;
   for (const Vec3d& p : forms.b.points) {
     forms.placed_b.push_back(a_from_b(p));
     if (!is_finite(forms.placed_b.back())) return std::nullopt;
