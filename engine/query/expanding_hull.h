@@ -156,22 +156,38 @@ class ExpandingHull {
   // Takes a point into the hull: the faces that it is in front of give way to those from their rim to it. False where
   // it is in front of none, or where rounding has torn the rim.
   bool grow(std::size_t added) {
-    std::vector<Face> hidden;
-    std::vector<std::array<std::size_t, 2>> rim;
-    std::vector<Face> kept;
+    std::vector<L> heights, roundings;
     bool is_outside = false;
     for (const Face& face : faces_) {
-      const L height = dot(face.plane.normal, points_[added].at - points_[face.corners[0]].at);
-      const L rounding = L(4.0) * error_.support * norm_1(face.plane.normal);
-      // Faces in whose plane the point is go too, or it would make faces without area with their edges.
-      (height > -rounding ? hidden : kept).push_back(face);
-      is_outside = is_outside || height > rounding;
+      heights.push_back(dot(face.plane.normal, points_[added].at - points_[face.corners[0]].at));
+      roundings.push_back(L(4.0) * error_.support * norm_1(face.plane.normal));
+      is_outside = is_outside || heights.back() > roundings.back();
     }
-    if (!is_outside || kept.empty()) return false;
-    for (const Face& face : hidden) {
+    if (!is_outside) return false;
+    // Faces in whose plane the point is had better go too, or it makes faces without area with their edges.
+    for (const double side : {-1.0, 0.0, 1.0}) {
+      std::vector<Face> hidden, kept;
+      for (std::size_t i = 0; i < faces_.size(); ++i) {
+        (heights[i] > L(side) * roundings[i] ? hidden : kept).push_back(faces_[i]);
+      }
+      const std::vector<Edge> rim = rim_of(hidden);
+      if (kept.empty() || !is_one_round(rim)) continue;
+      for (const Edge& edge : rim) kept.push_back(face_of_points(edge[0], edge[1], added));
+      faces_ = std::move(kept);
+      return true;
+    }
+    return false;
+  }
+
+  using Edge = std::array<std::size_t, 2>;
+
+  // The edges that only one of the faces has.
+  static std::vector<Edge> rim_of(const std::vector<Face>& faces) {
+    std::vector<Edge> rim;
+    for (const Face& face : faces) {
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::array<std::size_t, 2> edge{face.corners[k], face.corners[(k + 1) % 3]};
-        const auto twin = std::ranges::find(rim, std::array<std::size_t, 2>{edge[1], edge[0]});
+        const Edge edge{face.corners[k], face.corners[(k + 1) % 3]};
+        const auto twin = std::ranges::find(rim, Edge{edge[1], edge[0]});
         if (twin == rim.end()) {
           rim.push_back(edge);
         } else {
@@ -179,9 +195,20 @@ class ExpandingHull {
         }
       }
     }
-    for (const auto& edge : rim) kept.push_back(face_of_points(edge[0], edge[1], added));
-    faces_ = std::move(kept);
-    return true;
+    return rim;
+  }
+
+  // A single closed line that passes each of its points once.
+  static bool is_one_round(const std::vector<Edge>& rim) {
+    if (rim.size() < 3) return false;
+    std::size_t at = rim[0][0], n_steps = 0;
+    do {
+      const auto next = std::ranges::find_if(rim, [at](const Edge& edge) { return edge[0] == at; });
+      if (next == rim.end()) return false;
+      at = (*next)[1];
+      ++n_steps;
+    } while (at != rim[0][0] && n_steps <= rim.size());
+    return n_steps == rim.size();
   }
 
   std::size_t nearest_face_index() const {
