@@ -28,7 +28,7 @@ class Box {
   }
   double support_error() const { return 0.0; }
   Vec3d centre() const { return {}; }
-  double circumradius() const { return norm(half_) * (1.0 + gamma(4)); }
+  double circumradius() const { return safe_norm(half_) * (1.0 + gamma(4)); }
   double inradius() const { return std::min({half_.x, half_.y, half_.z}); }
 
   std::vector<Vec3d> vertices() const {

@@ -28,7 +28,7 @@ class Cylinder {
     return {{}, {{{0.0, 0.0, -half_length_}, disc}, {{0.0, 0.0, half_length_}, disc}}, 0.0};
   }
   Vec3d centre() const { return {}; }
-  double circumradius() const { return norm(Vec3d{radius_, 0.0, half_length_}) * (1.0 + gamma(4)); }
+  double circumradius() const { return safe_norm(Vec3d{radius_, 0.0, half_length_}) * (1.0 + gamma(4)); }
   double inradius() const { return std::min(half_length_, radius_); }
 
   double length() const { return 2.0 * half_length_; }

@@ -27,7 +27,7 @@ class Plate {
   }
   double support_error() const { return 0.0; }
   Vec3d centre() const { return {}; }
-  double circumradius() const { return norm(Vec3d{half_x_, half_y_, 0.0}) * (1.0 + gamma(4)); }
+  double circumradius() const { return safe_norm(Vec3d{half_x_, half_y_, 0.0}) * (1.0 + gamma(4)); }
   double inradius() const { return 0.0; }
 
   double edge_x() const { return 2.0 * half_x_; }

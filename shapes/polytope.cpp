@@ -21,8 +21,8 @@ Polytope::Polytope(std::span<const Vec3d> vertices, const Vec3d& centre, double 
     x_.push_back(v.x);
     y_.push_back(v.y);
     z_.push_back(v.z);
-    farthest = std::max(farthest, norm(v - centre));
-    largest = std::max(largest, norm(v));
+    farthest = std::max(farthest, safe_norm(v - centre));
+    largest = std::max(largest, safe_norm(v));
   }
   circumradius_ = farthest * (1.0 + gamma(8));
   support_error_ = 8.0 * kUnitRoundoff * largest;

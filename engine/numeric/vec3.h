@@ -57,6 +57,16 @@ Vec3<L> scaled_to_unit_exponent(const Vec3<L>& a) {
   const L scale = from_bits((BitsOf<L>(2046) - exponent) << 52);
   return {scale * a.x, scale * a.y, scale * a.z};
 }
+/// The length of one vector whose square may over- or underflow; the bits of `norm` where it does not.
+inline double safe_norm(const Vec3d& a) {
+  const double length = norm(a);
+  if (length > 0x1p-480 && length < 0x1p500) return length;
+  const double largest = larger(std::fabs(a.x), larger(std::fabs(a.y), std::fabs(a.z)));
+  if (!(largest > 0.0)) return length;
+  const int exponent = std::ilogb(largest);
+  return std::ldexp(norm(Vec3d{std::ldexp(a.x, -exponent), std::ldexp(a.y, -exponent), std::ldexp(a.z, -exponent)}),
+                    exponent);
+}
 template <class L>
 Vec3<L> select(const MaskOf<L>& condition, const Vec3<L>& if_true, const Vec3<L>& if_false) {
   return {select(condition, if_true.x, if_false.x), select(condition, if_true.y, if_false.y),

@@ -1,6 +1,8 @@
 // What the circumscribed and inscribed balls already decide, before any support mapping is called.
 #pragma once
 
+#include <limits>
+
 #include "engine/numeric/rounding.h"
 #include "engine/numeric/transform.h"
 #include "engine/support/support_mapping.h"
@@ -17,7 +19,12 @@ class QuickVerdict {
         centre_b_(b.centre()),
         outer_((a.circumradius() + b.circumradius() * (1.0 + rotation_error)) * (1.0 + gamma(8))),
         inner_((a.inradius() + b.inradius() * (1.0 - rotation_error)) * (1.0 - gamma(8))),
-        reach_(norm_1(a.centre()) + 2.0 * norm_1(b.centre())) {}
+        reach_(norm_1(a.centre()) + 2.0 * norm_1(b.centre())) {
+    if (outer_ > 0x1p-400 && outer_ < 0x1p400) return;
+    // Squares would over- or underflow: nothing is decided.
+    outer_ = std::numeric_limits<double>::infinity();
+    inner_ = 0.0;
+  }
 
   template <class L>
   struct Answer {

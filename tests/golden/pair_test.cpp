@@ -171,7 +171,7 @@ TEST_F(Pair, ACertificateForEveryVerdict) {
       const auto dir = row.at("certificate").at("separating_direction").get<std::vector<double>>();
       EXPECT_TRUE(std::ranges::any_of(dir, [](double d) { return d != 0.0; })) << row.dump();
     } else {
-      EXPECT_EQ(row.at("certificate").at("witnesses").size(), 4u);
+      EXPECT_GE(row.at("certificate").at("witnesses").size(), 4u);
     }
   }
   EXPECT_EQ(verdicts, (std::set<std::string>{"disjoint", "overlap"}));

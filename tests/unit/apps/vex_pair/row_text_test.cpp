@@ -104,7 +104,7 @@ TEST(RowText, CsvHasAsManyCellsAsItsHeader) {
     for (const bool with_error : {false, true}) {
       const RowLayout layout{Format::csv, with_certificate, with_error};
       const std::size_t expected = n_cells(row_header(layout));
-      EXPECT_EQ(expected, 7u + (with_certificate ? 6u + 4 * 18 + 1 : 0u) + (with_error ? 1u : 0u));
+      EXPECT_EQ(expected, 7u + (with_certificate ? 6u + 6 * 18 + 1 : 0u) + (with_error ? 1u : 0u));
       for (const Answer& answer : {disjoint_answer(), overlap_answer(), undecided_answer()}) {
         EXPECT_EQ(n_cells(row(layout, answer)), expected) << row(layout, answer);
       }
