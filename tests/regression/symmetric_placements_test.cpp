@@ -10,6 +10,7 @@
 
 #include <string>
 
+#include "engine/numeric/quaternion.h"
 #include "engine/query/overlap.h"
 #include "shapes/any_shape.h"
 #include "shapes/box.h"
@@ -51,7 +52,7 @@ TEST(SymmetricPlacements, OverlapsAreFoundAndProven) {
         Placement{"cylinder:1e-6,1", "cylinder:1e-6,1", kStraight, {}},
         Placement{"cylinder:2,1e-6", "disc:1", kStraight, {}}, Placement{"disc:1", "cylinder:1e-6,1", kStraight, {}},
         Placement{"disc:1", "needle:0.002", kStraight, {}}, Placement{"disc:3", "needle:1", kStraight, {}},
-        Placement{"needle:1", "disc:384116", kOnItsSide, {0, 0.25, 0.1}},
+        Placement{"needle:1", "disc:384116", rotation_from_quaternion(1, 1, 0, 0), {}},
         Placement{"cylinder:2,1e-6", "cylinder:2,1e-6", kStraight, {0, 0, 1.9}},
         Placement{"cone:1,63145.7", "frustum:1,635.403,72.5686", kStraight, {}},
         Placement{"cone:1e150,1e-150", "cone:1e-150,1e150", kStraight, {0, 1e-150, 0}}}) {
