@@ -289,9 +289,9 @@ TEST(Overlap, OfAVertexWithinRoundingOfATurnedFaceIsNeverWrong) {
 
 TEST(Overlap, GivenUpIsSaidSo) {
   // A cap too low for anything: no verdict, and the reason is the cap.
-  const ConvexBody body = Cylinder(1, 1);
+  const ConvexBody body = Ellipsoid(1, 2, 3);  // 1e-6 deep in each other, across no axis
   OverlapCertificate proof;
-  const Verdict verdict = overlap(body, body, shifted(0.3, 0.2, 0.1), &proof, 2);
+  const Verdict verdict = overlap(body, body, shifted(1.154699, 2.309399, 3.464099), &proof, 2);
   EXPECT_EQ(verdict.outcome, Outcome::undecided);
   EXPECT_EQ(verdict.reason, UndecidedReason::iteration_cap);
   EXPECT_GE(proof.n_support_calls, 14 + 10)
