@@ -1,5 +1,6 @@
 #include "apps/common/text.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace vex {
@@ -17,6 +18,25 @@ std::string printable(std::string_view text) {
     }
   }
   return result;
+}
+
+std::string table_text(const std::vector<std::vector<std::string>>& lines, std::size_t gap) {
+  std::vector<std::size_t> widths;
+  for (const std::vector<std::string>& line : lines) {
+    widths.resize(std::max(widths.size(), line.size()), 0);
+    for (std::size_t k = 0; k < line.size(); ++k) widths[k] = std::max(widths[k], line[k].size());
+  }
+  std::string text;
+  for (const std::vector<std::string>& line : lines) {
+    std::string row = "  ";
+    for (std::size_t k = 0; k < line.size(); ++k) {
+      const std::string padding(widths[k] - line[k].size(), ' ');
+      row += k == 0 ? line[k] + padding : std::string(gap, ' ') + padding + line[k];
+    }
+    row.erase(row.find_last_not_of(' ') + 1);
+    text += row + "\n";
+  }
+  return text;
 }
 
 }  // namespace vex

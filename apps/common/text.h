@@ -1,12 +1,17 @@
-// Texts of others, such as file names, on a terminal.
+// Text for a terminal: that of others, such as file names, and tables.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace vex {
 
 /// Control characters written as \x1b, so that a text stays on its line and commands no terminal. UTF-8 passes.
 std::string printable(std::string_view text);
+
+/// Columns as wide as their widest word, with so many blanks between them, the first one flush left and the others
+/// right.
+std::string table_text(const std::vector<std::vector<std::string>>& lines, std::size_t gap = 3);
 
 }  // namespace vex

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "apps/common/numbers.h"
+#include "apps/common/text.h"
 
 namespace vex {
 namespace {
@@ -26,26 +27,6 @@ MeanAndSpread of_z(const std::vector<const Row*>& rows) {
 }
 
 // --- screen
-
-// Columns as wide as their widest word, separated by three blanks, the first one flush left and the others right.
-std::string table_text(const std::vector<std::vector<std::string>>& lines) {
-  std::vector<std::size_t> widths;
-  for (const std::vector<std::string>& line : lines) {
-    widths.resize(std::max(widths.size(), line.size()), 0);
-    for (std::size_t k = 0; k < line.size(); ++k) widths[k] = std::max(widths[k], line[k].size());
-  }
-  std::string text;
-  for (const std::vector<std::string>& line : lines) {
-    std::string row = "  ";
-    for (std::size_t k = 0; k < line.size(); ++k) {
-      const std::string padding(widths[k] - line[k].size(), ' ');
-      row += k == 0 ? line[k] + padding : "   " + padding + line[k];
-    }
-    row.erase(row.find_last_not_of(' ') + 1);
-    text += row + "\n";
-  }
-  return text;
-}
 
 std::string printed_text(const paper::Printed& printed) {
   return with_error(printed.excluded_volume, printed.uncertainty);

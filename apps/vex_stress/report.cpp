@@ -3,31 +3,12 @@
 #include <algorithm>
 
 #include "apps/common/numbers.h"
+#include "apps/common/text.h"
 
 namespace vex {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// Columns as wide as their widest word, the first one flush left and the others right.
-std::string table_text(const std::vector<std::vector<std::string>>& lines) {
-  std::vector<std::size_t> widths;
-  for (const std::vector<std::string>& line : lines) {
-    widths.resize(std::max(widths.size(), line.size()), 0);
-    for (std::size_t k = 0; k < line.size(); ++k) widths[k] = std::max(widths[k], line[k].size());
-  }
-  std::string text;
-  for (const std::vector<std::string>& line : lines) {
-    std::string row = "  ";
-    for (std::size_t k = 0; k < line.size(); ++k) {
-      const std::string padding(widths[k] - line[k].size(), ' ');
-      row += k == 0 ? line[k] + padding : "  " + padding + line[k];
-    }
-    row.erase(row.find_last_not_of(' ') + 1);
-    text += row + "\n";
-  }
-  return text;
-}
 
 // missed+invented, and what was left open: "3+0 (12)".
 std::string counts_text(const StressCounts& counts) {
@@ -119,7 +100,7 @@ std::string report_text(const StressRun& run) {
   for (std::size_t k = 0; k < run.options.backends.size(); ++k) all.counts.push_back(run.total(k));
   add("all", all);
   const StressCounts& ours = all.counts[0];
-  std::string text = table_text(lines) + "\n";
+  std::string text = table_text(lines, 2) + "\n";
   text +=
       "  Of each backend: overlaps missed+invented (undecided); 0 where no answer is wrong, - where it has no such "
       "test.\n";

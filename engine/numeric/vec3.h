@@ -57,6 +57,11 @@ Vec3<L> scaled_to_unit_exponent(const Vec3<L>& a) {
   const L scale = from_bits((BitsOf<L>(2046) - exponent) << 52);
   return {scale * a.x, scale * a.y, scale * a.z};
 }
+inline bool is_finite(const Vec3d& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+/// a * 2^exponent: exact but for under- and overflow, however large the exponent is.
+inline Vec3d times_power_of_two(const Vec3d& a, int exponent) {
+  return {std::ldexp(a.x, exponent), std::ldexp(a.y, exponent), std::ldexp(a.z, exponent)};
+}
 /// The length of one vector whose square may over- or underflow; the bits of `norm` where it does not.
 inline double safe_norm(const Vec3d& a) {
   const double length = norm(a);
@@ -64,8 +69,7 @@ inline double safe_norm(const Vec3d& a) {
   const double largest = larger(std::fabs(a.x), larger(std::fabs(a.y), std::fabs(a.z)));
   if (!(largest > 0.0)) return length;
   const int exponent = std::ilogb(largest);
-  return std::ldexp(norm(Vec3d{std::ldexp(a.x, -exponent), std::ldexp(a.y, -exponent), std::ldexp(a.z, -exponent)}),
-                    exponent);
+  return std::ldexp(norm(times_power_of_two(a, -exponent)), exponent);
 }
 template <class L>
 Vec3<L> select(const MaskOf<L>& condition, const Vec3<L>& if_true, const Vec3<L>& if_false) {

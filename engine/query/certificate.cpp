@@ -221,8 +221,6 @@ bool holds_ball(const std::vector<Vector>& w, const Integer& margin) {
 
 CertificateCheck failed(std::string fault) { return {false, std::move(fault)}; }
 
-bool is_finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 // Both bodies are points and a ball: everything is rational.
 CertificateCheck check_rounded_polytopes(const Scene& scene, Outcome claimed, const OverlapCertificate& certificate) {
   std::vector<DyadicVector> points;

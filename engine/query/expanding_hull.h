@@ -27,11 +27,6 @@ class ExpandingHull {
     flat,  // K has no volume, to rounding
   };
 
-  /// The call of the difference's `support` that gave a point, counted from the construction of the hull.
-  struct Point {
-    Vec3<L> at;
-    std::size_t call = 0;
-  };
   using Triangle = std::array<std::size_t, 3>;  // indices of points; outwards where it turns counter-clockwise
 
   ExpandingHull(const Difference& difference, const QueryError<L>& error) : difference_(difference), error_(error) {}
@@ -39,37 +34,36 @@ class ExpandingHull {
   End run(int max_support_calls) {
     if (!begin()) return End::flat;
     while (true) {
-      const std::size_t nearest = nearest_face_index();
       if (proves_overlap()) return End::overlap;
-      if (n_calls_ >= static_cast<std::size_t>(max_support_calls)) return End::capped;
-      const Face face = faces_[nearest];
+      if (points_.size() >= static_cast<std::size_t>(max_support_calls)) return End::capped;
+      const Face face = faces_[nearest_face_index()];
       const Vec3<L> dir = scaled_to_unit_exponent(face.plane.normal);
       const std::size_t added = add_support(dir);
-      const L value = dot(dir, points_[added].at), slack = error_.support * norm_1(dir);
+      const L value = dot(dir, points_[added]), slack = error_.support * norm_1(dir);
       if (value < -slack) {
         separating_dir_ = dir;
         return End::disjoint;
       }
-      if (!(value - dot(dir, points_[face.corners[0]].at) > slack) || !grow(added)) return End::stalled;
+      if (!(value - dot(dir, points_[face.corners[0]]) > slack) || !grow(added)) return End::stalled;
     }
   }
 
   const Vec3<L>& separating_dir() const { return separating_dir_; }
-  std::size_t n_support_calls() const { return n_calls_; }
-  const std::vector<Point>& points() const { return points_; }
+  /// What the difference's `support` gave, call by call.
+  const std::vector<Vec3<L>>& points() const { return points_; }
 
   /// Calls `visit(p, q, r)` with the corners of every face: points of K to their error.
   template <class Visit>
   void for_each_face(const Visit& visit) const {
     for (const Face& face : faces_) {
-      visit(points_[face.corners[0]].at, points_[face.corners[1]].at, points_[face.corners[2]].at);
+      visit(points_[face.corners[0]], points_[face.corners[1]], points_[face.corners[2]]);
     }
   }
 
   /// The face through which the ray from the origin leaves a hull that holds it.
   std::optional<Triangle> face_along(const Vec3<L>& dir) const {
     for (const Face& face : faces_) {
-      const Vec3<L>&p = points_[face.corners[0]].at, &q = points_[face.corners[1]].at, &r = points_[face.corners[2]].at;
+      const Vec3<L>&p = points_[face.corners[0]], &q = points_[face.corners[1]], &r = points_[face.corners[2]];
       if (dot(cross(p, q), dir) >= L(0.0) && dot(cross(q, r), dir) >= L(0.0) && dot(cross(r, p), dir) >= L(0.0)) {
         return face.corners;
       }
@@ -85,15 +79,14 @@ class ExpandingHull {
   };
 
   std::size_t add_support(const Vec3<L>& dir) {
-    points_.push_back({difference_.support(dir), n_calls_});
-    ++n_calls_;
+    points_.push_back(difference_.support(dir));
     return points_.size() - 1;
   }
 
   Face face_of_points(std::size_t i, std::size_t j, std::size_t k) const {
-    const detail::Face<L> plane = detail::face_of(points_[i].at, points_[j].at, points_[k].at);
+    const detail::Face<L> plane = detail::face_of(points_[i], points_[j], points_[k]);
     const L length = norm(plane.normal);
-    const L height = dot(plane.normal, points_[i].at);
+    const L height = dot(plane.normal, points_[i]);
     return {{i, j, k}, plane, length > L(0.0) ? height / length : L(0.0)};
   }
 
@@ -108,7 +101,7 @@ class ExpandingHull {
     L largest(0.0);
     for (std::size_t i = 0; i < points_.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        const Vec3<L> e = points_[i].at - points_[j].at;
+        const Vec3<L> e = points_[i] - points_[j];
         if (dot(e, e) > largest) {
           largest = dot(e, e);
           first = i;
@@ -117,24 +110,24 @@ class ExpandingHull {
       }
     }
     if (!(largest > L(0.0))) return false;
-    const Vec3<L> along = scaled_to_unit_exponent(points_[second].at - points_[first].at);
+    const Vec3<L> along = scaled_to_unit_exponent(points_[second] - points_[first]);
     // Across the longest edge: the points at hand, and those farthest in two directions at right angles to it.
     const Vec3<L> across = scaled_to_unit_exponent(cross(along, least_axis(along)));
     const Vec3<L> other = scaled_to_unit_exponent(cross(along, across));
     for (const Vec3<L>& d : {across, -across, other, -other}) add_support(d);
     largest = L(0.0);
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const Vec3<L> normal = cross(along, points_[i].at - points_[first].at);
+      const Vec3<L> normal = cross(along, points_[i] - points_[first]);
       if (dot(normal, normal) > largest) {
         largest = dot(normal, normal);
         third = i;
       }
     }
     if (!(largest > L(0.0))) return false;
-    const Vec3<L> normal = scaled_to_unit_exponent(cross(along, points_[third].at - points_[first].at));
+    const Vec3<L> normal = scaled_to_unit_exponent(cross(along, points_[third] - points_[first]));
     const std::size_t above = add_support(normal), below = add_support(-normal);
-    const L up = dot(normal, points_[above].at - points_[first].at);
-    const L down = -dot(normal, points_[below].at - points_[first].at);
+    const L up = dot(normal, points_[above] - points_[first]);
+    const L down = -dot(normal, points_[below] - points_[first]);
     const std::size_t apex = up > down ? above : below;
     if (!(larger(up, down) > L(64.0) * error_.support * norm_1(normal))) return false;
     if (up > down) std::swap(second, third);
@@ -159,7 +152,7 @@ class ExpandingHull {
     std::vector<L> heights, roundings;
     bool is_outside = false;
     for (const Face& face : faces_) {
-      heights.push_back(dot(face.plane.normal, points_[added].at - points_[face.corners[0]].at));
+      heights.push_back(dot(face.plane.normal, points_[added] - points_[face.corners[0]]));
       roundings.push_back(L(4.0) * error_.support * norm_1(face.plane.normal));
       is_outside = is_outside || heights.back() > roundings.back();
     }
@@ -223,15 +216,14 @@ class ExpandingHull {
   // keeps a closed surface closed.
   bool proves_overlap() const {
     return std::ranges::all_of(faces_, [this](const Face& face) {
-      return detail::has_origin_behind(face.plane, points_[face.corners[0]].at, error_);
+      return detail::has_origin_behind(face.plane, points_[face.corners[0]], error_);
     });
   }
 
   const Difference& difference_;
   QueryError<L> error_;
-  std::vector<Point> points_;
+  std::vector<Vec3<L>> points_;
   std::vector<Face> faces_;
-  std::size_t n_calls_ = 0;
   Vec3<L> separating_dir_;
 };
 

@@ -26,10 +26,6 @@ Transform<Extended> extended(const Transformd& pose) {
   return {extended(pose.row_x), extended(pose.row_y), extended(pose.row_z), extended(pose.translation)};
 }
 
-Vec3d scaled(const Vec3d& v, int exponent) {
-  return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
-}
-
 // A point of a body and its height along the direction it was asked for.
 struct Farthest {
   Vec3e point;
@@ -58,7 +54,7 @@ class ExtendedDifference {
  public:
   ExtendedDifference(const PlacedForms& forms, std::vector<Record>* records, double thickness = 0.0)
       : forms_(forms), records_(records), a_from_b_(extended(forms.a_from_b)) {
-    a_from_b_.translation = extended(scaled(forms.a_from_b.translation, -forms.exponent));
+    a_from_b_.translation = extended(times_power_of_two(forms.a_from_b.translation, -forms.exponent));
     ball_radius_ = Extended(std::ldexp(forms.a.ball_radius, -forms.exponent)) +
                    Extended(std::ldexp(forms.b.ball_radius, -forms.exponent)) + Extended(thickness);
   }
@@ -73,7 +69,8 @@ class ExtendedDifference {
     if (records_ != nullptr) {
       records_->push_back({w,
                            {high_part(dir), low_part(dir), high_part(dir_b), low_part(dir_b),
-                            scaled(high_part(a.point), forms_.exponent), scaled(high_part(own_b), forms_.exponent)}});
+                            times_power_of_two(high_part(a.point), forms_.exponent),
+                            times_power_of_two(high_part(own_b), forms_.exponent)}});
     }
     note_gap(dir, w);
     return w;
@@ -87,8 +84,8 @@ class ExtendedDifference {
   Farthest farthest_piece(const ExactForm& form, const Vec3e& dir) const {
     Farthest best;
     for (const ExactForm::Piece& piece : form.pieces) {
-      const Vec3e centre = extended(scaled(piece.centre, -forms_.exponent));
-      const Vec3e axes = extended(scaled(piece.semi_axes, -forms_.exponent));
+      const Vec3e centre = extended(times_power_of_two(piece.centre, -forms_.exponent));
+      const Vec3e axes = extended(times_power_of_two(piece.semi_axes, -forms_.exponent));
       Vec3e image{axes.x * dir.x, axes.y * dir.y, axes.z * dir.z};
       if (piece.is_dome && image.z < Extended(0.0)) image.z = Extended(0.0);
       const Vec3e unit = ball_support(Extended(1.0), scaled_to_unit_exponent(image));
@@ -104,7 +101,7 @@ class ExtendedDifference {
   Farthest farthest_of_a(const Vec3e& dir) const {
     Farthest best = farthest_piece(forms_.a, dir);
     for (const std::size_t i : forms_.points_a.farthest(vertex_direction(dir))) {
-      const Vec3e point = extended(scaled(forms_.a.points[i], -forms_.exponent));
+      const Vec3e point = extended(times_power_of_two(forms_.a.points[i], -forms_.exponent));
       best.consider(point, dot(point, dir));
     }
     return best;
@@ -119,9 +116,9 @@ class ExtendedDifference {
       best.consider(placed, dot(placed, dir));
     }
     for (const std::size_t i : forms_.points_b.farthest(vertex_direction(dir))) {
-      const Vec3e own_point = extended(scaled(forms_.b.points[i], -forms_.exponent));
-      const Vec3e placed =
-          forms_.b.is_polytope() ? extended(scaled(forms_.placed_b[i], -forms_.exponent)) : a_from_b_(own_point);
+      const Vec3e own_point = extended(times_power_of_two(forms_.b.points[i], -forms_.exponent));
+      const Vec3e placed = forms_.b.is_polytope() ? extended(times_power_of_two(forms_.placed_b[i], -forms_.exponent))
+                                                  : a_from_b_(own_point);
       const Extended height = dot(placed, dir);
       if (!best.is_any || height > best.height) own = own_point;
       best.consider(placed, height);
@@ -236,7 +233,7 @@ std::optional<Verdict> by_hull(const PlacedForms& forms, double thickness, Overl
   const ExtendedDifference difference(forms, nullptr, thickness);
   Hull hull(difference, kError);
   const Hull::End end = hull.run(max_support_calls);
-  findings.n_support_calls += static_cast<int>(hull.n_support_calls());
+  findings.n_support_calls += static_cast<int>(hull.points().size());
   findings.gap_lower = std::max(findings.gap_lower, difference.gap_lower());
   if (end == Hull::End::disjoint) return disjoint_along(hull.separating_dir(), certificate);
   if (end == Hull::End::flat) {
@@ -301,18 +298,17 @@ bool find_witnesses_by_hull(const PlacedForms& forms, OverlapCertificate& certif
   std::vector<Vec3e> lines;
   for (const Vec3d& dir : kDirections) lines.push_back(extended(dir));
   for (std::size_t k = 1; k < hull.points().size(); ++k) {
-    lines.push_back(hull.points()[k].at + Extended(0.37) * hull.points()[k - 1].at);
-    lines.push_back(hull.points()[k].at);
+    lines.push_back(hull.points()[k] + Extended(0.37) * hull.points()[k - 1]);
+    lines.push_back(hull.points()[k]);
   }
   for (const Vec3e& line : lines) {
     const Vec3e dir = scaled_to_unit_exponent(line);
     const std::optional<Hull::Triangle> front = hull.face_along(dir), back = hull.face_along(-dir);
     if (!front || !back) continue;
-    std::vector<std::size_t> calls;
+    std::vector<std::size_t> calls;  // a point of the hull and the record of its call have the same index
     for (const Hull::Triangle& corners : {*front, *back}) {
       for (const std::size_t corner : corners) {
-        const std::size_t call = hull.points()[corner].call;
-        if (std::ranges::find(calls, call) == calls.end()) calls.push_back(call);
+        if (std::ranges::find(calls, corner) == calls.end()) calls.push_back(corner);
       }
     }
     take_witnesses(calls, records, certificate);

@@ -9,6 +9,12 @@
 namespace vex {
 namespace {
 
+// A body without its ball.
+struct Core {
+  const ConvexBody& body;
+  Vec3d support(const Vec3d& dir) const { return body.core_support(dir); }
+};
+
 // A - B: the difference of the cores, and one ball for both bodies.
 class PosedDifference {
  public:
@@ -16,7 +22,9 @@ class PosedDifference {
       : a_(a), b_(b), a_from_b_(a_from_b), ball_radius_(a.ball_radius() + b.ball_radius()) {}
 
   Vec3d support(const Vec3d& dir) const {
-    const Vec3d w = a_.core_support(dir) - a_from_b_(b_.core_support(a_from_b_.direction_to_b(-dir)));
+    const Core core_a{a_}, core_b{b_};
+    const Posed placed_b(core_b, a_from_b_);
+    const Vec3d w = MinkowskiDifference(core_a, placed_b).support(dir);
     return ball_radius_ > 0.0 ? w + ball_support(ball_radius_, dir) : w;
   }
 

@@ -17,10 +17,6 @@ double largest_length(const ExactForm& form) {
   return largest;
 }
 
-Vec3d scaled(const Vec3d& v, int exponent) {
-  return {std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent), std::ldexp(v.z, -exponent)};
-}
-
 // The points less the first one, times a power of two that brings the largest coordinate between 1/2 and 1: each
 // coordinate within 2 u of that.
 std::vector<Vec3d> unit_offsets(const std::vector<Vec3d>& points) {
@@ -36,11 +32,10 @@ std::vector<Vec3d> unit_offsets(const std::vector<Vec3d>& points) {
   }
   if (largest == 0.0) return offsets;
   const int exponent = std::ilogb(largest) + 1;
-  for (Vec3d& p : offsets) p = scaled(p, exponent);
+  for (Vec3d& p : offsets) p = times_power_of_two(p, -exponent);
   return offsets;
 }
 
-bool is_finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 bool is_finite(const Transformd& pose) {
   return is_finite(pose.row_x) && is_finite(pose.row_y) && is_finite(pose.row_z) && is_finite(pose.translation);
 }
