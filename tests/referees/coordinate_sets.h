@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <vector>
 
@@ -37,10 +38,11 @@ inline int random_power_of_two(std::mt19937_64& random) {
 }
 
 /// A whole number from -largest to largest.
-inline double random_whole(std::mt19937_64& random, int largest) {
-  return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * largest + 1)) - largest);
+inline double random_whole(std::mt19937_64& random, std::int64_t largest) {
+  return static_cast<double>(static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(2 * largest + 1)) -
+                             largest);
 }
-inline Vec3d random_whole_vector(std::mt19937_64& random, int largest) {
+inline Vec3d random_whole_vector(std::mt19937_64& random, std::int64_t largest) {
   return {random_whole(random, largest), random_whole(random, largest), random_whole(random, largest)};
 }
 
