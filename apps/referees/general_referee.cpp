@@ -152,11 +152,24 @@ double GeneralReferee::gap_bound(const Transformd& a_from_b, const Vec3d& hint) 
   }
   // The distance is the largest gap along any direction, the depth the least overlap along one.
   double distance = 0.0, depth = std::numeric_limits<double>::infinity();
-  for (const Vec3d& dir : dirs) {
-    if (!is_direction(dir)) continue;
+  Vec3d shallowest;
+  const auto consider = [&](const Vec3d& dir) {
+    if (!is_direction(dir)) return false;
     const double value = difference.support_value(dir);
     distance = std::max(distance, -value);
-    depth = std::min(depth, value);
+    if (!(value < depth)) return false;
+    depth = value;
+    shallowest = (1.0 / norm(dir)) * dir;
+    return true;
+  };
+  for (const Vec3d& dir : dirs) consider(dir);
+  // Downhill from there, with steps that shrink: any direction gives a bound, a better one a better bound.
+  for (double step = 0.25; step > 0x1p-50; step *= 0.5) {
+    for (const double side : {-step, step}) {
+      for (const Vec3d& axis : {Vec3d{1.0, 0.0, 0.0}, Vec3d{0.0, 1.0, 0.0}, Vec3d{0.0, 0.0, 1.0}}) {
+        for (int n = 0; n < 8 && consider(shallowest + side * axis); ++n) continue;
+      }
+    }
   }
   return distance > 0.0 ? distance : depth;
 }

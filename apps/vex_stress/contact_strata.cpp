@@ -184,6 +184,7 @@ std::vector<Stratum> contact_strata() {
 
 std::vector<Stratum> all_strata() {
   std::vector<Stratum> all = contact_strata();
+  for (Stratum& s : symmetric_strata()) all.push_back(std::move(s));
   for (Stratum& s : extreme_strata()) all.push_back(std::move(s));
   for (Stratum& s : degenerate_strata()) all.push_back(std::move(s));
   return all;

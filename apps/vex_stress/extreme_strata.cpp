@@ -81,6 +81,8 @@ std::vector<StressPair> far_pairs(double offset) {
   pairs.emplace_back("far cube and box", cube, Box(1.0, 2.0, 0.5));
   pairs.emplace_back("box and far hull", Box(1.0, 2.0, 0.5), hull);
   pairs.emplace_back("far hull and far cube", hull, cube);
+  pairs.emplace_back("far cube and ellipsoid", cube, Ellipsoid(0.5, 0.7, 1.1));
+  pairs.emplace_back("cone and far hull", Cone(1.0, 0.5), hull);
   return pairs;
 }
 
@@ -115,9 +117,10 @@ std::vector<Stratum> extreme_strata() {
     strata.push_back({"coordinates/" + power_text(exponent), "every kind, of this size",
                       [scale] { return pairs_of_sizes(scale, scale); }, place_near});
   }
-  for (const int exponent : {3, 4, 5, 6, 7, 8}) {
+  for (const int exponent : {3, 4, 5, 6, 7, 8, 10, 12, 14}) {
     const double offset = std::pow(10.0, exponent);
-    strata.push_back({"far-from-origin/" + power_text(exponent), "polytopes so far from the origin of their frame",
+    strata.push_back({"far-from-origin/" + power_text(exponent),
+                      "polytopes so far from the origin of their frame, and plain curved bodies",
                       [offset] { return far_pairs(offset); }, place_near});
   }
   return strata;

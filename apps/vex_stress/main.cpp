@@ -62,7 +62,7 @@ int run_vex_stress(const StressCommandLine& words, const std::string& command) {
   if (json) json->write(report_json(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   if (plot) plot->write(picture_of(run));
   if (!run.complete) return kSignalBase + interrupting_signal().load();
-  return run.total(0).n_wrong() == 0 ? kSuccess : kFault;
+  return run.total(0).n_faults() == 0 ? kSuccess : kFault;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "apps/referees/general_referee.h"
 #include "engine/numeric/errors.h"
+#include "engine/query/overlap.h"
 
 namespace vex {
 namespace {
@@ -43,7 +44,7 @@ std::unique_ptr<OverlapBackend> instance_of(const BackendKind& kind, const Stres
 class Bench {
  public:
   Bench(const StressPair& pair, const GeneralReferee& referee, const std::vector<BackendKind>& kinds)
-      : pair_(pair), referee_(referee) {
+      : pair_(pair), referee_(referee), kinds_(kinds) {
     for (const BackendKind& kind : kinds) backends_.push_back(instance_of(kind, pair));
   }
 
@@ -62,6 +63,9 @@ class Bench {
         us = std::min(us, microseconds_of(*backends_[k], pose.a_from_b, verdict));
       }
       count(verdict, truth, us, pose, index, has_band, row.counts[k]);
+      if (kinds_[k].name == "gjk" && verdict.outcome != Outcome::undecided) {
+        prove_again(verdict.outcome, pose, index, row.counts[k]);
+      }
     }
   }
 
@@ -88,8 +92,15 @@ class Bench {
     }
   }
 
+  void prove_again(Outcome claimed, const StressPose& pose, std::uint64_t index, StressCounts& counts) const {
+    if (vex::prove_again(pair_.a, pair_.b, pose.a_from_b, claimed).is_proven) return;
+    ++counts.n_unproven;
+    keep_first(counts.first_unproven, {index, pair_.name, pose.a_from_b});
+  }
+
   const StressPair& pair_;
   const GeneralReferee& referee_;
+  const std::vector<BackendKind>& kinds_;
   std::vector<std::unique_ptr<OverlapBackend>> backends_;
 };
 
@@ -117,6 +128,7 @@ void add_row(StressRow& to, const StressRow& from) {
     StressCounts& counts = to.counts[k];
     if (from.counts[k].first_wrong) keep_first(counts.first_wrong, *from.counts[k].first_wrong);
     if (from.counts[k].first_beyond_band) keep_first(counts.first_beyond_band, *from.counts[k].first_beyond_band);
+    if (from.counts[k].first_unproven) keep_first(counts.first_unproven, *from.counts[k].first_unproven);
     counts.add(from.counts[k]);
   }
 }
@@ -152,10 +164,12 @@ void StressCounts::add(const StressCounts& other) {
   n_capped += other.n_capped;
   n_escalated += other.n_escalated;
   n_beyond_band += other.n_beyond_band;
+  n_unproven += other.n_unproven;
   widest_undecided = std::max(widest_undecided, other.widest_undecided);
   slowest_us = std::max(slowest_us, other.slowest_us);
   if (!first_wrong) first_wrong = other.first_wrong;
   if (!first_beyond_band) first_beyond_band = other.first_beyond_band;
+  if (!first_unproven) first_unproven = other.first_unproven;
 }
 
 StressRow measure(const Stratum& stratum, const StressSettings& settings) {

@@ -32,11 +32,15 @@ struct StressCounts {
   std::uint64_t n_escalated = 0;  // answered by more than double precision, or not at all
   std::uint64_t n_beyond_band =
       0;                          // undecided where it must not be: any polytope, rounded or not; farther than the band
+  std::uint64_t n_unproven = 0;   // of the engine: decided, but the checker does not accept the certificate
   double widest_undecided = 0.0;  // the largest gap or depth, relative to R_A + R_B
   double slowest_us = 0.0;        // the slowest single query
-  std::optional<StressExample> first_wrong{}, first_beyond_band{};  // of the smallest index of a stratum
+  std::optional<StressExample> first_wrong{}, first_beyond_band{},
+      first_unproven{};  // of the smallest index of a stratum
 
   std::uint64_t n_wrong() const { return n_missed + n_invented; }
+  /// What the engine must not do.
+  std::uint64_t n_faults() const { return n_wrong() + n_unproven + n_beyond_band + n_capped; }
   /// The other's counts as well; examples stay those of the first stratum that has one.
   void add(const StressCounts& other);
 };

@@ -88,8 +88,8 @@ void declare_options(CLI::App& app, StressCommandLine& words) {
   app.footer(
       "Every pose is judged by a referee in exact arithmetic, which uses nothing of the engine's queries.\n\n"
       "Exit codes:"
-      "\n  0  success: no answer of the engine is wrong"
-      "\n  1  an answer of the engine is wrong, or a fault of the program"
+      "\n  0  success: no answer of the engine is wrong, unproven, given up, or undecided where it must not be"
+      "\n  1  one is, or a fault of the program"
       "\n  2  wrong usage"
       "\n  130, 143  interrupted (what was done is reported)");
 }
@@ -105,6 +105,9 @@ StressOptions interpret(const StressCommandLine& words) {
   options.plot = words.plot;
   if (!words.plot.empty() && words.plot == words.json) {
     throw UsageError("one file for two outputs (" + words.plot + " for --json and --plot) - give each its own");
+  }
+  if (words.list && !(words.json.empty() && words.plot.empty())) {
+    throw UsageError("nothing to write to --json or --plot - --list names the strata and measures nothing");
   }
   options.list = words.list;
   options.strata = strata_named(words.strata);

@@ -39,10 +39,12 @@ Json counts_json(const StressCounts& counts) {
           {"undecided_beyond_band", counts.n_beyond_band},
           {"widest_undecided", number_or_null(counts.widest_undecided)},
           {"capped", counts.n_capped},
+          {"unproven", counts.n_unproven},
           {"escalated", counts.n_escalated},
           {"slowest_us", counts.slowest_us},
           {"first_wrong", example_json(counts.first_wrong)},
-          {"first_beyond_band", example_json(counts.first_beyond_band)}};
+          {"first_beyond_band", example_json(counts.first_beyond_band)},
+          {"first_unproven", example_json(counts.first_unproven)}};
 }
 
 }  // namespace
@@ -108,13 +110,18 @@ std::string report_text(const StressRun& run) {
   text += "  gjk: " + std::to_string(ours.n_wrong()) + " wrong, " + std::to_string(ours.n_undecided) + " undecided, " +
           std::to_string(ours.n_beyond_band) + " of them polytopes or farther than " + short_number(kUndecidedBand) +
           " (R_A + R_B) from contact, " + std::to_string(ours.n_capped) + " by an iteration cap\n";
+  text += "  gjk: " + std::to_string(ours.n_pairs - ours.n_undecided) + " certificates checked in exact arithmetic, " +
+          std::to_string(ours.n_unproven) + " not accepted\n";
   for (const StressRow& row : run.rows) {
     const StressCounts& counts = row.counts[0];
-    if (counts.n_wrong() + counts.n_beyond_band + counts.n_capped == 0) continue;
+    if (counts.n_faults() == 0) continue;
     text += "    " + row.name + ": " + std::to_string(counts.n_wrong()) + " wrong, " +
             std::to_string(counts.n_beyond_band) + " beyond the band, " + std::to_string(counts.n_capped) +
-            " capped; undecided up to " + short_number(counts.widest_undecided, 2) + "\n";
+            " capped, " + std::to_string(counts.n_unproven) + " unproven; undecided up to " +
+            short_number(counts.widest_undecided, 2) + "\n";
     if (counts.first_wrong) text += "      first wrong: " + example_text(*counts.first_wrong);
+    if (counts.first_beyond_band) text += "      first beyond the band: " + example_text(*counts.first_beyond_band);
+    if (counts.first_unproven) text += "      first unproven: " + example_text(*counts.first_unproven);
   }
   text += "  " + fixed_number(1, run.seconds) + " s on " + std::to_string(run.options.n_threads) + " threads\n";
   if (!run.complete) text += "Interrupted: the last stratum is not complete.\n";

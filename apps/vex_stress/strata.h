@@ -24,7 +24,8 @@ struct Stratum {
 /// All of them, in the order of the report.
 std::vector<Stratum> all_strata();
 
-std::vector<Stratum> contact_strata();     // strata.cpp: random poses, contact +- d, features, parallel faces
+std::vector<Stratum> contact_strata();     // contact_strata.cpp: random poses, contact +- d, features, parallel faces
+std::vector<Stratum> symmetric_strata();   // symmetric_strata.cpp: exact touch, common axes and planes of symmetry
 std::vector<Stratum> extreme_strata();     // extreme_strata.cpp: aspect and size ratios, far coordinates
 std::vector<Stratum> degenerate_strata();  // degenerate_strata.cpp: flat and coplanar bodies, large hulls, known cases
 

@@ -105,6 +105,19 @@ Vec3d rounded_direction(const Vector& a) {
   return {std::ldexp(lead.x, e_x - top), std::ldexp(lead.y, e_y - top), std::ldexp(lead.z, e_z - top)};
 }
 
+int exponent_of(const Dyadic& value) {
+  return sign(value) == 0 ? -kNoBit : static_cast<int>(msb(Integer(abs(value.mantissa)))) + 1 + value.exponent;
+}
+
+DoubleDouble rounded(const Dyadic& value, int exponent) {
+  // The leading 64 bits of the number, rounded, and those of what that leaves.
+  int e_high = 0, e_low = 0;
+  const double high = leading(value.mantissa, e_high);
+  const double low = leading(value.mantissa - shifted_left(Integer(high), e_high), e_low);
+  return fast_two_sum(std::ldexp(high, e_high + value.exponent - exponent),
+                      std::ldexp(low, e_low + value.exponent - exponent));
+}
+
 Integer floor_of_root(const Integer& value) {
   VEX_EXPECT(value.sign() >= 0);
   return sqrt(value);

@@ -15,6 +15,7 @@
 #pragma GCC diagnostic pop
 #endif
 
+#include "engine/numeric/double_double.h"
 #include "engine/numeric/transform.h"
 #include "engine/numeric/vec3.h"
 
@@ -90,6 +91,11 @@ inline Vector in_units(const DyadicVector& a, int exponent) {
 
 /// A vector of the same direction to 2^-52 of each coordinate, its largest coordinate in [1/2, 1); zero stays zero.
 Vec3d rounded_direction(const Vector& a);
+
+/// One more than the exponent of the highest bit; a very small number for 0.
+int exponent_of(const Dyadic& value);
+/// value / 2^exponent to within 2^-105 of itself, if that does not overflow.
+DoubleDouble rounded(const Dyadic& value, int exponent);
 
 /// floor(sqrt(value)) for value >= 0.
 Integer floor_of_root(const Integer& value);

@@ -100,8 +100,11 @@ struct Scene {
       of_b = support_from_above(b, exact_points(b.points), whole::direction_to_b(a_from_b, back)) +
              dot(exactly(a_from_b.translation), back);
     }
-    const Dyadic balls = (Dyadic(a.ball_radius) + Dyadic(b.ball_radius)) * root_from_above(dot(dir, dir));
-    return whole::sign(of_a + of_b + balls) < 0;
+    const Dyadic cores = of_a + of_b, radii = Dyadic(a.ball_radius) + Dyadic(b.ball_radius), dir_sq = dot(dir, dir);
+    if (a.is_rounded_polytope() && b.is_rounded_polytope()) {
+      return whole::sign(cores) < 0 && radii * radii * dir_sq < cores * cores;  // no root: however near they are
+    }
+    return whole::sign(cores + radii * root_from_above(dir_sq)) < 0;
   }
 };
 

@@ -4,142 +4,18 @@
 #include <cmath>
 #include <span>
 
-#include "engine/numeric/double_double.h"
 #include "engine/query/expanding_hull.h"
+#include "engine/query/extended_difference.h"
 #include "engine/query/portal_refinement.h"
-#include "engine/support/combinators.h"
 
 namespace vex {
 namespace {
 
-using Extended = DoubleDouble;
-using Vec3e = Vec3<Extended>;
-
-// Scaled lengths are at most a few; all roundings of a support point and of its height together are below this (E15).
-constexpr double kSupportError = 0x1p-92;
-
-Vec3d high_part(const Vec3e& v) { return {v.x.high, v.y.high, v.z.high}; }
-Vec3d low_part(const Vec3e& v) { return {v.x.low, v.y.low, v.z.low}; }
 Vec3e extended(const Vec3d& v) { return broadcast<Extended>(v); }
 
-Transform<Extended> extended(const Transformd& pose) {
-  return {extended(pose.row_x), extended(pose.row_y), extended(pose.row_z), extended(pose.translation)};
-}
-
-// A point of a body and its height along the direction it was asked for.
-struct Farthest {
-  Vec3e point;
-  Extended height;
-  bool is_any = false;
-
-  void consider(const Vec3e& candidate, const Extended& candidate_height) {
-    if (is_any && candidate_height <= height) return;
-    point = candidate;
-    height = candidate_height;
-    is_any = true;
-  }
-};
-
-// The points of a difference that were looked at, as witnesses.
-struct Record {
-  Vec3e at;
-  Witness witness;
-};
-
-// What flat differences are thickened by, scaled: far above the rounding of a search, far below 1e-14 of the bodies.
+// What flat differences are thickened by, in the forms' units: far above the rounding of a search, far below 1e-14 of
+// the bodies.
 constexpr double kThickness = 0x1p-56;
-
-// A - B in units of 2^exponent of the forms, with a ball of `thickness` about each point.
-class ExtendedDifference {
- public:
-  ExtendedDifference(const PlacedForms& forms, std::vector<Record>* records, double thickness = 0.0)
-      : forms_(forms), records_(records), a_from_b_(extended(forms.a_from_b)) {
-    a_from_b_.translation = extended(times_power_of_two(forms.a_from_b.translation, -forms.exponent));
-    ball_radius_ = Extended(std::ldexp(forms.a.ball_radius, -forms.exponent)) +
-                   Extended(std::ldexp(forms.b.ball_radius, -forms.exponent)) + Extended(thickness);
-  }
-
-  Vec3e support(const Vec3e& dir) const {
-    const Farthest a = farthest_of_a(dir);
-    const Vec3e dir_b = a_from_b_.direction_to_b(-dir);
-    Vec3e own_b;
-    const Farthest b = farthest_of_b(-dir, dir_b, own_b);
-    Vec3e w = a.point - b.point;
-    if (ball_radius_ > Extended(0.0)) w = w + ball_support(ball_radius_, dir);
-    if (records_ != nullptr) {
-      records_->push_back({w,
-                           {high_part(dir), low_part(dir), high_part(dir_b), low_part(dir_b),
-                            times_power_of_two(high_part(a.point), forms_.exponent),
-                            times_power_of_two(high_part(own_b), forms_.exponent)}});
-    }
-    note_gap(dir, w);
-    return w;
-  }
-
-  /// No point of A - B is nearer along some direction that was looked at: a lower bound of the signed gap, scaled.
-  double gap_lower() const { return gap_lower_; }
-
- private:
-  // c + D D d / |D d|, and its height, for the piece of `form` that is farthest.
-  Farthest farthest_piece(const ExactForm& form, const Vec3e& dir) const {
-    Farthest best;
-    for (const ExactForm::Piece& piece : form.pieces) {
-      const Vec3e centre = extended(times_power_of_two(piece.centre, -forms_.exponent));
-      const Vec3e axes = extended(times_power_of_two(piece.semi_axes, -forms_.exponent));
-      Vec3e image{axes.x * dir.x, axes.y * dir.y, axes.z * dir.z};
-      if (piece.is_dome && image.z < Extended(0.0)) image.z = Extended(0.0);
-      const Vec3e unit = ball_support(Extended(1.0), scaled_to_unit_exponent(image));
-      const Vec3e point = centre + Vec3e{axes.x * unit.x, axes.y * unit.y, axes.z * unit.z};
-      best.consider(point, dot(point, dir));
-    }
-    return best;
-  }
-
-  // Directions are between 2^-100 and 2^100 long; a vertex set wants them near 1.
-  static Vec3d vertex_direction(const Vec3e& dir) { return scaled_to_unit_exponent(high_part(dir)); }
-
-  Farthest farthest_of_a(const Vec3e& dir) const {
-    Farthest best = farthest_piece(forms_.a, dir);
-    for (const std::size_t i : forms_.points_a.farthest(vertex_direction(dir))) {
-      const Vec3e point = extended(times_power_of_two(forms_.a.points[i], -forms_.exponent));
-      best.consider(point, dot(point, dir));
-    }
-    return best;
-  }
-
-  // `dir` and the point in A's frame; `dir_b` and `own` are the same in B's.
-  Farthest farthest_of_b(const Vec3e& dir, const Vec3e& dir_b, Vec3e& own) const {
-    Farthest best;
-    if (!forms_.b.pieces.empty()) {
-      own = farthest_piece(forms_.b, dir_b).point;
-      const Vec3e placed = a_from_b_(own);
-      best.consider(placed, dot(placed, dir));
-    }
-    for (const std::size_t i : forms_.points_b.farthest(vertex_direction(dir))) {
-      const Vec3e own_point = extended(times_power_of_two(forms_.b.points[i], -forms_.exponent));
-      const Vec3e placed = forms_.b.is_polytope() ? extended(times_power_of_two(forms_.placed_b[i], -forms_.exponent))
-                                                  : a_from_b_(own_point);
-      const Extended height = dot(placed, dir);
-      if (!best.is_any || height > best.height) own = own_point;
-      best.consider(placed, height);
-    }
-    return best;
-  }
-
-  void note_gap(const Vec3e& dir, const Vec3e& w) const {
-    const Extended length = norm(dir);
-    if (!(length > Extended(0.0))) return;
-    const Extended gap = -(dot(dir, w) / length);
-    const double rounded_down = gap.high - 0x1p-52 * std::fabs(gap.high) - 2.0 * kSupportError;
-    gap_lower_ = std::max(gap_lower_, rounded_down);
-  }
-
-  const PlacedForms& forms_;
-  std::vector<Record>* records_;
-  Transform<Extended> a_from_b_;
-  Extended ball_radius_;
-  mutable double gap_lower_ = -HUGE_VAL;
-};
 
 // Directions that span space, and the weights of inner points.
 constexpr std::array<Vec3d, 6> kDirections = {{{0.6113, 0.4717, 0.6361},
@@ -191,7 +67,7 @@ double distance_of_triangle(const Vec3e& v1, const Vec3e& v2, const Vec3e& v3) {
   return best;
 }
 
-constexpr QueryError<Extended> kError{Extended(8.0), Extended(kSupportError)};
+constexpr QueryError<Extended> kError{Extended(8.0), Extended(kExtendedError)};
 
 using Hull = ExpandingHull<Extended, ExtendedDifference>;
 
@@ -211,7 +87,7 @@ Verdict disjoint_along(const Vec3e& dir, OverlapCertificate* certificate) {
 }
 
 // Searches from two inner points; none where both stall.
-std::optional<Verdict> by_portal(const PlacedForms& forms, OverlapCertificate* certificate, int max_support_calls,
+std::optional<Verdict> by_portal(const LocalForms& forms, OverlapCertificate* certificate, int max_support_calls,
                                  Findings& findings) {
   const ExtendedDifference difference(forms, nullptr);
   findings.n_support_calls += static_cast<int>(kDirections.size());
@@ -228,7 +104,7 @@ std::optional<Verdict> by_portal(const PlacedForms& forms, OverlapCertificate* c
 
 // The hull of A - B with a ball of `thickness` about each point. What is apart from that is apart from A - B; that it
 // holds the origin proves an overlap only where the thickness is 0.
-std::optional<Verdict> by_hull(const PlacedForms& forms, double thickness, OverlapCertificate* certificate,
+std::optional<Verdict> by_hull(const LocalForms& forms, double thickness, OverlapCertificate* certificate,
                                int max_support_calls, Findings& findings) {
   const ExtendedDifference difference(forms, nullptr, thickness);
   Hull hull(difference, kError);
@@ -256,7 +132,7 @@ std::optional<Verdict> by_hull(const PlacedForms& forms, double thickness, Overl
 constexpr double kContact = 0x1p-55;
 
 // Takes the records of these calls as witnesses.
-void take_witnesses(std::span<const std::size_t> calls, const std::vector<Record>& records,
+void take_witnesses(std::span<const std::size_t> calls, const std::vector<ExtendedRecord>& records,
                     OverlapCertificate& certificate) {
   certificate.n_witnesses = 0;
   for (const std::size_t call : calls) {
@@ -265,8 +141,8 @@ void take_witnesses(std::span<const std::size_t> calls, const std::vector<Record
 }
 
 // From a search that starts at a support point, on the far side from the origin: it has support points only.
-bool find_witnesses_by_portal(const PlacedForms& forms, OverlapCertificate& certificate, int max_support_calls) {
-  std::vector<Record> records;
+bool find_witnesses_by_portal(const LocalForms& forms, OverlapCertificate& certificate, int max_support_calls) {
+  std::vector<ExtendedRecord> records;
   const ExtendedDifference difference(forms, &records);
   const Vec3e away = scaled_to_unit_exponent(inner_points(difference).front());
   for (const Vec3e& dir : {away, extended(kDirections[0]) + away}) {
@@ -278,7 +154,7 @@ bool find_witnesses_by_portal(const PlacedForms& forms, OverlapCertificate& cert
     std::size_t n_calls = 0;
     for (const Vec3e& v : {found.v0, found.v1, found.v2, found.v3}) {
       const auto record = std::ranges::find_if(
-          records, [&v](const Record& r) { return r.at.x == v.x && r.at.y == v.y && r.at.z == v.z; });
+          records, [&v](const ExtendedRecord& r) { return r.at.x == v.x && r.at.y == v.y && r.at.z == v.z; });
       calls[n_calls++] = static_cast<std::size_t>(record - records.begin());
     }
     take_witnesses(calls, records, certificate);
@@ -289,9 +165,9 @@ bool find_witnesses_by_portal(const PlacedForms& forms, OverlapCertificate& cert
 
 // The corners of the two faces through which a line through the origin leaves the hull: the origin is between two inner
 // points of them, so in the hull of the six, and inside of it unless the line was chosen badly. The checker says.
-bool find_witnesses_by_hull(const PlacedForms& forms, OverlapCertificate& certificate, int max_support_calls,
+bool find_witnesses_by_hull(const LocalForms& forms, OverlapCertificate& certificate, int max_support_calls,
                             const std::function<bool()>& is_proof) {
-  std::vector<Record> records;
+  std::vector<ExtendedRecord> records;
   const ExtendedDifference difference(forms, &records);
   Hull hull(difference, kError);
   if (hull.run(max_support_calls) != Hull::End::overlap) return false;
@@ -319,27 +195,29 @@ bool find_witnesses_by_hull(const PlacedForms& forms, OverlapCertificate& certif
 
 }  // namespace
 
-ExtendedOverlap extended_overlap(const PlacedForms& forms, OverlapCertificate* certificate, int max_support_calls) {
+ExtendedOverlap extended_overlap(const PlacedForms& placed, OverlapCertificate* certificate, int max_support_calls) {
+  const LocalForms forms(placed);
   Findings findings;
   std::optional<Verdict> verdict = by_portal(forms, certificate, max_support_calls, findings);
   if (!verdict) verdict = by_hull(forms, 0.0, certificate, max_support_calls, findings);
   if (!verdict) {
-    const double upper = findings.gap_upper * (1.0 + 0x1p-50) + 2.0 * kSupportError;
+    const double upper = findings.gap_upper * (1.0 + 0x1p-50) + 2.0 * kExtendedError;
     const bool is_contact = upper - findings.gap_lower < kContact;
     verdict =
         Verdict::undecided(DecidedBy::double_double, findings.is_capped && !is_contact ? UndecidedReason::iteration_cap
                                                                                        : UndecidedReason::rounding);
     if (certificate != nullptr) {
       // Lengths of any size again: ldexp rounds, at most, an underflowing one.
-      certificate->gap_lower = std::ldexp(findings.gap_lower, forms.exponent);
-      certificate->gap_upper = std::ldexp(upper, forms.exponent);
+      certificate->gap_lower = std::ldexp(findings.gap_lower, forms.exponent());
+      certificate->gap_upper = std::ldexp(upper, forms.exponent());
     }
   }
   return {*verdict, findings.n_support_calls};
 }
 
-bool find_witnesses(const PlacedForms& forms, OverlapCertificate& certificate, int max_support_calls,
+bool find_witnesses(const PlacedForms& placed, OverlapCertificate& certificate, int max_support_calls,
                     const std::function<bool()>& is_proof) {
+  const LocalForms forms(placed);
   if (find_witnesses_by_portal(forms, certificate, max_support_calls)) return true;
   if (find_witnesses_by_hull(forms, certificate, max_support_calls, is_proof)) return true;
   certificate.n_witnesses = 0;

@@ -59,13 +59,9 @@ const std::vector<std::size_t>& VertexSet::farthest(const Vec3d& dir) const {
 std::optional<PlacedForms> placed_forms(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b) {
   std::optional<ExactForm> form_a = a.exact_form(), form_b = b.exact_form();
   if (!form_a || !form_b) return std::nullopt;
-  PlacedForms forms{std::move(*form_a), std::move(*form_b), a_from_b, {}, 0, VertexSet({}), VertexSet({})};
+  PlacedForms forms{std::move(*form_a), std::move(*form_b), a_from_b, {}, VertexSet({}), VertexSet({})};
   const double length_a = largest_length(forms.a), length_b = largest_length(forms.b);
-  const double shift = largest_coordinate(a_from_b.translation);
   if (!std::isfinite(length_a) || !std::isfinite(length_b) || !is_finite(a_from_b)) return std::nullopt;
-  // |R x| <= 1.74 |x|, and t beside it. Exponents, for twice a length may overflow.
-  const auto exponent_of = [](double length) { return length > 0.0 ? std::ilogb(length) : -1100; };
-  forms.exponent = std::max({exponent_of(length_a), exponent_of(length_b) + 1, exponent_of(shift) + 1}) + 2;
   for (const Vec3d& p : forms.b.points) {
     forms.placed_b.push_back(a_from_b(p));
     if (!is_finite(forms.placed_b.back())) return std::nullopt;

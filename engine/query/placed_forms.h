@@ -34,8 +34,6 @@ struct PlacedForms {
   Transformd a_from_b;
   /// B's points in A's frame: of a polytope these rounded ones are the body.
   std::vector<Vec3d> placed_b;
-  /// Lengths times 2^-exponent are at most 1, up to the sum of a few.
-  int exponent = 0;
   VertexSet points_a{{}}, points_b{{}};  // those of B placed
 
   bool are_rounded_polytopes() const { return a.is_rounded_polytope() && b.is_rounded_polytope(); }
