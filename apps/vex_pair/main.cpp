@@ -75,6 +75,7 @@ int run_vex_pair(const PairCommandLine& words, const std::string& command) {
   }
   if (json) json->write(report_json(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   if (run.found.interrupted) return kSignalBase + interrupting_signal().load();
+  if (run.found.counts.n_not_reproven > 0) return kFault;
   if (run.found.counts.n_refused > 0) {
     throw InputError(std::to_string(run.found.counts.n_refused) + " of " + std::to_string(run.found.counts.n_rows) +
                      " rows were refused - the first: " + run.found.first_problem);

@@ -100,7 +100,7 @@ void declare_options(CLI::App& app, PairCommandLine& words) {
              "\n\nNumbers of poses may be decimal (0.1) or hexadecimal (0x1.999999999999ap-4)."
              "\n\nExit codes:"
              "\n  0  success; undecided verdicts are answers, too"
-             "\n  1  a fault of the program"
+             "\n  1  a certificate that is not proven again (--certificate), or a fault of the program"
              "\n  2  wrong usage"
              "\n  3  input refused: a body, a pose, or a row of --poses"
              "\n  130, 143  interrupted (the rows answered until then are written)");

@@ -70,9 +70,10 @@ std::string report_text(const PairRun& run) {
     case Outcome::undecided: text += pair + ": UNDECIDED\n"; break;
   }
   if (answer.verdict.outcome == Outcome::undecided) {
-    text += line("because", answer.verdict.reason == UndecidedReason::rounding
-                                ? "they touch to within rounding, and neither verdict could be proven"
-                                : "the search was given up");
+    text +=
+        line("because", answer.verdict.reason == UndecidedReason::rounding
+                            ? "a move by no more than rounding would part them, or make them meet: neither is proven"
+                            : "the search was given up");
     const auto bound = [](double value) { return std::isfinite(value) ? short_number(value, 6) : "unknown"; };
     text += line("gap (negative: depth), from below", bound(answer.certificate.gap_lower));
     text += line("   from above", bound(answer.certificate.gap_upper));

@@ -40,7 +40,8 @@ std::vector<StressPair> touching_pairs() {
 Transformd axes_to_axes(Draw& draw) {
   const std::array<Vec3d, 3> axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   const std::size_t k = draw.below(3);
-  return {draw.sign() * axes[k], draw.sign() * axes[(k + 1) % 3], draw.sign() * axes[(k + 2) % 3], {}};
+  const double first = draw.sign(), second = draw.sign();
+  return {first * axes[k], second * axes[(k + 1) % 3], (first * second) * axes[(k + 2) % 3], {}};
 }
 
 // The corners of the cores, all of whose coordinates are whole multiples of 2^-3, are moved apart by a whole vector as

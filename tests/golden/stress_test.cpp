@@ -17,8 +17,9 @@ class Stress : public ProgramTest {
 };
 
 TEST_F(Stress, EveryStratumIsThereWithEveryBackend) {
-  const json document = json_of(
-      {"--pairs", "30", "--stratum", "random", "--stratum", "contact", "--stratum", "parallel", "--stratum", "cases"});
+  const json document =
+      json_of({"--pairs", "30", "--stratum", "random", "--stratum", "contact", "--stratum", "parallel", "--stratum",
+               "touching", "--stratum", "symmetric", "--stratum", "far-from-origin", "--stratum", "cases"});
   for (const char* const key : {"version", "stream_version", "command", "seed", "threads", "complete", "seconds"}) {
     EXPECT_TRUE(document.contains(key)) << key;
   }
@@ -39,7 +40,9 @@ TEST_F(Stress, EveryStratumIsThereWithEveryBackend) {
       EXPECT_EQ(counts.at("first_wrong").is_null(), counts.at("wrong") == 0);
     }
     EXPECT_EQ(stratum.at("backends").at("gjk").at("pairs"), 30);
-    EXPECT_EQ(stratum.at("backends").at("gjk").at("wrong"), 0);
+    for (const char* const fault : {"wrong", "undecided_beyond_band", "capped", "unproven"}) {
+      EXPECT_EQ(stratum.at("backends").at("gjk").at(fault), 0) << fault;
+    }
   }
   for (const std::string& backend : backends_of_this_build()) {
     if (backend != "specialised") {
@@ -90,6 +93,7 @@ TEST_F(Stress, ListsItsStrata) {
   }
   const Finished some = run({"--list", "--stratum", "aspect/cones"});
   EXPECT_EQ(std::count(some.out.begin(), some.out.end(), '\n'), 6);
+  EXPECT_EQ(run({"--list", "--json", "-"}).exit_code, 2) << "there is nothing to write";
 }
 
 TEST_F(Stress, PrintsATableAndNothingWhenQuiet) {
