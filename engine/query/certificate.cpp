@@ -255,29 +255,27 @@ CertificateCheck check_rounded_polytopes(const Scene& scene, Outcome claimed, co
   return {true, {}};
 }
 
-// A bound of every length of the scene.
-Dyadic reach_of(const Scene& scene) {
+// A bound of every length that is rounded: of the pieces about their centres, B's turned, and of the balls. Vertices,
+// centres and the translation are exact.
+Dyadic rounded_length(const Scene& scene) {
   const auto length = [](const Vec3d& v) {
     return Dyadic(std::fabs(v.x)) + Dyadic(std::fabs(v.y)) + Dyadic(std::fabs(v.z));
   };
-  Dyadic reach = length(scene.a_from_b.translation);
-  for (const ExactForm* form : {&scene.a, &scene.b}) {
-    Dyadic largest;
-    const auto consider = [&largest](const Dyadic& value) {
-      if (largest < value) largest = value;
-    };
-    for (const Vec3d& p : form->points) consider(length(p));
-    for (const ExactForm::Piece& piece : form->pieces) consider(length(piece.centre) + length(piece.semi_axes));
-    reach = reach + Dyadic(2.0) * largest + Dyadic(form->ball_radius);
-  }
-  return reach;
+  const auto of_pieces = [&length](const ExactForm& form) {
+    Dyadic sum;
+    for (const ExactForm::Piece& piece : form.pieces) sum = sum + length(piece.semi_axes);
+    return sum;
+  };
+  const Transformd& pose = scene.a_from_b;
+  return of_pieces(scene.a) + (length(pose.row_x) + length(pose.row_y) + length(pose.row_z)) * of_pieces(scene.b) +
+         Dyadic(scene.a.ball_radius) + Dyadic(scene.b.ball_radius);
 }
 
 CertificateCheck check_hull(const Scene& scene, const OverlapCertificate& certificate) {
   if (certificate.n_witnesses < 4) return failed("an overlap of curved bodies needs four witnesses");
   const Dyadic balls = Dyadic(scene.a.ball_radius) + Dyadic(scene.b.ball_radius);
-  // Every point below is off by less than 2^-(kBits - 16) of the reach (E16).
-  const Dyadic margin = reach_of(scene) * Dyadic(1, 16 - kBits);
+  // Every point below is off by less than this (E16).
+  const Dyadic margin = rounded_length(scene) * Dyadic(1, 16 - kBits);
   std::vector<DyadicVector> points;
   for (int k = 0; k < certificate.n_witnesses; ++k) {
     const Witness& witness = certificate.witnesses[static_cast<std::size_t>(k)];

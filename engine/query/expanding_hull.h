@@ -44,6 +44,8 @@ class ExpandingHull {
         separating_dir_ = dir;
         return End::disjoint;
       }
+      // K ends so near to the origin that no face could have the points' error behind it.
+      if (value < L(2.0) * slack) return End::stalled;
       if (!(value - dot(dir, points_[face.corners[0]]) > slack) || !grow(added)) return End::stalled;
     }
   }
@@ -174,30 +176,27 @@ class ExpandingHull {
 
   using Edge = std::array<std::size_t, 2>;
 
-  // The edges that only one of the faces has.
+  // The edges that only one of the faces has, as that one goes along them.
   static std::vector<Edge> rim_of(const std::vector<Face>& faces) {
-    std::vector<Edge> rim;
+    std::vector<Edge> edges;
     for (const Face& face : faces) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Edge edge{face.corners[k], face.corners[(k + 1) % 3]};
-        const auto twin = std::ranges::find(rim, Edge{edge[1], edge[0]});
-        if (twin == rim.end()) {
-          rim.push_back(edge);
-        } else {
-          rim.erase(twin);
-        }
-      }
+      for (std::size_t k = 0; k < 3; ++k) edges.push_back({face.corners[k], face.corners[(k + 1) % 3]});
+    }
+    std::ranges::sort(edges);
+    std::vector<Edge> rim;
+    for (const Edge& edge : edges) {
+      if (!std::ranges::binary_search(edges, Edge{edge[1], edge[0]})) rim.push_back(edge);
     }
     return rim;
   }
 
-  // A single closed line that passes each of its points once.
+  // A single closed line that passes each of its points once. `rim` is sorted.
   static bool is_one_round(const std::vector<Edge>& rim) {
     if (rim.size() < 3) return false;
     std::size_t at = rim[0][0], n_steps = 0;
     do {
-      const auto next = std::ranges::find_if(rim, [at](const Edge& edge) { return edge[0] == at; });
-      if (next == rim.end()) return false;
+      const auto next = std::ranges::lower_bound(rim, Edge{at, 0});
+      if (next == rim.end() || (*next)[0] != at) return false;
       at = (*next)[1];
       ++n_steps;
     } while (at != rim[0][0] && n_steps <= rim.size());

@@ -164,14 +164,18 @@ Vec3e ExtendedDifference::support(const Vec3e& dir) const {
   const Vec3e dir_b = forms_.a_from_b().direction_to_b(-dir);
   const LocalForms::Farthest a = forms_.farthest_of_a(dir), b = forms_.farthest_of_b(-dir, dir_b);
   Vec3e w = (a.point - b.point) - forms_.a_from_b().translation;
-  if (ball_radius_ > Extended(0.0)) w = w + ball_support(ball_radius_, dir);
+  if (forms_.ball_radius() > Extended(0.0)) w = w + ball_support(forms_.ball_radius(), dir);
   if (records_ != nullptr) {
     records_->push_back({w, {high_part(dir), low_part(dir), high_part(dir_b), low_part(dir_b), a.own, b.own}});
   }
   const Extended length = norm(dir);
   if (length > Extended(0.0)) {
     const Extended gap = -(dot(dir, w) / length);
-    gap_lower_ = std::max(gap_lower_, gap.high - 0x1p-52 * std::fabs(gap.high) - 2.0 * kExtendedError);
+    const double lower = gap.high - 0x1p-52 * std::fabs(gap.high) - 2.0 * kExtendedError;
+    if (lower > gap_lower_) {
+      gap_lower_ = lower;
+      best_dir_ = dir;
+    }
   }
   return w;
 }

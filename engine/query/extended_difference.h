@@ -66,23 +66,24 @@ struct ExtendedRecord {
 /// All roundings of a support point of `ExtendedDifference` and of its height together are below this (E15).
 inline constexpr double kExtendedError = 0x1p-92;
 
-/// A - B, with a ball of `thickness` about each point.
+/// A - B.
 class ExtendedDifference {
  public:
-  ExtendedDifference(const LocalForms& forms, std::vector<ExtendedRecord>* records, double thickness = 0.0)
-      : forms_(forms), records_(records), ball_radius_(forms.ball_radius() + Extended(thickness)) {}
+  explicit ExtendedDifference(const LocalForms& forms, std::vector<ExtendedRecord>* records = nullptr)
+      : forms_(forms), records_(records) {}
 
   Vec3e support(const Vec3e& dir) const;
 
-  /// No point of A - B is nearer along some direction that was looked at: a lower bound of the signed gap, in the units
-  /// of the forms.
+  /// A lower bound of the signed gap, in the units of the forms: no point of A - B is nearer along `best_dir`, of all
+  /// directions that were looked at. Positive where the bodies are proven to be disjoint.
   double gap_lower() const { return gap_lower_; }
+  const Vec3e& best_dir() const { return best_dir_; }
 
  private:
   const LocalForms& forms_;
   std::vector<ExtendedRecord>* records_;
-  Extended ball_radius_;
   mutable double gap_lower_ = -HUGE_VAL;
+  mutable Vec3e best_dir_;
 };
 
 }  // namespace vex

@@ -1,5 +1,6 @@
-// The search of portal_refinement.h in double-double arithmetic, on the bodies' exact forms: for curved bodies that
-// double precision leaves open, and for the witnesses of an overlap.
+// The search of portal_refinement.h in double-double arithmetic, on the bodies' exact forms, and where it stalls those
+// of nearest_point.h and expanding_hull.h: for curved bodies that double precision leaves open, and for the witnesses
+// of an overlap.
 #pragma once
 
 #include <functional>
@@ -19,8 +20,7 @@ struct ExtendedOverlap {
 ExtendedOverlap extended_overlap(const PlacedForms& forms, OverlapCertificate* certificate, int max_support_calls);
 
 /// Witnesses around the origin, of bodies that are known to overlap; `is_proof` tells of six whether they prove it.
-/// False, and no witnesses, where none are found.
-bool find_witnesses(const PlacedForms& forms, OverlapCertificate& certificate, int max_support_calls,
-                    const std::function<bool()>& is_proof);
+/// False, and no witnesses, where none are found. However few calls the verdict was allowed, this takes what it needs.
+bool find_witnesses(const PlacedForms& forms, OverlapCertificate& certificate, const std::function<bool()>& is_proof);
 
 }  // namespace vex

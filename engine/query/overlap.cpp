@@ -39,7 +39,7 @@ Verdict decide_by_forms(const PlacedForms& forms, const Verdict& filtered, Overl
     verdict = found.verdict;
   }
   if (wants_witnesses && verdict.outcome == Outcome::overlap) {
-    find_witnesses(forms, *certificate, max_support_calls, is_proof);
+    find_witnesses(forms, *certificate, is_proof);
   }
   return verdict;
 }

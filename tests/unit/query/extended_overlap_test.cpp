@@ -115,7 +115,7 @@ TEST(ExtendedOverlap, BoundsTheGapOfWhatItGivesUp) {
       Transformd pose = random_rotation(random);
       const Vec3d dir = random_direction(random);
       const bool is_apart = k % 2 == 0;
-      pose.translation = (contact_along(a, b, pose, dir) * (is_apart ? 1.2 : 0.9)) * dir;
+      pose.translation = (contact_along(a, b, pose, dir) * (is_apart ? 1.02 : 0.9)) * dir;
       OverlapCertificate c;
       if (overlap(a, b, pose, &c, cap).outcome == Outcome::undecided) {
         (is_apart ? n_apart : n_together) += 1;
