@@ -40,7 +40,7 @@ TEST(NearestPoint, IsTheNearestOfEverySimplex) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> in(-1.0, 1.0);
   std::array<int, 5> n_carriers{};
-  for (int k = 0; k < 2000; ++k) {
+  for (int k = 0; k < 6000; ++k) {
     std::vector<Vec3d> points(1 + random() % 4);
     // Flat ones and needles, too.
     const double flat = k % 5 == 0 ? 0.0 : 1.0, thin = k % 7 == 0 ? 0.0 : 1.0;
