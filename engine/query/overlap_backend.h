@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/numeric/transform.h"
+#include "engine/query/packet_overlap.h"
 #include "engine/query/verdict.h"
 #include "engine/support/convex_body.h"
 
@@ -18,6 +19,8 @@ class OverlapBackend {
   virtual ~OverlapBackend() = default;
   /// verdicts[k] for a_from_b[k]; the spans have the same length.
   virtual void decide(std::span<const Transformd> a_from_b, std::span<Verdict> verdicts) = 0;
+  /// The same of poses in columns, up to PacketOverlap::kMostTrials of them.
+  virtual void decide_table(const PoseTable& a_from_b, std::span<Verdict> verdicts);
 };
 
 /// Names a backend and makes its instances. The bodies must outlive them.
@@ -32,7 +35,8 @@ struct BackendKind {
   bool takes(const ConvexBody& a, const ConvexBody& b) const { return !takes_pair || takes_pair(a, b); }
 };
 
-/// The engine's own: `overlap` of engine/query/overlap.h.
-BackendKind gjk_backend();
+/// The engine's own: `overlap` of engine/query/overlap.h, with packets of the instruction set before it where there is
+/// a kernel for the pair. The answers are the same for every set.
+BackendKind gjk_backend(InstructionSet set = best_instruction_set());
 
 }  // namespace vex

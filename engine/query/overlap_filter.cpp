@@ -51,11 +51,9 @@ class ScaledDifference {
 // the centres itself, the origin would lie on an edge or a face of the simplex in every symmetric placement (always,
 // for two balls), where nothing can be proven.
 
-// The first is close to the centres, which costs fewest support calls: an offset in units of the sum of inradii.
-constexpr Vec3d kFirstOffset{0.01173, 0.02311, 0.03137};
-
-// The others are for placements that are degenerate seen from the first, and for bodies without a ball inside: the mean
-// of the centres and of support points in four directions that span space, with these weights.
+// The first is kStartOffset. The others are for placements that are degenerate seen from the first, and for bodies
+// without a ball inside: the mean of the centres and of support points in four directions that span space, with these
+// weights.
 constexpr std::array<Vec3d, 4> kDirections = {
     {{0.6113, 0.4717, 0.6361}, {-0.7331, 0.2917, 0.4129}, {0.1733, -0.8311, -0.5297}, {-0.1237, 0.3119, -0.9419}}};
 constexpr std::array<std::array<double, 4>, 2> kWeights = {
@@ -84,7 +82,7 @@ FilterResult filter(const Difference& difference, const Vec3d& between_centres, 
   FilterResult result;
   bool is_capped = false;
   for (std::size_t attempt = 0; attempt <= kWeights.size(); ++attempt) {
-    Vec3d start = between_centres + inradii * kFirstOffset;
+    Vec3d start = between_centres + inradii * kStartOffset;
     if (attempt > 0) {
       start = inner_point(difference, between_centres, kWeights[attempt - 1]);
       result.n_support_calls += static_cast<int>(kDirections.size());

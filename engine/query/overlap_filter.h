@@ -8,6 +8,10 @@
 
 namespace vex {
 
+/// Where a search starts, in units of the sum of the inradii from the difference of the centres: close to it, which
+/// costs fewest support calls, but off every plane of symmetry.
+inline constexpr Vec3d kStartOffset{0.01173, 0.02311, 0.03137};
+
 struct FilterResult {
   Verdict verdict;
   Vec3d separating_dir;  // where disjoint

@@ -13,6 +13,7 @@
 #include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
 #include "engine/query/overlap.h"
+#include "engine/sampling/pose_columns.h"
 #include "engine/sampling/pose_map.h"
 #include "engine/scene/quick_verdict.h"
 
@@ -59,9 +60,13 @@ class TrialRunner {
         is_fitted_(settings.domain.kind == Domain::Kind::fitted),
         quick_verdict_(a, b, kDrawnRotationError),
         uses_quick_verdicts_(settings.quick_verdicts && !settings.backend.is_peer),
+        recipe_{settings.seed, &settings.law, &settings.domain, b.centre(),
+                uses_quick_verdicts_ ? &quick_verdict_ : nullptr},
+        draw_poses_(is_fitted_ ? nullptr : pose_kernel(settings.instruction_set)),
         backend_(settings.backend.make(a, b)) {
     for (const BackendKind& kind : settings.cross_check) checks_.push_back(kind.make(a, b));
     checked_verdicts_.resize(checks_.size());
+    shares_.fill(1.0);
   }
 
   BlockRecord run(std::uint64_t begin, std::uint64_t end) {
@@ -74,9 +79,51 @@ class TrialRunner {
   }
 
  private:
-  static constexpr std::size_t kBatch = 64;  // poses held at once: 6 kB, within the first-level cache
+  static constexpr std::size_t kBatch = PacketOverlap::kMostTrials;  // poses held at once: within the nearest caches
 
   void run_batch(std::uint64_t first, std::size_t n, BlockRecord& record) {
+    if (draw_poses_ != nullptr) {
+      decide_by_columns(first, n);
+    } else {
+      decide_one_by_one(first, n);
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      if (is_fitted_) {
+        record.tally.add(verdicts_[k], shares_[k]);
+      } else {
+        record.tally.add(verdicts_[k]);
+      }
+      if (verdicts_[k].outcome == Outcome::undecided) {
+        ++record.undecided.n_all;
+        record.undecided.kept.push_back({first + k, verdicts_[k].reason});
+      }
+    }
+    if (!checks_.empty()) cross_check(first, n, record);
+    if (settings_.verify) verify(first, n, record);
+  }
+
+  // Poses by a kernel.
+  void decide_by_columns(std::uint64_t first, std::size_t n) {
+    draw_poses_(recipe_, first, n, columns_);
+    if (uses_quick_verdicts_) {
+      for (std::size_t k = 0; k < n; ++k) {
+        if (columns_.quick[k] == PacketAnswer::disjoint) verdicts_[k] = Verdict::disjoint(DecidedBy::outer_bound);
+        if (columns_.quick[k] == PacketAnswer::overlap) verdicts_[k] = Verdict::overlap(DecidedBy::inner_bound);
+      }
+      const std::size_t n_open = columns_.n_open;
+      backend_->decide_table({columns_.open[0], PoseColumns::kStride, n_open}, {open_verdicts_.data(), n_open});
+      for (std::size_t j = 0; j < n_open; ++j) {
+        verdicts_[static_cast<std::size_t>(columns_.open_index[j])] = open_verdicts_[j];
+      }
+    } else {
+      backend_->decide_table({columns_.all[0], PoseColumns::kStride, n}, {verdicts_.data(), n});
+    }
+    if (checks_.empty() && !settings_.verify) return;
+    const PoseTable all{columns_.all[0], PoseColumns::kStride, n};
+    for (std::size_t k = 0; k < n; ++k) poses_[k] = all.pose(k);
+  }
+
+  void decide_one_by_one(std::uint64_t first, std::size_t n) {
     std::size_t n_open = 0;
     for (std::size_t k = 0; k < n; ++k) {
       const PosedTrial trial = sampler_(first + k);
@@ -99,19 +146,6 @@ class TrialRunner {
     }
     backend_->decide({open_poses_.data(), n_open}, {open_verdicts_.data(), n_open});
     for (std::size_t j = 0; j < n_open; ++j) verdicts_[open_[j]] = open_verdicts_[j];
-    for (std::size_t k = 0; k < n; ++k) {
-      if (is_fitted_) {
-        record.tally.add(verdicts_[k], shares_[k]);
-      } else {
-        record.tally.add(verdicts_[k]);
-      }
-      if (verdicts_[k].outcome == Outcome::undecided) {
-        ++record.undecided.n_all;
-        record.undecided.kept.push_back({first + k, verdicts_[k].reason});
-      }
-    }
-    if (!checks_.empty()) cross_check(first, n, record);
-    if (settings_.verify) verify(first, n, record);
   }
 
   void verify(std::uint64_t first, std::size_t n, BlockRecord& record) {
@@ -156,6 +190,9 @@ class TrialRunner {
   bool is_fitted_;
   QuickVerdict quick_verdict_;
   bool uses_quick_verdicts_;
+  PoseRecipe recipe_;
+  DrawPoses draw_poses_;
+  PoseColumns columns_;
   std::unique_ptr<OverlapBackend> backend_;
   std::vector<std::unique_ptr<OverlapBackend>> checks_;
   std::array<Transformd, kBatch> poses_, open_poses_;

@@ -29,6 +29,8 @@ struct MonteCarloSettings {
   OrientationLaw law;
   Domain domain;  // its kind is the estimator: hit-or-miss-fitted where it is fitted, otherwise hit-or-miss
   bool quick_verdicts = true;  // never before a peer
+  /// Of the kernels that draw poses; the backend has its own. Decides nothing but the time.
+  InstructionSet instruction_set = best_instruction_set();
   StopRule stop;
   BackendKind backend = gjk_backend();
   /// Answer the same poses again, for comparison; they do not change the tally.

@@ -1,0 +1,285 @@
+// W doubles as one lane type, through the compilers' vector extensions: SSE2, AVX2, AVX-512 or NEON registers, whatever
+// the file that includes this is compiled for.
+//
+// Everything is in a namespace of the instruction set (VEX_ISA, given by the build), and so has every template over it
+// a name of its own: no inline function that was compiled for one set is ever linked into code for another. A packet is
+// one register or several; several hide each other's latency.
+#pragma once
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+#include "engine/numeric/vec3.h"
+
+namespace vex {
+namespace VEX_ISA {
+
+#if defined(__AVX512F__)
+inline constexpr int kRegisterLanes = 8;
+#elif defined(__AVX2__)
+inline constexpr int kRegisterLanes = 4;
+#else
+inline constexpr int kRegisterLanes = 2;
+#endif
+
+typedef double Register __attribute__((vector_size(8 * kRegisterLanes)));
+typedef std::int64_t MaskRegister __attribute__((vector_size(8 * kRegisterLanes)));
+typedef std::uint64_t BitsRegister __attribute__((vector_size(8 * kRegisterLanes)));
+
+/// N registers' worth of one element type.
+template <class R, std::size_t N>
+struct Registers {
+  R part[N];
+};
+
+template <int W>
+inline constexpr std::size_t kParts = static_cast<std::size_t>(W / kRegisterLanes);
+
+/// All bits of a lane, or none.
+template <int W>
+struct PacketMask : Registers<MaskRegister, kParts<W>> {
+  PacketMask() = default;
+  explicit PacketMask(bool all) {
+    for (MaskRegister& p : this->part) p = MaskRegister{} - (all ? 1 : 0);
+  }
+};
+
+template <int W>
+struct PacketBits : Registers<BitsRegister, kParts<W>> {
+  PacketBits() = default;
+  explicit PacketBits(std::uint64_t all) {
+    for (BitsRegister& p : this->part) p = BitsRegister{} + all;
+  }
+};
+
+template <int W>
+struct Packet : Registers<Register, kParts<W>> {
+  static_assert(W % kRegisterLanes == 0);
+
+  Packet() : Packet(0.0) {}
+  explicit Packet(double all) {
+    for (Register& p : this->part) p = all - Register{};  // x - 0 is x, the sign of a zero too
+  }
+
+  /// W doubles, aligned to themselves only.
+  static Packet load(const double* from) {
+    Packet p;
+    __builtin_memcpy(p.part, from, sizeof p.part);
+    return p;
+  }
+  void store(double* to) const { __builtin_memcpy(to, this->part, sizeof this->part); }
+};
+
+/// f(k) makes part k of the result.
+template <class Result, class F>
+inline __attribute__((always_inline)) Result each_part(F f) {
+  Result r;
+  for (std::size_t k = 0; k < sizeof r.part / sizeof r.part[0]; ++k) r.part[k] = f(k);
+  return r;
+}
+
+#define VEX_PACKET_BINARY(type, result, name, expression)           \
+  template <int W>                                                  \
+  result<W> name(const type<W>& a, const type<W>& b) {              \
+    return each_part<result<W>>([&](std::size_t k) { return expression; }); \
+  }
+VEX_PACKET_BINARY(Packet, Packet, operator+, a.part[k] + b.part[k])
+VEX_PACKET_BINARY(Packet, Packet, operator-, a.part[k] - b.part[k])
+VEX_PACKET_BINARY(Packet, Packet, operator*, a.part[k] * b.part[k])
+VEX_PACKET_BINARY(Packet, Packet, operator/, a.part[k] / b.part[k])
+VEX_PACKET_BINARY(Packet, PacketMask, operator<, a.part[k] < b.part[k])
+VEX_PACKET_BINARY(Packet, PacketMask, operator<=, a.part[k] <= b.part[k])
+VEX_PACKET_BINARY(Packet, PacketMask, operator>, a.part[k] > b.part[k])
+VEX_PACKET_BINARY(Packet, PacketMask, operator>=, a.part[k] >= b.part[k])
+VEX_PACKET_BINARY(Packet, PacketMask, operator==, a.part[k] == b.part[k])
+VEX_PACKET_BINARY(PacketMask, PacketMask, both, a.part[k] & b.part[k])
+VEX_PACKET_BINARY(PacketMask, PacketMask, either, a.part[k] | b.part[k])
+VEX_PACKET_BINARY(PacketMask, PacketMask, but_not, a.part[k] & ~b.part[k])
+VEX_PACKET_BINARY(PacketBits, PacketBits, operator+, a.part[k] + b.part[k])
+VEX_PACKET_BINARY(PacketBits, PacketBits, operator-, a.part[k] - b.part[k])
+VEX_PACKET_BINARY(PacketBits, PacketBits, operator&, a.part[k] & b.part[k])
+VEX_PACKET_BINARY(PacketBits, PacketBits, operator|, a.part[k] | b.part[k])
+VEX_PACKET_BINARY(PacketBits, PacketBits, operator^, a.part[k] ^ b.part[k])
+#undef VEX_PACKET_BINARY
+
+template <int W>
+Packet<W> operator-(const Packet<W>& a) {
+  return each_part<Packet<W>>([&](std::size_t k) { return -a.part[k]; });
+}
+template <int W>
+PacketMask<W> negation(const PacketMask<W>& a) {
+  return each_part<PacketMask<W>>([&](std::size_t k) { return ~a.part[k]; });
+}
+template <int W>
+PacketBits<W> operator>>(const PacketBits<W>& a, int n) {
+  return each_part<PacketBits<W>>([&](std::size_t k) { return a.part[k] >> n; });
+}
+template <int W>
+PacketBits<W> operator<<(const PacketBits<W>& a, int n) {
+  return each_part<PacketBits<W>>([&](std::size_t k) { return a.part[k] << n; });
+}
+
+/// A bit for each lane that is on, the first lane's lowest.
+template <int W>
+unsigned lanes_on(const PacketMask<W>& a) {
+  unsigned on = 0;
+  for (std::size_t k = 0; k < kParts<W>; ++k) {
+    unsigned of_part = 0;
+#if defined(__AVX512F__)
+    of_part = _cvtmask8_u32(_mm512_movepi64_mask(reinterpret_cast<__m512i>(a.part[k])));
+#elif defined(__AVX2__)
+    of_part = static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(a.part[k])));
+#elif defined(__SSE2__)
+    of_part = static_cast<unsigned>(_mm_movemask_pd(reinterpret_cast<__m128d>(a.part[k])));
+#else
+    for (int j = 0; j < kRegisterLanes; ++j) of_part |= a.part[k][j] != 0 ? 1u << j : 0u;
+#endif
+    on |= of_part << (k * std::size_t{kRegisterLanes});
+  }
+  return on;
+}
+template <int W>
+bool any(const PacketMask<W>& a) {
+  return lanes_on(a) != 0;
+}
+template <int W>
+bool all(const PacketMask<W>& a) {
+  return lanes_on(a) == (1u << W) - 1u;
+}
+
+template <int W>
+Packet<W> select(const PacketMask<W>& m, const Packet<W>& a, const Packet<W>& b) {
+  return each_part<Packet<W>>([&](std::size_t k) { return m.part[k] ? a.part[k] : b.part[k]; });
+}
+
+inline Register root_of(Register a) {
+#if defined(__AVX512F__)
+  return reinterpret_cast<Register>(_mm512_sqrt_pd(reinterpret_cast<__m512d>(a)));
+#elif defined(__AVX2__)
+  return reinterpret_cast<Register>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(a)));
+#elif defined(__SSE2__)
+  return reinterpret_cast<Register>(_mm_sqrt_pd(reinterpret_cast<__m128d>(a)));
+#else
+  for (int j = 0; j < kRegisterLanes; ++j) a[j] = __builtin_sqrt(a[j]);
+  return a;
+#endif
+}
+template <int W>
+Packet<W> square_root(const Packet<W>& a) {
+  return each_part<Packet<W>>([&](std::size_t k) { return root_of(a.part[k]); });
+}
+
+template <int W>
+PacketBits<W> bits_of(const Packet<W>& a) {
+  return each_part<PacketBits<W>>([&](std::size_t k) { return reinterpret_cast<BitsRegister>(a.part[k]); });
+}
+template <int W>
+Packet<W> from_bits(const PacketBits<W>& a) {
+  return each_part<Packet<W>>([&](std::size_t k) { return reinterpret_cast<Register>(a.part[k]); });
+}
+
+/// Of the lower 32 bits of each lane, whatever is above them.
+inline BitsRegister product_of_low_words(BitsRegister a, BitsRegister b) {
+#if defined(__AVX512F__)
+  return reinterpret_cast<BitsRegister>(_mm512_mul_epu32(reinterpret_cast<__m512i>(a), reinterpret_cast<__m512i>(b)));
+#elif defined(__AVX2__)
+  return reinterpret_cast<BitsRegister>(_mm256_mul_epu32(reinterpret_cast<__m256i>(a), reinterpret_cast<__m256i>(b)));
+#elif defined(__SSE2__)
+  return reinterpret_cast<BitsRegister>(_mm_mul_epu32(reinterpret_cast<__m128i>(a), reinterpret_cast<__m128i>(b)));
+#else
+  return (a & 0xffffffffu) * (b & 0xffffffffu);
+#endif
+}
+template <int W>
+PacketBits<W> product_of_low_words(const PacketBits<W>& a, const PacketBits<W>& b) {
+  return each_part<PacketBits<W>>([&](std::size_t k) { return product_of_low_words(a.part[k], b.part[k]); });
+}
+/// For factors below 2^32, as all are in engine/numeric.
+template <int W>
+PacketBits<W> operator*(const PacketBits<W>& a, const PacketBits<W>& b) {
+  return product_of_low_words(a, b);
+}
+
+template <int W>
+Packet<W> absolute(const Packet<W>& a) {
+  return from_bits(bits_of(a) & PacketBits<W>(0x7fffffffffffffffu));
+}
+template <int W>
+Packet<W> copy_sign(const Packet<W>& magnitude, const Packet<W>& sign) {
+  return from_bits((bits_of(magnitude) & PacketBits<W>(0x7fffffffffffffffu)) |
+                   (bits_of(sign) & PacketBits<W>(0x8000000000000000u)));
+}
+template <int W>
+Packet<W> larger(const Packet<W>& a, const Packet<W>& b) {
+  return select(a > b, a, b);
+}
+
+/// Moves the lanes that are on side by side, of as many packets as wanted.
+template <int W>
+class Compaction {
+ public:
+  explicit Compaction(const PacketMask<W>& mask) : on_(lanes_on(mask)) {
+#if defined(__AVX2__) && !defined(__AVX512F__)
+    for (std::size_t k = 0; k < kParts<W>; ++k) {
+      __builtin_memcpy(&order_[k], kOrders[(on_ >> (4 * k)) & 15u], sizeof order_[k]);
+    }
+#endif
+  }
+
+  int n() const { return __builtin_popcount(on_); }
+
+  /// What is behind the n values is rubbish; room for W must be there.
+  void store(double* to, const Packet<W>& a) const {
+    for (std::size_t k = 0; k < kParts<W>; ++k) {
+      const unsigned on = (on_ >> (k * std::size_t{kRegisterLanes})) & ((1u << kRegisterLanes) - 1u);
+#if defined(__AVX512F__)
+      const __m512d moved = _mm512_maskz_compress_pd(static_cast<__mmask8>(on), reinterpret_cast<__m512d>(a.part[k]));
+      __builtin_memcpy(to, &moved, sizeof moved);
+#elif defined(__AVX2__)
+      const __m256 moved = _mm256_permutevar8x32_ps(reinterpret_cast<__m256>(a.part[k]), order_[k]);
+      __builtin_memcpy(to, &moved, sizeof moved);
+#else
+      double* next = to;
+      for (int j = 0; j < kRegisterLanes; ++j) {
+        *next = a.part[k][j];
+        next += (on >> j) & 1u;
+      }
+#endif
+      to += __builtin_popcount(on);
+    }
+  }
+
+ private:
+  unsigned on_;
+#if defined(__AVX2__) && !defined(__AVX512F__)
+  // Of the four doubles as eight words: those of the lanes that are on first.
+  static constexpr std::int32_t kOrders[16][8] = {
+      {0, 0, 0, 0, 0, 0, 0, 0}, {0, 1, 0, 0, 0, 0, 0, 0}, {2, 3, 0, 0, 0, 0, 0, 0}, {0, 1, 2, 3, 0, 0, 0, 0},
+      {4, 5, 0, 0, 0, 0, 0, 0}, {0, 1, 4, 5, 0, 0, 0, 0}, {2, 3, 4, 5, 0, 0, 0, 0}, {0, 1, 2, 3, 4, 5, 0, 0},
+      {6, 7, 0, 0, 0, 0, 0, 0}, {0, 1, 6, 7, 0, 0, 0, 0}, {2, 3, 6, 7, 0, 0, 0, 0}, {0, 1, 2, 3, 6, 7, 0, 0},
+      {4, 5, 6, 7, 0, 0, 0, 0}, {0, 1, 4, 5, 6, 7, 0, 0}, {2, 3, 4, 5, 6, 7, 0, 0}, {0, 1, 2, 3, 4, 5, 6, 7}};
+  __m256i order_[kParts<W>];
+#endif
+};
+
+/// The element of `table` at each lane's index; the indices are whole numbers held in lanes.
+template <int W>
+Packet<W> gather(const double* table, const Packet<W>& index) {
+  return each_part<Packet<W>>([&](std::size_t k) {
+    Register r;
+    for (int j = 0; j < kRegisterLanes; ++j) r[j] = table[static_cast<std::size_t>(index.part[k][j])];
+    return r;
+  });
+}
+
+}  // namespace VEX_ISA
+
+template <int W>
+struct LaneTraits<VEX_ISA::Packet<W>> {
+  using Mask = VEX_ISA::PacketMask<W>;
+  using Bits = VEX_ISA::PacketBits<W>;
+  static constexpr int width = W;
+};
+
+}  // namespace vex

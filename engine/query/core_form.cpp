@@ -1,0 +1,60 @@
+#include "engine/query/core_form.h"
+
+#include <algorithm>
+
+namespace vex {
+namespace {
+
+// Whether the points are all those with each coordinate that of `lower` or of `upper`, once.
+bool is_box(const std::vector<Vec3d>& points, const Vec3d& lower, const Vec3d& upper) {
+  std::size_t n_corners = 1;
+  for (const auto part : {&Vec3d::x, &Vec3d::y, &Vec3d::z}) {
+    if (lower.*part < upper.*part) n_corners *= 2;
+  }
+  if (points.size() != n_corners) return false;
+  unsigned corners = 0;
+  for (const Vec3d& p : points) {
+    unsigned corner = 0, bit = 1;
+    for (const auto part : {&Vec3d::x, &Vec3d::y, &Vec3d::z}) {
+      if (p.*part != lower.*part && p.*part != upper.*part) return false;
+      if (lower.*part < upper.*part && p.*part == upper.*part) corner |= bit;
+      bit *= 2;
+    }
+    corners |= 1u << corner;
+  }
+  return static_cast<std::size_t>(__builtin_popcount(corners)) == n_corners;
+}
+
+}  // namespace
+
+std::optional<CoreForm> core_form(const ConvexBody& body) {
+  const std::optional<ExactForm> exact = body.exact_form();
+  if (!exact) return std::nullopt;
+  CoreForm form;
+  if (exact->points.empty() && exact->pieces.size() == 1 && !exact->pieces[0].is_dome) {
+    const ExactForm::Piece& piece = exact->pieces[0];
+    const bool is_central = piece.centre.x == 0.0 && piece.centre.y == 0.0 && piece.centre.z == 0.0;
+    const bool is_solid = piece.semi_axes.x > 0.0 && piece.semi_axes.y > 0.0 && piece.semi_axes.z > 0.0;
+    if (!is_central || !is_solid) return std::nullopt;
+    form.kind = CoreForm::Kind::ellipsoid;
+    form.semi_axes = piece.semi_axes;
+    return form;
+  }
+  if (!exact->pieces.empty() || exact->points.empty()) return std::nullopt;
+  form.lower = form.upper = exact->points.front();
+  for (const Vec3d& p : exact->points) {
+    form.lower = {std::min(form.lower.x, p.x), std::min(form.lower.y, p.y), std::min(form.lower.z, p.z)};
+    form.upper = {std::max(form.upper.x, p.x), std::max(form.upper.y, p.y), std::max(form.upper.z, p.z)};
+  }
+  if (is_box(exact->points, form.lower, form.upper)) return form;
+  if (exact->points.size() > kMostScannedVertices) return std::nullopt;
+  form.kind = CoreForm::Kind::vertices;
+  for (const Vec3d& p : exact->points) {
+    form.x.push_back(p.x);
+    form.y.push_back(p.y);
+    form.z.push_back(p.z);
+  }
+  return form;
+}
+
+}  // namespace vex

@@ -1,0 +1,66 @@
+#include "engine/query/packet_overlap.h"
+
+#include <optional>
+
+#include "engine/query/overlap_filter.h"
+#include "engine/query/query_error.h"
+
+namespace vex {
+namespace {
+
+PacketOverlap* new_packet_overlap(InstructionSet set, const PacketPairForms& forms) {
+  switch (set) {
+    case InstructionSet::sse2:
+#ifdef VEX_HAS_SSE2_KERNELS
+      return sse2::new_packet_overlap(forms);
+#else
+      break;
+#endif
+    case InstructionSet::avx2:
+#ifdef VEX_HAS_AVX2_KERNELS
+      return avx2::new_packet_overlap(forms);
+#else
+      break;
+#endif
+    case InstructionSet::scalar: break;
+  }
+  return nullptr;
+}
+
+// The kernel and the forms it refers to.
+class OwningPacketOverlap final : public PacketOverlap {
+ public:
+  OwningPacketOverlap(InstructionSet set, const ConvexBody& a, const ConvexBody& b, CoreForm core_a, CoreForm core_b)
+      : core_a_(std::move(core_a)), core_b_(std::move(core_b)) {
+    const QueryError<double> own = query_error(a, b, Transformd{});
+    const double inradii = a.inradius() + b.inradius();
+    kernel_.reset(new_packet_overlap(
+        set, {&core_a_, &core_b_, a.centre(), b.centre(), inradii * kStartOffset, a.ball_radius() + b.ball_radius(),
+              own.reach, own.support - 40.0 * kUnitRoundoff * own.reach * (1.0 - 8.0 * kUnitRoundoff)}));
+  }
+
+  bool is_there() const { return kernel_ != nullptr; }
+  void decide(const PoseTable& poses, PacketAnswer* answers) override { kernel_->decide(poses, answers); }
+
+ private:
+  CoreForm core_a_, core_b_;
+  std::unique_ptr<PacketOverlap> kernel_;
+};
+
+bool is_within(const ConvexBody& a, const ConvexBody& b) {
+  const double reach = query_error(a, b, Transformd{}).reach;
+  return reach > kLeastPacketReach && reach < kLargestPacketReach;
+}
+
+}  // namespace
+
+std::unique_ptr<PacketOverlap> make_packet_overlap(InstructionSet set, const ConvexBody& a, const ConvexBody& b) {
+  if (set == InstructionSet::scalar || !is_within(a, b)) return nullptr;
+  std::optional<CoreForm> core_a = core_form(a), core_b = core_form(b);
+  if (!core_a || !core_b) return nullptr;
+  auto made = std::make_unique<OwningPacketOverlap>(set, a, b, std::move(*core_a), std::move(*core_b));
+  if (!made->is_there()) return nullptr;
+  return made;
+}
+
+}  // namespace vex
