@@ -81,6 +81,7 @@ void sample(MeshRun& run) {
   settings.law = options.law;
   settings.domain = run.domain;
   settings.quick_verdicts = options.quick_verdicts;
+  settings.instruction_set = options.instruction_set;
   settings.verify = options.verify;
   settings.stop = options.stop;
   settings.backend = options.backend;

@@ -1,5 +1,6 @@
 #include "apps/vex_mesh/options.h"
 
+#include <algorithm>
 #include <initializer_list>
 #include <utility>
 
@@ -36,6 +37,16 @@ BackendKind backend_named(const std::string& word) {
     }
   }
   throw UsageError("not a choice (\"" + word + "\" for --backend) - there are " + choices);
+}
+
+InstructionSet instruction_set_named(const std::string& name) {
+  if (name == "best") return best_instruction_set();
+  require_one_of(name, "--isa", {"best", "scalar", "sse2", "avx2"}, {"avx512"});
+  for (const InstructionSet set : instruction_sets()) {
+    if (name_of(set) == name) return set;
+  }
+  throw UsageError("this machine or build has none (\"" + name + "\" for --isa) - its best is " +
+                   std::string(name_of(best_instruction_set())));
 }
 
 }  // namespace
@@ -88,6 +99,12 @@ void declare_options(CLI::App& app, CommandLine& words) {
   app.add_flag("--no-quick-verdicts", words.no_quick_verdicts,
                "Do not let the circumscribed and inscribed balls decide")
       ->group(query);
+  app.add_option(
+         "--isa", words.isa,
+         "Instruction set of the kernels that draw poses and decide them by packets: scalar (none), sse2, avx2, "
+         "or the best that this machine has (default); changes nothing but the time")
+      ->type_name("NAME")
+      ->group(query);
   app.add_flag("--cross-check", words.cross_check, "Ask every backend about every pose and list each disagreement")
       ->group(query);
   app.add_flag("--verify", words.verify,
@@ -98,7 +115,6 @@ void declare_options(CLI::App& app, CommandLine& words) {
   declare_output(app, words);
 
   const std::string later = "Not built yet";
-  app.add_option("--isa", words.isa, "Instruction set of the kernels")->type_name("NAME")->group(later);
   app.add_option("--checkpoint", words.checkpoint, "Save the run's state")->type_name("FILE")->group(later);
   app.add_option("--resume", words.resume, "Continue a saved run")->type_name("FILE")->group(later);
 
@@ -113,10 +129,8 @@ void declare_options(CLI::App& app, CommandLine& words) {
 }
 
 Options interpret(const CommandLine& words) {
-  for (const auto& [given, option] :
-       std::initializer_list<std::pair<bool, const char*>>{{!words.isa.empty(), "--isa"},
-                                                           {!words.checkpoint.empty(), "--checkpoint"},
-                                                           {!words.resume.empty(), "--resume"}}) {
+  for (const auto& [given, option] : std::initializer_list<std::pair<bool, const char*>>{
+           {!words.checkpoint.empty(), "--checkpoint"}, {!words.resume.empty(), "--resume"}}) {
     if (given) not_built_yet(option);
   }
   const auto or_default = [](const std::string& word, const char* value) { return word.empty() ? value : word; };
@@ -150,6 +164,7 @@ Options interpret(const CommandLine& words) {
     options.domain = domain == "ball" ? Domain::Kind::ball : Domain::Kind::box;
   }
   options.law = parse_orientations(orientations, "--orientations");
+  options.instruction_set = instruction_set_named(or_default(words.isa, "best"));
   options.backend = backend_named(backend);
   options.is_cross_check = words.cross_check;
   if (words.cross_check) {
@@ -157,6 +172,12 @@ Options interpret(const CommandLine& words) {
       if (kind.name != options.backend.name) options.cross_check.push_back(std::move(kind));
     }
   }
+  // The engine's own by the kernels that were asked for, whether it answers or checks.
+  const auto set_kernels = [&options](BackendKind& kind) {
+    if (kind.name == gjk_backend().name) kind = gjk_backend(options.instruction_set);
+  };
+  set_kernels(options.backend);
+  std::ranges::for_each(options.cross_check, set_kernels);
   options.verify = words.verify;
   options.quick_verdicts = !words.no_quick_verdicts;
   options.bodies = interpret_bodies(words);

@@ -35,6 +35,7 @@ struct Options : CommonOptions {
   bool is_cross_check = false;
   std::vector<BackendKind> cross_check;  // the backends beside `backend`
   bool quick_verdicts = true;
+  InstructionSet instruction_set = best_instruction_set();
   bool verify = false;
   BodyOptions bodies;
   bool dump_vertices = false;

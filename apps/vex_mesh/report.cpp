@@ -37,6 +37,7 @@ Json estimate_json(const MeshRun& run) {
   json["sampling_volume"] = mean_sampling_volume(tally, run.domain);
   json["domain"] = name_of(run.domain.kind);
   json["quick_verdicts"] = run.options.quick_verdicts && !run.options.backend.is_peer;
+  json["isa"] = name_of(run.options.instruction_set);
   json["seconds"] = run.record.seconds;
   json["trials_per_second"] = number_or_null(static_cast<double>(tally.n_trials) / run.record.seconds);
   json["stopped_by"] = run.no_run_reason.empty() ? std::string(name_of(run.record.stopped_by)) : "no-volume";

@@ -54,6 +54,8 @@ bool is_within(const ConvexBody& a, const ConvexBody& b) {
 
 }  // namespace
 
+PacketOverlap::~PacketOverlap() = default;
+
 std::unique_ptr<PacketOverlap> make_packet_overlap(InstructionSet set, const ConvexBody& a, const ConvexBody& b) {
   if (set == InstructionSet::scalar || !is_within(a, b)) return nullptr;
   std::optional<CoreForm> core_a = core_form(a), core_b = core_form(b);

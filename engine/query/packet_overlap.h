@@ -45,7 +45,7 @@ class PacketOverlap {
  public:
   static constexpr std::size_t kMostTrials = 128;
 
-  virtual ~PacketOverlap() = default;
+  virtual ~PacketOverlap();  // not inline: kernels would each have it
   /// Of up to kMostTrials poses. What is answered disjoint or overlap is proven (E1, E18).
   virtual void decide(const PoseTable& poses, PacketAnswer* answers) = 0;
 };

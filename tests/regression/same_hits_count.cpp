@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -57,6 +58,20 @@ void print_hits(SameHitsBody kind_a, SameHitsBody kind_b, std::uint64_t n_trials
   for (std::uint64_t k = 0; k < n_threads; ++k) {
     threads[k].join();
     all.add(counts[k]);
+  }
+  // The driver, with the kernels of every instruction set that this machine has, counts the same.
+  for (const InstructionSet set : instruction_sets()) {
+    MonteCarloSettings settings;
+    settings.domain = ball_domain(a, b);
+    settings.stop.trials = n_trials;
+    settings.n_threads = static_cast<int>(n_threads);
+    settings.instruction_set = set;
+    settings.backend = gjk_backend(set);
+    const Tally tally = run_hit_or_miss(a, b, settings).tally;
+    if (tally.n_hits == all.outcomes[1] && tally.n_undecided == all.outcomes[2]) continue;
+    std::printf("pair %d %d: %s hits by the driver with %s\n", static_cast<int>(kind_a), static_cast<int>(kind_b),
+                std::to_string(tally.n_hits).c_str(), std::string(name_of(set)).c_str());
+    std::exit(1);
   }
   std::printf("pair %d %d: disjoint %llu overlap %llu undecided %llu escalated %llu hash %016llx\n",
               static_cast<int>(kind_a), static_cast<int>(kind_b), static_cast<unsigned long long>(all.outcomes[0]),

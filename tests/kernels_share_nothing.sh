@@ -1,0 +1,16 @@
+#!/bin/sh
+# Of objects that are compiled for an instruction set: no inline function but those of its own namespace. The linker
+# keeps one of several equal inline functions, and it might be the one that only some machines can run.
+#   tests/kernels_share_nothing.sh NAMESPACE OBJECTS...
+set -eu
+namespace=$1
+shift
+for object in "$@"; do
+  nm -C "$object" > /dev/null
+  shared=$(nm -C "$object" | grep ' [Wu] ' | grep -v "vex::$namespace::" || :)
+  if [ -n "$shared" ]; then
+    printf '%s has inline functions that are not its own:\n%s\n' "$object" "$shared" >&2
+    exit 1
+  fi
+done
+echo "$# objects of $namespace: no inline function but their own"

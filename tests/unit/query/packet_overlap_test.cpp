@@ -1,0 +1,201 @@
+#include "engine/query/packet_overlap.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "engine/query/overlap.h"
+#include "engine/query/overlap_backend.h"
+#include "shapes/any_shape.h"
+#include "shapes/polytope.h"
+#include "tests/referees/bodies.h"
+#include "tests/referees/random_poses.h"
+
+namespace vex {
+namespace {
+
+constexpr std::size_t kStride = PacketOverlap::kMostTrials + 16;
+
+struct Table {
+  std::vector<double> columns = std::vector<double>(kPoseColumns * kStride, std::nan(""));
+  std::size_t n = 0;
+
+  void add(const Transformd& pose) {
+    std::size_t column = 0;
+    for (const Vec3d* part : {&pose.row_x, &pose.row_y, &pose.row_z, &pose.translation}) {
+      for (const double value : {part->x, part->y, part->z}) columns[kStride * column++ + n] = value;
+    }
+    ++n;
+  }
+  PoseTable table() const { return {columns.data(), kStride, n}; }
+};
+
+std::vector<InstructionSet> kernel_sets() {
+  std::vector<InstructionSet> sets;
+  for (const InstructionSet set : instruction_sets()) {
+    if (set != InstructionSet::scalar) sets.push_back(set);
+  }
+  return sets;
+}
+
+// Boxes, flat ones and needles; balls and what is rounded; ellipsoids; hulls, off their frames' origins too.
+std::vector<ConvexBody> packet_bodies() {
+  std::vector<ConvexBody> bodies;
+  for (const char* text : {"box:1,1,1", "box:0.2,1,3", "plate:1,1.3", "needle:2", "sphere:0.6", "capsule:1,0.25",
+                           "rounded:0.1,box:1,2,0.5", "ellipsoid:1,2,3", "ellipsoid:0.5,0.5,2", "tetrahedron:1.3",
+                           "icosahedron:0.7", "rounded:0.2,octahedron:1", "box:1,1,1e-6", "ellipsoid:1,1,1e-3"}) {
+    bodies.push_back(parse_shape(text).body);
+  }
+  bodies.emplace_back(
+      Polytope(std::vector<Vec3d>{{5, 5, 5}, {6, 5, 5}, {5, 6.5, 5}, {5.2, 5.1, 6}}, {5.3, 5.4, 5.2}, 0.1));
+  bodies.emplace_back(Polytope(std::vector<Vec3d>{{1, 2, 3}, {1, 2, 4}, {1, 3, 3}, {1, 3, 4}}, {1, 2.5, 3.5}, 0.0));
+  return bodies;
+}
+
+// Along a ray from A's centre, B stands at `share` of the distance from which on the circumscribed balls are apart.
+Transformd pose_at(const ConvexBody& a, const ConvexBody& b, double share, std::mt19937_64& random) {
+  Transformd pose = random_rotation(random);
+  const Vec3d turned_centre = pose(b.centre());
+  const Vec3d dir = random_direction(random);
+  pose.translation = a.centre() - turned_centre + (share * (a.circumradius() + b.circumradius()) / norm(dir)) * dir;
+  return pose;
+}
+
+TEST(PacketOverlap, AnswersWhatTheEngineProves) {
+  std::mt19937_64 random(5);
+  for (const InstructionSet set : kernel_sets()) {
+    long n_open = 0, n_overlap = 0, n_disjoint = 0;
+    const std::vector<ConvexBody> bodies = packet_bodies();
+    for (const ConvexBody& a : bodies) {
+      for (const ConvexBody& b : bodies) {
+        const std::unique_ptr<PacketOverlap> packets = make_packet_overlap(set, a, b);
+        ASSERT_NE(packets, nullptr);
+        std::uniform_real_distribution<double> share(0.0, 1.0);
+        // Numbers of trials that fill no packet, too.
+        Table table;
+        const std::size_t n = 1 + random() % PacketOverlap::kMostTrials;
+        for (std::size_t k = 0; k < n; ++k) table.add(pose_at(a, b, share(random), random));
+        std::array<PacketAnswer, PacketOverlap::kMostTrials> answers{};
+        packets->decide(table.table(), answers.data());
+        for (std::size_t k = 0; k < n; ++k) {
+          const Outcome truth = overlap(a, b, table.table().pose(k)).outcome;
+          if (answers[k] == PacketAnswer::open) ++n_open;
+          if (answers[k] == PacketAnswer::overlap) {
+            ++n_overlap;
+            ASSERT_EQ(truth, Outcome::overlap);
+          }
+          if (answers[k] == PacketAnswer::disjoint) {
+            ++n_disjoint;
+            ASSERT_EQ(truth, Outcome::disjoint);
+          }
+        }
+      }
+    }
+    // Differences without a volume have no simplex: needles and plates with their like.
+    EXPECT_LT(n_open, (n_overlap + n_disjoint) / 20) << name_of(set);
+    EXPECT_GT(n_overlap, 1000) << name_of(set);
+    EXPECT_GT(n_disjoint, 1000) << name_of(set);
+  }
+}
+
+TEST(PacketOverlap, NearContactAnswersOnlyWhatIsTrue) {
+  // The share of the distance at which the pair touches, by halving with the proven verdict; then a little to either
+  // side, down to where double precision cannot tell.
+  std::mt19937_64 random(6);
+  for (const InstructionSet set : kernel_sets()) {
+    long n_answered = 0, n_open = 0;
+    const std::vector<ConvexBody> bodies = packet_bodies();
+    for (const ConvexBody& a : bodies) {
+      for (const ConvexBody& b : bodies) {
+        Transformd pose = random_rotation(random);
+        const Vec3d dir = random_direction(random), from = a.centre() - pose(b.centre());
+        const double radii = (a.circumradius() + b.circumradius()) / norm(dir);
+        const auto at = [&](double share) {
+          Transformd moved = pose;
+          moved.translation = from + (share * radii) * dir;
+          return moved;
+        };
+        double inside = 0.0, outside = 1.1;
+        if (overlap(a, b, at(inside)).outcome != Outcome::overlap) continue;
+        for (int k = 0; k < 60; ++k) {
+          const double middle = 0.5 * (inside + outside);
+          (overlap(a, b, at(middle)).outcome == Outcome::overlap ? inside : outside) = middle;
+        }
+        Table table;
+        for (int digits = 3; digits <= 17; ++digits) {
+          for (const double side : {-1.0, 1.0}) table.add(at(inside + side * std::pow(10.0, -digits)));
+        }
+        std::array<PacketAnswer, PacketOverlap::kMostTrials> answers{};
+        make_packet_overlap(set, a, b)->decide(table.table(), answers.data());
+        for (std::size_t k = 0; k < table.n; ++k) {
+          if (answers[k] == PacketAnswer::open) {
+            ++n_open;
+            continue;
+          }
+          ++n_answered;
+          const Outcome truth = overlap(a, b, table.table().pose(k)).outcome;
+          ASSERT_EQ(answers[k] == PacketAnswer::overlap ? Outcome::overlap : Outcome::disjoint, truth) << k;
+        }
+      }
+    }
+    EXPECT_GT(n_answered, 3000) << name_of(set) << ": polytopes to 1e-11, curved ones as far as a few points show it";
+    EXPECT_GT(n_open, 500) << name_of(set) << ": the nearest cannot be proven in double precision";
+  }
+}
+
+TEST(PacketOverlap, LeavesOpenWhatIsOutOfRange) {
+  const ConvexBody box = parse_shape("box:1,1,1").body;
+  for (const InstructionSet set : kernel_sets()) {
+    const std::unique_ptr<PacketOverlap> packets = make_packet_overlap(set, box, box);
+    Table table;
+    const double nan = std::nan("");
+    for (const Vec3d& t : {Vec3d{1e19, 0, 0}, Vec3d{0, -1e300, 0}, Vec3d{0, 0, HUGE_VAL}, Vec3d{nan, 0, 0}}) {
+      Transformd pose;
+      pose.translation = t;
+      table.add(pose);
+    }
+    table.add({});
+    std::array<PacketAnswer, PacketOverlap::kMostTrials> answers{};
+    packets->decide(table.table(), answers.data());
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(answers[k], PacketAnswer::open) << k;
+    EXPECT_EQ(answers[4], PacketAnswer::overlap);
+    // Sizes whose sixth powers are out of reach.
+    for (const char* text : {"box:1e-30,1,1", "box:1e-30,1e-30,1e-30", "box:1e30,1,1"}) {
+      const ConvexBody body = parse_shape(text).body;
+      EXPECT_EQ(make_packet_overlap(set, body, body) != nullptr, std::string(text) == "box:1e-30,1,1") << text;
+    }
+  }
+  EXPECT_EQ(make_packet_overlap(InstructionSet::scalar, box, box), nullptr);
+}
+
+TEST(PacketOverlap, HasNoKernelForOtherCores) {
+  const ConvexBody box = parse_shape("box:1,1,1").body;
+  for (const char* text : {"cylinder:1,0.5", "cone:1,0.5", "hemisphere:1", "disc:1", "rounded:0.1,disc:1"}) {
+    EXPECT_EQ(make_packet_overlap(best_instruction_set(), parse_shape(text).body, box), nullptr) << text;
+    EXPECT_EQ(make_packet_overlap(best_instruction_set(), box, parse_shape(text).body), nullptr) << text;
+  }
+}
+
+TEST(GjkBackend, AnswersTheSameWithEverySet) {
+  std::mt19937_64 random(7);
+  for (const char* text : {"box:1,2,0.5", "ellipsoid:1,2,3", "icosahedron:1", "cone:1,0.5", "capsule:1,0.2"}) {
+    const ConvexBody a = parse_shape(text).body, b = parse_shape("box:1,1,1").body;
+    std::vector<Transformd> poses;
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    for (int k = 0; k < 1000; ++k) poses.push_back(pose_at(a, b, share(random), random));
+    poses[17].translation = {1e30, 0, 0};
+    for (const InstructionSet set : instruction_sets()) {
+      std::vector<Verdict> verdicts(poses.size());
+      gjk_backend(set).make(a, b)->decide(poses, verdicts);
+      for (std::size_t k = 0; k < poses.size(); ++k) ASSERT_EQ(verdicts[k], overlap(a, b, poses[k])) << text << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace vex
