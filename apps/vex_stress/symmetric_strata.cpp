@@ -94,8 +94,11 @@ StressPose place_concentric(const StressPair& pair, Draw& draw) {
                                  : draw.rotation();
   const Vec3d centre_b = turn(pair.b.centre());
   turn.translation = pair.a.centre() - centre_b;
-  // Exactly so, or moved along the common axis or anywhere.
-  if (draw() < 0.5) {
+  // Exactly so; moved a little, along the common axis or anywhere; or moved far along the axis.
+  const double moved = draw();
+  if (moved > 0.7) {
+    turn.translation.z += draw.between(-1.2, 1.2) * pair.size();
+  } else if (moved > 0.4) {
     const Vec3d dir = draw() < 0.5 ? Vec3d{0.0, 0.0, 1.0} : draw.unit_direction();
     turn.translation = turn.translation + random_distance(pair, draw) * dir;
   }
