@@ -1,27 +1,29 @@
 #include "shapes/direction_map.h"
 
+#ifdef __linux__
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
+
 #include <algorithm>
 #include <array>
-#include <climits>
+#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <optional>
 
 #include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
 #include "shapes/cell_contest.h"
+#include "shapes/vertex_columns.h"
 
 namespace vex {
 namespace {
 
 // Sizes of directions, times the body's, between which no product with a vertex overflows, and what underflow takes
-// away is far below the margin; and bounds of the coordinates, as they are and times the powers of two (E17).
+// away is far below the margin; and the least reach of a body of which that holds (E17).
 constexpr double kLeastDirection = 0x1p-900, kLargestDirection = 0x1p900;
-constexpr double kLargestCoordinate = 0x1p1000, kLeastReach = 0x1p-30;
-constexpr int kLargestExponent = 1000;
-// No axis is stretched so far that coordinates along it become more than this power of two: the margin grows with them.
-constexpr int kFarthestOff = 20;
+constexpr double kLeastReach = 0x1p-30;
 
 // By how much a vertex must be beaten, relative to the reach (E17).
 constexpr double kMargin = 32.0 * kUnitRoundoff;
@@ -43,52 +45,21 @@ constexpr int kWidestBlock = 12;
 
 constexpr std::size_t kFaces = 6;
 
-using Coordinates = std::array<std::vector<double>, 3>;
-
-/// The vertices in their order, without those that equal one before: these never answer.
-Coordinates without_repetitions(std::span<const double> x, std::span<const double> y, std::span<const double> z) {
-  std::vector<std::uint32_t> order(x.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    if (x[a] != x[b]) return x[a] < x[b];
-    if (y[a] != y[b]) return y[a] < y[b];
-    return z[a] != z[b] ? z[a] < z[b] : a < b;
-  });
-  std::vector<bool> is_repeated(x.size(), false);
-  for (std::size_t k = 1; k < order.size(); ++k) {
-    const std::uint32_t a = order[k - 1], b = order[k];
-    is_repeated[b] = x[a] == x[b] && y[a] == y[b] && z[a] == z[b];
+/// A copy without spare room, in large pages where the system has them: a call that finds neither the list nor the way
+/// to its page in a cache takes a third less time (a million vertices).
+std::vector<double> in_large_pages(const std::vector<double>& from) {
+  std::vector<double> to;
+  to.reserve(from.size());
+#ifdef __linux__
+  // Advice only, and only for whole pages: to fail changes nothing.
+  const std::size_t page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE)), bytes = sizeof(double) * to.capacity();
+  const std::size_t before = (page - std::bit_cast<std::uintptr_t>(to.data()) % page) % page;
+  if (bytes > before + page) {
+    madvise(reinterpret_cast<char*>(to.data()) + before, (bytes - before) / page * page, MADV_HUGEPAGE);
   }
-  Coordinates all;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (is_repeated[i]) continue;
-    all[0].push_back(x[i]);
-    all[1].push_back(y[i]);
-    all[2].push_back(z[i]);
-  }
-  return all;
-}
-
-/// Exponents of the powers of two by which the body is about as long along each axis; none where coordinates are too
-/// large. An axis along which it has no length is treated like that of its greatest.
-std::optional<std::array<int, 3>> lengths_along(const Coordinates& coordinates) {
-  std::array<int, 3> lengths{};
-  std::array<double, 3> farthest{};
-  double longest = 0.0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto [least, most] = std::minmax_element(coordinates[axis].begin(), coordinates[axis].end());
-    farthest[axis] = std::max(std::fabs(*least), std::fabs(*most));
-    if (!(farthest[axis] <= kLargestCoordinate)) return std::nullopt;
-    const double length = *most - *least;
-    longest = std::max(longest, length > 0.0 ? length : 0x1p-1074);
-    lengths[axis] = length > 0.0 ? std::ilogb(length) : INT_MIN;
-  }
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (lengths[axis] == INT_MIN) lengths[axis] = std::ilogb(longest);
-    if (farthest[axis] > 0.0) lengths[axis] = std::max(lengths[axis], std::ilogb(farthest[axis]) - kFarthestOff);
-    lengths[axis] = std::clamp(lengths[axis], -kLargestExponent, kLargestExponent);
-  }
-  return lengths;
+#endif
+  to.assign(from.begin(), from.end());
+  return to;
 }
 
 struct TreeNode {
@@ -132,7 +103,7 @@ struct Division {
 /// Divides each face into smaller and smaller cells, four at a time, and then draws these together into wide blocks.
 class DirectionMapBuilder {
  public:
-  DirectionMapBuilder(const Coordinates& coordinates, const std::array<double, 3>& scale, double margin,
+  DirectionMapBuilder(const VertexColumns& coordinates, const std::array<double, 3>& scale, double margin,
                       DirectionMap* map)
       : coordinates_(coordinates),
         scale_(scale),
@@ -247,7 +218,7 @@ class DirectionMapBuilder {
     return n;
   }
 
-  /// Writes at `place` what the table has of a node. A block is as wide as at least half of the cells that are twice as
+  /// Writes at `place` what the table has of a node. A block is as wide as at least a quarter of the cells twice as
   /// wide are divided: few steps lead to a list, and the table stays small where the lists are unlike each other.
   void draw_together(std::size_t node, std::size_t place) {
     std::vector<double>& blocks = map_->blocks_;
@@ -256,7 +227,7 @@ class DirectionMapBuilder {
       return;
     }
     int levels = 1;
-    while (levels < kWidestBlock && 2 * n_divided(node, levels) >= (std::size_t{1} << (2 * levels))) ++levels;
+    while (levels < kWidestBlock && 4 * n_divided(node, levels) >= (std::size_t{1} << (2 * levels))) ++levels;
     const std::size_t width = std::size_t{1} << levels, block = blocks.size();
     blocks[place] = static_cast<double>(block);
     blocks.resize(block + 1 + width * width);
@@ -268,7 +239,7 @@ class DirectionMapBuilder {
     }
   }
 
-  const Coordinates& coordinates_;
+  const VertexColumns& coordinates_;
   std::array<double, 3> scale_;
   std::size_t n_given_;
   double margin_;
@@ -281,7 +252,7 @@ class DirectionMapBuilder {
 
 DirectionMap::DirectionMap(std::span<const double> x, std::span<const double> y, std::span<const double> z) {
   VEX_EXPECT(!x.empty() && x.size() == y.size() && x.size() == z.size());
-  const Coordinates coordinates = without_repetitions(x, y, z);
+  const VertexColumns coordinates = without_repetitions(x, y, z);
   const std::optional<std::array<int, 3>> lengths = lengths_along(coordinates);
   if (!lengths) return;  // takes no direction
   std::array<double, 3> scale{};
@@ -296,8 +267,8 @@ DirectionMap::DirectionMap(std::span<const double> x, std::span<const double> y,
   least_size_ = kLeastDirection;
   largest_size_ = kLargestDirection;
   DirectionMapBuilder(coordinates, scale, kMargin * reach, this);
-  blocks_.shrink_to_fit();
-  lists_.shrink_to_fit();
+  blocks_ = in_large_pages(blocks_);
+  lists_ = in_large_pages(lists_);
 }
 
 }  // namespace vex
