@@ -5,9 +5,6 @@
 // vertex that may have the largest computed product with some direction of the cell; all others are proven to be beaten
 // by one vertex at all four corners of the cell, and so in between, by more than rounding can make up for (E17). What
 // is kept is scanned. So the answer is that of a scan over all vertices, bit for bit, also where vertices tie.
-//
-// Directions on a cube's face as cells of a table are known from "support maps" of games physics (D. Gregorius, GDC
-// 2013) and from shaft culling; the proof that nothing is lost to rounding is our own.
 #pragma once
 
 #include <array>

@@ -10,13 +10,13 @@
 
 namespace vex {
 
-/// Shared by the copies of a body and by all threads that ask them. The map costs as much as kCallsThatPay scans; so
-/// whoever asks a body a few times, or never, does not wait for it, and whoever asks for long waits twice as long as
-/// was needed at most. While one thread makes it, the others scan. No answer depends on when it is there: it gives
-/// what the scan gives, bit for bit.
+/// Shared by the copies of a body and by all threads that ask them. The map costs as much as one to two times
+/// kCallsThatPay scans; so whoever asks a body a few times, or never, does not wait for it, and whoever asks for long
+/// waits three times as long as was needed at most. While one thread makes it, the others scan. No answer depends on
+/// when it is there: it gives what the scan gives, bit for bit.
 class LazyDirectionMap {
  public:
-  /// From docs/performance.md, "Large hulls": some 2 us a vertex to make it, 1 to 2 ns to scan it.
+  /// From docs/performance.md, "Large hulls": 1 to 3 us a vertex to make it, 1 ns to scan it.
   static constexpr std::size_t kCallsThatPay = 1500;
 
   /// Counts a call; the map of these vertices, or null while there is none.
