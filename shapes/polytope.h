@@ -1,18 +1,22 @@
 // The convex hull of finitely many points.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "engine/numeric/vec3.h"
 #include "engine/support/exact_form.h"
+#include "shapes/lazy_direction_map.h"
 
 namespace vex {
 
 /// A convex polytope given by its vertices; what every mesh becomes.
 ///
 /// The vertices are the body exactly: no vertex is moved, and a support point is one of them, bit for bit. They are
-/// kept by coordinate, so that a packet scans them without shuffling. Of vertices that tie, the first one answers.
+/// kept by coordinate, so that a packet scans them without shuffling. Of vertices that tie, the first one answers. A
+/// body of many vertices that is asked often answers from a table of directions instead (direction_map.h): the same
+/// vertex, bit for bit. Copies share the table.
 class Polytope {
  public:
   /// `vertices`: at least one, all finite. `centre`: a point of the body. `inradius`: a ball of this radius about the
@@ -21,15 +25,11 @@ class Polytope {
 
   template <class L>
   Vec3<L> support(const Vec3<L>& dir) const {
-    L best = dot(vertex<L>(0), dir);
-    L best_index = L(0.0);
-    for (std::size_t i = 1; i < x_.size(); ++i) {
-      const L value = dot(vertex<L>(i), dir);
-      const MaskOf<L> better = value > best;
-      best = select(better, value, best);
-      best_index = select(better, L(static_cast<double>(i)), best_index);
+    if (map_ != nullptr) {
+      const DirectionMap* const map = map_->for_call(x_, y_, z_);
+      if (map != nullptr && all(map->takes(dir))) return map->support(dir);
     }
-    return {gather(x_.data(), best_index), gather(y_.data(), best_index), gather(z_.data(), best_index)};
+    return scan(dir);
   }
 
   /// The support point is a vertex, and its value is short of the largest by at most this times |dir| (E2).
@@ -46,12 +46,31 @@ class Polytope {
     return {L(x_[i]), L(y_[i]), L(z_[i])};
   }
 
+  /// Bodies with more vertices than this have a table; shorter scans take no longer than it (docs/performance.md).
+  static constexpr std::size_t kMostScanned = 32;
+  /// The table, or null while there is none.
+  const DirectionMap* direction_map() const { return map_ == nullptr ? nullptr : map_->made(); }
+
  private:
+  template <class L>
+  Vec3<L> scan(const Vec3<L>& dir) const {
+    L best = dot(vertex<L>(0), dir);
+    L best_index = L(0.0);
+    for (std::size_t i = 1; i < x_.size(); ++i) {
+      const L value = dot(vertex<L>(i), dir);
+      const MaskOf<L> better = value > best;
+      best = select(better, value, best);
+      best_index = select(better, L(static_cast<double>(i)), best_index);
+    }
+    return {gather(x_.data(), best_index), gather(y_.data(), best_index), gather(z_.data(), best_index)};
+  }
+
   std::vector<double> x_, y_, z_;
   Vec3d centre_;
   double circumradius_ = 0.0;  // rounded upwards
   double inradius_ = 0.0;
   double support_error_ = 0.0;
+  std::shared_ptr<LazyDirectionMap> map_;  // null of a body of few vertices
 };
 
 }  // namespace vex
