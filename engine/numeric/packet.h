@@ -79,9 +79,9 @@ inline __attribute__((always_inline)) Result each_part(F f) {
   return r;
 }
 
-#define VEX_PACKET_BINARY(type, result, name, expression)           \
-  template <int W>                                                  \
-  result<W> name(const type<W>& a, const type<W>& b) {              \
+#define VEX_PACKET_BINARY(type, result, name, expression)                   \
+  template <int W>                                                          \
+  result<W> name(const type<W>& a, const type<W>& b) {                      \
     return each_part<result<W>>([&](std::size_t k) { return expression; }); \
   }
 VEX_PACKET_BINARY(Packet, Packet, operator+, a.part[k] + b.part[k])

@@ -11,8 +11,8 @@ namespace {
 
 class GjkBackend final : public OverlapBackend {
  public:
-  GjkBackend(const ConvexBody& a, const ConvexBody& b, InstructionSet set)
-      : a_(a), b_(b), packets_(make_packet_overlap(set, a, b)) {}
+  GjkBackend(const ConvexBody& a, const ConvexBody& b, PacketKernel kernel)
+      : a_(a), b_(b), packets_(make_packet_overlap(kernel, a, b)) {}
 
   void decide(std::span<const Transformd> a_from_b, std::span<Verdict> verdicts) override {
     VEX_EXPECT(a_from_b.size() == verdicts.size());
@@ -71,10 +71,12 @@ void OverlapBackend::decide_table(const PoseTable& a_from_b, std::span<Verdict> 
   decide(std::span<const Transformd>(poses).first(a_from_b.n), verdicts);
 }
 
-BackendKind gjk_backend(InstructionSet set) {
+BackendKind gjk_backend(InstructionSet set) { return gjk_backend_with(packet_kernel(set)); }
+
+BackendKind gjk_backend_with(PacketKernel kernel) {
   return {"gjk",
           false,
-          [set](const ConvexBody& a, const ConvexBody& b) { return std::make_unique<GjkBackend>(a, b, set); },
+          [kernel](const ConvexBody& a, const ConvexBody& b) { return std::make_unique<GjkBackend>(a, b, kernel); },
           {}};
 }
 

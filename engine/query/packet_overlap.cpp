@@ -8,38 +8,18 @@
 namespace vex {
 namespace {
 
-PacketOverlap* new_packet_overlap(InstructionSet set, const PacketPairForms& forms) {
-  switch (set) {
-    case InstructionSet::sse2:
-#ifdef VEX_HAS_SSE2_KERNELS
-      return sse2::new_packet_overlap(forms);
-#else
-      break;
-#endif
-    case InstructionSet::avx2:
-#ifdef VEX_HAS_AVX2_KERNELS
-      return avx2::new_packet_overlap(forms);
-#else
-      break;
-#endif
-    case InstructionSet::scalar: break;
-  }
-  return nullptr;
-}
-
 // The kernel and the forms it refers to.
 class OwningPacketOverlap final : public PacketOverlap {
  public:
-  OwningPacketOverlap(InstructionSet set, const ConvexBody& a, const ConvexBody& b, CoreForm core_a, CoreForm core_b)
+  OwningPacketOverlap(PacketKernel kernel, const ConvexBody& a, const ConvexBody& b, CoreForm core_a, CoreForm core_b)
       : core_a_(std::move(core_a)), core_b_(std::move(core_b)) {
     const QueryError<double> own = query_error(a, b, Transformd{});
     const double inradii = a.inradius() + b.inradius();
-    kernel_.reset(new_packet_overlap(
-        set, {&core_a_, &core_b_, a.centre(), b.centre(), inradii * kStartOffset, a.ball_radius() + b.ball_radius(),
-              own.reach, own.support - 40.0 * kUnitRoundoff * own.reach * (1.0 - 8.0 * kUnitRoundoff)}));
+    kernel_.reset(
+        kernel({&core_a_, &core_b_, a.centre(), b.centre(), inradii * kStartOffset, a.ball_radius() + b.ball_radius(),
+                own.reach, own.support - 40.0 * kUnitRoundoff * own.reach * (1.0 - 8.0 * kUnitRoundoff)}));
   }
 
-  bool is_there() const { return kernel_ != nullptr; }
   void decide(const PoseTable& poses, PacketAnswer* answers) override { kernel_->decide(poses, answers); }
 
  private:
@@ -56,13 +36,30 @@ bool is_within(const ConvexBody& a, const ConvexBody& b) {
 
 PacketOverlap::~PacketOverlap() = default;
 
-std::unique_ptr<PacketOverlap> make_packet_overlap(InstructionSet set, const ConvexBody& a, const ConvexBody& b) {
-  if (set == InstructionSet::scalar || !is_within(a, b)) return nullptr;
+PacketKernel packet_kernel(InstructionSet set) {
+  switch (set) {
+    case InstructionSet::sse2:
+#ifdef VEX_HAS_SSE2_KERNELS
+      return sse2::new_packet_overlap;
+#else
+      break;
+#endif
+    case InstructionSet::avx2:
+#ifdef VEX_HAS_AVX2_KERNELS
+      return avx2::new_packet_overlap;
+#else
+      break;
+#endif
+    case InstructionSet::scalar: break;
+  }
+  return nullptr;
+}
+
+std::unique_ptr<PacketOverlap> make_packet_overlap(PacketKernel kernel, const ConvexBody& a, const ConvexBody& b) {
+  if (kernel == nullptr || !is_within(a, b)) return nullptr;
   std::optional<CoreForm> core_a = core_form(a), core_b = core_form(b);
   if (!core_a || !core_b) return nullptr;
-  auto made = std::make_unique<OwningPacketOverlap>(set, a, b, std::move(*core_a), std::move(*core_b));
-  if (!made->is_there()) return nullptr;
-  return made;
+  return std::make_unique<OwningPacketOverlap>(kernel, a, b, std::move(*core_a), std::move(*core_b));
 }
 
 }  // namespace vex

@@ -50,11 +50,17 @@ class PacketOverlap {
   virtual void decide(const PoseTable& poses, PacketAnswer* answers) = 0;
 };
 
-/// None where there is no kernel for the instruction set or the pair: cores of another form, or lengths whose products
-/// could over- or underflow.
-std::unique_ptr<PacketOverlap> make_packet_overlap(InstructionSet set, const ConvexBody& a, const ConvexBody& b);
+/// The caller owns what it makes.
+using PacketKernel = PacketOverlap* (*)(const PacketPairForms& forms);
 
-// Each is compiled for its own set (packet_kernel.cpp); the caller owns what it makes.
+/// Null where there is none: of `scalar`.
+PacketKernel packet_kernel(InstructionSet set);
+
+/// None without a kernel, or for a pair that it does not take: cores of another form, or lengths whose products could
+/// over- or underflow.
+std::unique_ptr<PacketOverlap> make_packet_overlap(PacketKernel kernel, const ConvexBody& a, const ConvexBody& b);
+
+// Each is compiled for its own set (packet_kernel.cpp).
 namespace sse2 {
 PacketOverlap* new_packet_overlap(const PacketPairForms& forms);
 }

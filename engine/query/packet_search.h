@@ -23,6 +23,13 @@
 namespace vex {
 namespace VEX_ISA {
 
+// tests/bench compiles the kernel once more without the proofs, to measure what they cost.
+#ifdef VEX_FILTER_WITHOUT_PROOFS
+inline constexpr bool kProven = false;
+#else
+inline constexpr bool kProven = true;
+#endif
+
 template <int W, class CoreA, class CoreB>
 class PacketSearch {
  public:
@@ -81,9 +88,11 @@ class PacketSearch {
               {column(3), column(4), column(5)},
               {column(6), column(7), column(8)},
               {column(9), column(10), column(11)}};
-    const L reach = L(own_reach_) + norm_1(p.pose.translation);
-    p.error = L(own_error_) + L(40.0 * kUnitRoundoff) * reach;
-    p.threshold = L(4.25) * p.error * (reach * reach);
+    if constexpr (kProven) {
+      const L reach = L(own_reach_) + norm_1(p.pose.translation);
+      p.error = L(own_error_) + L(40.0 * kUnitRoundoff) * reach;
+      p.threshold = L(4.25) * p.error * (reach * reach);
+    }
     p.v0 = b_is_central_ ? broadcast<L>(start_) - p.pose.translation
                          : broadcast<L>(start_) - p.pose(broadcast<L>(centre_b_));
     return p;
@@ -94,6 +103,8 @@ class PacketSearch {
     if (ball_radius_ > 0.0) w = w + (L(ball_radius_) / norm(dir)) * dir;
     return w;
   }
+
+  static L slack_of(const Placed& p, const Vec& dir) { return kProven ? p.error * norm_1(dir) : L(0.0); }
 
   // The lanes of a packet from `first` that are trials.
   static Mask trials(std::size_t first, std::size_t n) { return L::load(kNumbers) < L(static_cast<double>(n - first)); }
@@ -130,7 +141,7 @@ class PacketSearch {
         both(index < L(static_cast<double>(n)), L(own_reach_) + norm_1(p.pose.translation) < L(kLargestPacketReach));
     const Vec dir = -p.v0;
     const Vec w = support(p, dir);
-    const Mask apart = both(is_trial, dot(dir, w) < -(p.error * norm_1(dir)));
+    const Mask apart = both(is_trial, dot(dir, w) < -slack_of(p, dir));
     for (unsigned on = lanes_on(apart); on != 0; on &= on - 1) {
       answers_[k + static_cast<std::size_t>(__builtin_ctz(on))] = PacketAnswer::disjoint;
     }
@@ -148,7 +159,7 @@ class PacketSearch {
     const Vec dir = cross(v1, p.v0);
     const Vec w = support(p, dir);
     const Mask is_trial = trials(k, n);
-    const Mask apart = both(is_trial, dot(dir, w) < -(p.error * norm_1(dir)));
+    const Mask apart = both(is_trial, dot(dir, w) < -slack_of(p, dir));
     answer(wedges_[kIndex] + k, apart, PacketAnswer::disjoint);
     // Oriented so that the wedge's normal points to the origin's side.
     const Mask flips = dot(cross(v1, w), p.v0) > L(0.0);
@@ -172,7 +183,7 @@ class PacketSearch {
     const Vec dir = cross(v1 - p.v0, v2 - p.v0);
     const Vec w = support(p, dir);
     const Mask is_trial = trials(k, n);
-    const Mask apart = both(is_trial, dot(dir, w) < -(p.error * norm_1(dir)));
+    const Mask apart = both(is_trial, dot(dir, w) < -slack_of(p, dir));
     const Vec c12 = cross(v1, v2), c23 = cross(v2, w), c31 = cross(w, v1);
     const L d23 = -dot(c23, p.v0), d31 = -dot(c31, p.v0), d12 = -dot(c12, p.v0);
     const Mask outside_13 = d31 < L(0.0);
@@ -208,7 +219,7 @@ class PacketSearch {
     const Vec dir = cross(v2 - v1, v3 - v1);
     const Vec w = support(p, dir);
     const Mask is_trial = trials(k, n);
-    const L value = dot(dir, w), slack = p.error * norm_1(dir);
+    const L value = dot(dir, w), slack = slack_of(p, dir);
     const Mask apart = both(is_trial, value < -slack);
     const Mask advances = (value - dot(dir, v1)) > slack;
     // The planes through v0, the origin and w split the portal in three; the ray passes one of the parts.

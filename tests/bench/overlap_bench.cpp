@@ -136,6 +136,15 @@ int main(int argc, char** argv) {
           ->UseRealTime()
           ->Unit(benchmark::kMillisecond);
     }
+#ifdef VEX_HAS_UNPROVEN_KERNEL
+    benchmark::RegisterBenchmark((subject.name + "/trial-packets-unproven").c_str(),
+                                 [subject](benchmark::State& state) {
+                                   time_trial(state, subject.body, ball_domain(subject.body, subject.body),
+                                              gjk_backend_with(unproven_kernel::new_packet_overlap));
+                                 })
+        ->UseRealTime()
+        ->Unit(benchmark::kMillisecond);
+#endif
     for (const Domain& domain : {ball_domain(subject.body, subject.body), fitted_domain(subject.body, subject.body)}) {
       const std::string name = domain.kind == Domain::Kind::fitted ? "/trial-fitted" : "/trial";
       benchmark::RegisterBenchmark(

@@ -2,10 +2,18 @@
 #pragma once
 
 #include "engine/query/overlap_filter.h"
+#include "engine/query/packet_overlap.h"
 
 namespace vex {
 
 FilterResult filter_overlap_unproven(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
                                      int max_support_calls);
+
+/// The AVX2 kernel without its proofs.
+#ifdef VEX_HAS_UNPROVEN_KERNEL
+namespace unproven_kernel {
+PacketOverlap* new_packet_overlap(const PacketPairForms& forms);
+}
+#endif
 
 }  // namespace vex

@@ -73,7 +73,7 @@ TEST(PacketOverlap, AnswersWhatTheEngineProves) {
     const std::vector<ConvexBody> bodies = packet_bodies();
     for (const ConvexBody& a : bodies) {
       for (const ConvexBody& b : bodies) {
-        const std::unique_ptr<PacketOverlap> packets = make_packet_overlap(set, a, b);
+        const std::unique_ptr<PacketOverlap> packets = make_packet_overlap(packet_kernel(set), a, b);
         ASSERT_NE(packets, nullptr);
         std::uniform_real_distribution<double> share(0.0, 1.0);
         // Numbers of trials that fill no packet, too.
@@ -131,7 +131,7 @@ TEST(PacketOverlap, NearContactAnswersOnlyWhatIsTrue) {
           for (const double side : {-1.0, 1.0}) table.add(at(inside + side * std::pow(10.0, -digits)));
         }
         std::array<PacketAnswer, PacketOverlap::kMostTrials> answers{};
-        make_packet_overlap(set, a, b)->decide(table.table(), answers.data());
+        make_packet_overlap(packet_kernel(set), a, b)->decide(table.table(), answers.data());
         for (std::size_t k = 0; k < table.n; ++k) {
           if (answers[k] == PacketAnswer::open) {
             ++n_open;
@@ -151,7 +151,7 @@ TEST(PacketOverlap, NearContactAnswersOnlyWhatIsTrue) {
 TEST(PacketOverlap, LeavesOpenWhatIsOutOfRange) {
   const ConvexBody box = parse_shape("box:1,1,1").body;
   for (const InstructionSet set : kernel_sets()) {
-    const std::unique_ptr<PacketOverlap> packets = make_packet_overlap(set, box, box);
+    const std::unique_ptr<PacketOverlap> packets = make_packet_overlap(packet_kernel(set), box, box);
     Table table;
     const double nan = std::nan("");
     for (const Vec3d& t : {Vec3d{1e19, 0, 0}, Vec3d{0, -1e300, 0}, Vec3d{0, 0, HUGE_VAL}, Vec3d{nan, 0, 0}}) {
@@ -167,17 +167,18 @@ TEST(PacketOverlap, LeavesOpenWhatIsOutOfRange) {
     // Sizes whose sixth powers are out of reach.
     for (const char* text : {"box:1e-30,1,1", "box:1e-30,1e-30,1e-30", "box:1e30,1,1"}) {
       const ConvexBody body = parse_shape(text).body;
-      EXPECT_EQ(make_packet_overlap(set, body, body) != nullptr, std::string(text) == "box:1e-30,1,1") << text;
+      EXPECT_EQ(make_packet_overlap(packet_kernel(set), body, body) != nullptr, std::string(text) == "box:1e-30,1,1")
+          << text;
     }
   }
-  EXPECT_EQ(make_packet_overlap(InstructionSet::scalar, box, box), nullptr);
+  EXPECT_EQ(make_packet_overlap(packet_kernel(InstructionSet::scalar), box, box), nullptr);
 }
 
 TEST(PacketOverlap, HasNoKernelForOtherCores) {
   const ConvexBody box = parse_shape("box:1,1,1").body;
   for (const char* text : {"cylinder:1,0.5", "cone:1,0.5", "hemisphere:1", "disc:1", "rounded:0.1,disc:1"}) {
-    EXPECT_EQ(make_packet_overlap(best_instruction_set(), parse_shape(text).body, box), nullptr) << text;
-    EXPECT_EQ(make_packet_overlap(best_instruction_set(), box, parse_shape(text).body), nullptr) << text;
+    EXPECT_EQ(make_packet_overlap(packet_kernel(best_instruction_set()), parse_shape(text).body, box), nullptr) << text;
+    EXPECT_EQ(make_packet_overlap(packet_kernel(best_instruction_set()), box, parse_shape(text).body), nullptr) << text;
   }
 }
 
