@@ -68,6 +68,22 @@ TEST_F(Run, StreamVersionOneGivesTheseHits) {
   EXPECT_EQ(estimate_of({"box:1,1,1", "--orientations", "aligned", "--trials", "1e5"}).at("hits"), 39258);
 }
 
+TEST_F(Run, NoInstructionSetChangesAHit) {
+  for (const Words& bodies : {Words{"box:1,2,0.3"}, Words{"ellipsoid:1,2,3", "capsule:1,0.25"}, Words{"cone:1,0.5"},
+                              Words{sample("icosahedron.obj"), "needle:2"}}) {
+    for (const char* law : {"isotropic", "aligned", "cone:20", "onsager:4"}) {
+      Words words = bodies;
+      words.insert(words.end(), {"--trials", "10000", "--orientations", law, "--no-quick-verdicts", "--isa", "scalar"});
+      const json plain = estimate_of(words);
+      EXPECT_EQ(plain.at("isa"), "scalar");
+      words.back() = "best";
+      const json best = estimate_of(words);
+      EXPECT_EQ(best.at("hits"), plain.at("hits")) << bodies[0] << " " << law;
+      EXPECT_EQ(best.at("decided_by"), plain.at("decided_by")) << bodies[0] << " " << law;
+    }
+  }
+}
+
 TEST_F(Run, QuickVerdictsChangeNoVerdict) {
   for (const Words& bodies : {Words{"box:1,1,1"}, Words{"ellipsoid:1,2,3", "capsule:1,0.25"}, Words{"sphere:1"},
                               Words{sample("icosahedron.obj"), "box:2,2,2"}}) {

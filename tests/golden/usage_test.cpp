@@ -80,8 +80,7 @@ TEST_F(Usage, ANumberThatIsNone) {
 }
 
 TEST_F(Usage, WhatIsNotBuiltYetSaysSo) {
-  const std::vector<Words> planned = {{"--isa", "avx2"},
-                                      {"--isa", "best"},
+  const std::vector<Words> planned = {{"--isa", "avx512"},
                                       {"--checkpoint", "run.state"},
                                       {"--resume", "run.state"},
                                       {"--estimator", "stratified"},
