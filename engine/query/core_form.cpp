@@ -35,7 +35,9 @@ std::optional<CoreForm> core_form(const ConvexBody& body) {
     const ExactForm::Piece& piece = exact->pieces[0];
     const bool is_central = piece.centre.x == 0.0 && piece.centre.y == 0.0 && piece.centre.z == 0.0;
     const bool is_solid = piece.semi_axes.x > 0.0 && piece.semi_axes.y > 0.0 && piece.semi_axes.z > 0.0;
-    if (!is_central || !is_solid) return std::nullopt;
+    // Squares of the shortest with any direction that a packet takes are far from underflow (E18).
+    const double shortest = std::min({piece.semi_axes.x, piece.semi_axes.y, piece.semi_axes.z});
+    if (!is_central || !is_solid || shortest < 0x1p-100) return std::nullopt;
     form.kind = CoreForm::Kind::ellipsoid;
     form.semi_axes = piece.semi_axes;
     return form;

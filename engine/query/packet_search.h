@@ -104,7 +104,16 @@ class PacketSearch {
     return w;
   }
 
-  static L slack_of(const Placed& p, const Vec& dir) { return kProven ? p.error * norm_1(dir) : L(0.0); }
+  // A direction of a usual length, and what a height along it must exceed: an unusual one might lose the products with
+  // it, or the squares of an ellipsoid's image, to underflow, and takes its trial out of the search (E18).
+  struct Slack {
+    Mask is_usual;
+    L value;
+  };
+  static Slack slack_of(const Placed& p, const Vec& dir) {
+    const L length = norm_1(dir);
+    return {both(length > L(0x1p-200), length < L(0x1p200)), kProven ? p.error * length : L(0.0)};
+  }
 
   // The lanes of a packet from `first` that are trials.
   static Mask trials(std::size_t first, std::size_t n) { return L::load(kNumbers) < L(static_cast<double>(n - first)); }
@@ -137,11 +146,14 @@ class PacketSearch {
   void first_point(const double* poses, std::size_t stride, std::size_t k, std::size_t n) {
     const L index = L::load(kNumbers) + L(static_cast<double>(k));
     const Placed p = placed(poses, stride, k);
-    const Mask is_trial =
-        both(index < L(static_cast<double>(n)), L(own_reach_) + norm_1(p.pose.translation) < L(kLargestPacketReach));
     const Vec dir = -p.v0;
+    const Slack slack = slack_of(p, dir);
+    // Of a rotation the magnitudes add up to 5.2 at most; of NaNs and infinities to nothing below 8.
+    const L turn = norm_1(p.pose.row_x) + (norm_1(p.pose.row_y) + norm_1(p.pose.row_z));
+    const Mask is_within = both(turn < L(8.0), L(own_reach_) + norm_1(p.pose.translation) < L(kLargestPacketReach));
+    const Mask is_trial = both(both(index < L(static_cast<double>(n)), is_within), slack.is_usual);
     const Vec w = support(p, dir);
-    const Mask apart = both(is_trial, dot(dir, w) < -slack_of(p, dir));
+    const Mask apart = both(is_trial, dot(dir, w) < -slack.value);
     for (unsigned on = lanes_on(apart); on != 0; on &= on - 1) {
       answers_[k + static_cast<std::size_t>(__builtin_ctz(on))] = PacketAnswer::disjoint;
     }
@@ -158,8 +170,9 @@ class PacketSearch {
     const Vec v1 = load(wedges_, k, kV1);
     const Vec dir = cross(v1, p.v0);
     const Vec w = support(p, dir);
-    const Mask is_trial = trials(k, n);
-    const Mask apart = both(is_trial, dot(dir, w) < -slack_of(p, dir));
+    const Slack slack = slack_of(p, dir);
+    const Mask is_trial = both(trials(k, n), slack.is_usual);
+    const Mask apart = both(is_trial, dot(dir, w) < -slack.value);
     answer(wedges_[kIndex] + k, apart, PacketAnswer::disjoint);
     // Oriented so that the wedge's normal points to the origin's side.
     const Mask flips = dot(cross(v1, w), p.v0) > L(0.0);
@@ -182,8 +195,9 @@ class PacketSearch {
     const Vec v1 = load(wedges_, k, kV1), v2 = load(wedges_, k, kV2);
     const Vec dir = cross(v1 - p.v0, v2 - p.v0);
     const Vec w = support(p, dir);
-    const Mask is_trial = trials(k, n);
-    const Mask apart = both(is_trial, dot(dir, w) < -slack_of(p, dir));
+    const Slack slack = slack_of(p, dir);
+    const Mask is_trial = both(trials(k, n), slack.is_usual);
+    const Mask apart = both(is_trial, dot(dir, w) < -slack.value);
     const Vec c12 = cross(v1, v2), c23 = cross(v2, w), c31 = cross(w, v1);
     const L d23 = -dot(c23, p.v0), d31 = -dot(c31, p.v0), d12 = -dot(c12, p.v0);
     const Mask outside_13 = d31 < L(0.0);
@@ -218,10 +232,11 @@ class PacketSearch {
     Vec v1 = load(portals_, k, kV1), v2 = load(portals_, k, kV2), v3 = load(portals_, k, kV3);
     const Vec dir = cross(v2 - v1, v3 - v1);
     const Vec w = support(p, dir);
-    const Mask is_trial = trials(k, n);
-    const L value = dot(dir, w), slack = slack_of(p, dir);
-    const Mask apart = both(is_trial, value < -slack);
-    const Mask advances = (value - dot(dir, v1)) > slack;
+    const Slack slack = slack_of(p, dir);
+    const Mask is_trial = both(trials(k, n), slack.is_usual);
+    const L value = dot(dir, w);
+    const Mask apart = both(is_trial, value < -slack.value);
+    const Mask advances = (value - dot(dir, v1)) > slack.value;
     // The planes through v0, the origin and w split the portal in three; the ray passes one of the parts.
     const Vec w_v0 = cross(w, p.v0);
     const Mask past_1 = dot(v1, w_v0) > L(0.0), past_2 = dot(v2, w_v0) > L(0.0), past_3 = dot(v3, w_v0) > L(0.0);

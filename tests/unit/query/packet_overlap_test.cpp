@@ -12,6 +12,7 @@
 #include "engine/query/overlap.h"
 #include "engine/query/overlap_backend.h"
 #include "shapes/any_shape.h"
+#include "shapes/ellipsoid.h"
 #include "shapes/polytope.h"
 #include "tests/referees/bodies.h"
 #include "tests/referees/random_poses.h"
@@ -179,6 +180,52 @@ TEST(PacketOverlap, HasNoKernelForOtherCores) {
   for (const char* text : {"cylinder:1,0.5", "cone:1,0.5", "hemisphere:1", "disc:1", "rounded:0.1,disc:1"}) {
     EXPECT_EQ(make_packet_overlap(packet_kernel(best_instruction_set()), parse_shape(text).body, box), nullptr) << text;
     EXPECT_EQ(make_packet_overlap(packet_kernel(best_instruction_set()), box, parse_shape(text).body), nullptr) << text;
+  }
+}
+
+// Of one pose, by every set; the engine without packets has the right answer.
+void expect_same_answer(const ConvexBody& a, const ConvexBody& b, const Transformd& pose) {
+  for (const InstructionSet set : instruction_sets()) {
+    Verdict verdict;
+    gjk_backend(set).make(a, b)->decide({&pose, 1}, {&verdict, 1});
+    EXPECT_EQ(verdict, overlap(a, b, pose)) << name_of(set);
+  }
+}
+
+TEST(GjkBackend, BelievesNoDirectionThatUnderflowHasLeft) {
+  // Without a ball inside, the search starts at -t: here it is denormal, and so was the bound that a height had to
+  // exceed.
+  expect_same_answer(parse_shape("needle:2").body, parse_shape("plate:1,1.3").body,
+                     {{0.66063496653125831, 0.37510486539280857, 0.65027515787925205},
+                      {0.56342446273475333, 0.32468540388956157, -0.75969221615936466},
+                      {-0.49609909875779623, 0.86826017325437377, 0.003155273678633436},
+                      {0, 0, -5.434722104253712e-323}});
+  // The square of an ellipsoid's image was: its point was off by tenths.
+  const double shortest = 2.3866690339840662e-153, s = 0.03137 * shortest;
+  Transformd pose;
+  for (const double x : {0.5, 0.25, 0.0625}) {
+    pose.translation = {x, 0.96e-9, s};
+    expect_same_answer(Ellipsoid(1, 1e-9, shortest), Polytope(std::vector<Vec3d>{{-1, 0, -s}, {1, 0, s}}, {}, 0.0),
+                       pose);
+  }
+}
+
+TEST(PacketOverlap, LeavesOpenWhatIsNoRotation) {
+  const ConvexBody box = parse_shape("box:1,1,1").body;
+  for (const InstructionSet set : kernel_sets()) {
+    Table table;
+    for (const double wrong : {HUGE_VAL, -HUGE_VAL, std::nan(""), 9.0}) {
+      for (int k = 0; k < 9; ++k) {
+        Transformd pose;
+        pose.translation = {3, 2, 1};
+        Vec3d& row = k < 3 ? pose.row_x : k < 6 ? pose.row_y : pose.row_z;
+        (k % 3 == 0 ? row.x : k % 3 == 1 ? row.y : row.z) = wrong;
+        table.add(pose);
+      }
+    }
+    std::array<PacketAnswer, PacketOverlap::kMostTrials> answers{};
+    make_packet_overlap(packet_kernel(set), box, box)->decide(table.table(), answers.data());
+    for (std::size_t k = 0; k < table.n; ++k) EXPECT_EQ(answers[k], PacketAnswer::open) << k;
   }
 }
 
