@@ -11,7 +11,7 @@ namespace {
 
 Vec3e extended(const Vec3d& v) { return broadcast<Extended>(v); }
 
-// The middle of the box about points and centres; zero where there are none, or where it is nearly the origin.
+// The middle of the box about points and centres; zero where there are none.
 class Box {
  public:
   void add(const Vec3d& p) {

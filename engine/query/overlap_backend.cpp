@@ -22,8 +22,8 @@ class GjkBackend final : public OverlapBackend {
     }
     for (std::size_t first = 0; first < a_from_b.size(); first += PacketOverlap::kMostTrials) {
       const std::size_t n = std::min(PacketOverlap::kMostTrials, a_from_b.size() - first);
-      for (std::size_t k = 0; k < n; ++k) set_row(k, a_from_b[first + k]);
-      decide_table({columns_[0], kStride, n}, verdicts.subspan(first, n));
+      for (std::size_t k = 0; k < n; ++k) set_pose(columns_[0], PacketOverlap::kStride, k, a_from_b[first + k]);
+      decide_table({columns_[0], PacketOverlap::kStride, n}, verdicts.subspan(first, n));
     }
   }
 
@@ -44,22 +44,11 @@ class GjkBackend final : public OverlapBackend {
   }
 
  private:
-  static constexpr std::size_t kStride = PacketOverlap::kMostTrials + 16;
-
-  void set_row(std::size_t row, const Transformd& pose) {
-    std::size_t column = 0;
-    for (const Vec3d* part : {&pose.row_x, &pose.row_y, &pose.row_z, &pose.translation}) {
-      columns_[column++][row] = part->x;
-      columns_[column++][row] = part->y;
-      columns_[column++][row] = part->z;
-    }
-  }
-
   const ConvexBody& a_;
   const ConvexBody& b_;
   std::unique_ptr<PacketOverlap> packets_;
   std::array<PacketAnswer, PacketOverlap::kMostTrials> answers_{};
-  alignas(64) double columns_[kPoseColumns][kStride] = {};
+  alignas(64) double columns_[kPoseColumns][PacketOverlap::kStride] = {};
 };
 
 }  // namespace

@@ -25,6 +25,17 @@ struct PoseTable {
   }
 };
 
+/// PoseTable::pose(row) is this pose then.
+inline void set_pose(double* columns, std::size_t stride, std::size_t row, const Transformd& pose) {
+  double* at = columns + row;
+  for (const Vec3d* part : {&pose.row_x, &pose.row_y, &pose.row_z, &pose.translation}) {
+    for (const double value : {part->x, part->y, part->z}) {
+      *at = value;
+      at += stride;
+    }
+  }
+}
+
 /// A packet's answer to a trial.
 enum class PacketAnswer : std::uint8_t { disjoint, overlap, open };
 
@@ -44,6 +55,7 @@ struct PacketPairForms {
 class PacketOverlap {
  public:
   static constexpr std::size_t kMostTrials = 128;
+  static constexpr std::size_t kStride = kMostTrials + 16;  // of a table of so many
 
   virtual ~PacketOverlap();  // not inline: kernels would each have it
   /// Of up to kMostTrials poses. What is answered disjoint or overlap is proven (E1, E18).

@@ -116,7 +116,9 @@ class PacketSearch {
   }
 
   // The lanes of a packet from `first` that are trials.
-  static Mask trials(std::size_t first, std::size_t n) { return L::load(kNumbers) < L(static_cast<double>(n - first)); }
+  static Mask trials(std::size_t first, std::size_t n) {
+    return L::numbers_from(static_cast<double>(first)) < L(static_cast<double>(n));
+  }
 
   void answer(const double* indices, const Mask& which, PacketAnswer value) {
     for (unsigned on = lanes_on(which); on != 0; on &= on - 1) {
@@ -124,7 +126,6 @@ class PacketSearch {
     }
   }
 
-  alignas(64) static constexpr double kNumbers[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
   static constexpr std::size_t kIndex = 12, kV1 = 13, kV2 = 16, kV3 = 19;
 
   static void store(double (*columns)[kColumn], std::size_t at, const Compaction<W>& move, std::size_t first,
@@ -133,18 +134,26 @@ class PacketSearch {
     move.store(columns[first + 1] + at, v.y);
     move.store(columns[first + 2] + at, v.z);
   }
-  static void store_pose(double (*columns)[kColumn], std::size_t at, const Compaction<W>& move, const Transform<L>& p) {
-    store(columns, at, move, 0, p.row_x);
-    store(columns, at, move, 3, p.row_y);
-    store(columns, at, move, 6, p.row_z);
-    store(columns, at, move, 9, p.translation);
+  // The trials of `move` behind the n that stand in the columns: pose, index, v1 and as many points more as there are.
+  template <class... Points>
+  static void append(double (*columns)[kColumn], std::size_t& n, const Compaction<W>& move, const Transform<L>& pose,
+                     const L& index, const Points&... points) {
+    if (move.n() == 0) return;
+    store(columns, n, move, 0, pose.row_x);
+    store(columns, n, move, 3, pose.row_y);
+    store(columns, n, move, 6, pose.row_z);
+    store(columns, n, move, 9, pose.translation);
+    move.store(columns[kIndex] + n, index);
+    std::size_t column = kV1;
+    ((store(columns, n, move, column, points), column += 3), ...);
+    n += static_cast<std::size_t>(move.n());
   }
   static Vec load(const double (*columns)[kColumn], std::size_t at, std::size_t first) {
     return {L::load(columns[first] + at), L::load(columns[first + 1] + at), L::load(columns[first + 2] + at)};
   }
 
   void first_point(const double* poses, std::size_t stride, std::size_t k, std::size_t n) {
-    const L index = L::load(kNumbers) + L(static_cast<double>(k));
+    const L index = L::numbers_from(static_cast<double>(k));
     const Placed p = placed(poses, stride, k);
     const Vec dir = -p.v0;
     const Slack slack = slack_of(p, dir);
@@ -157,11 +166,7 @@ class PacketSearch {
     for (unsigned on = lanes_on(apart); on != 0; on &= on - 1) {
       answers_[k + static_cast<std::size_t>(__builtin_ctz(on))] = PacketAnswer::disjoint;
     }
-    const Compaction<W> move(but_not(is_trial, apart));
-    store_pose(wedges_, n_wedge_, move, p.pose);
-    move.store(wedges_[kIndex] + n_wedge_, index);
-    store(wedges_, n_wedge_, move, kV1, w);
-    n_wedge_ += static_cast<std::size_t>(move.n());
+    append(wedges_, n_wedge_, Compaction<W>(but_not(is_trial, apart)), p.pose, index, w);
   }
 
   void second_point(std::size_t k, std::size_t n) {
@@ -176,12 +181,8 @@ class PacketSearch {
     answer(wedges_[kIndex] + k, apart, PacketAnswer::disjoint);
     // Oriented so that the wedge's normal points to the origin's side.
     const Mask flips = dot(cross(v1, w), p.v0) > L(0.0);
-    const Compaction<W> move(but_not(is_trial, apart));
-    store_pose(wedges_, n_wedge_, move, p.pose);
-    move.store(wedges_[kIndex] + n_wedge_, index);
-    store(wedges_, n_wedge_, move, kV1, select<L>(flips, w, v1));
-    store(wedges_, n_wedge_, move, kV2, select<L>(flips, v1, w));
-    n_wedge_ += static_cast<std::size_t>(move.n());
+    append(wedges_, n_wedge_, Compaction<W>(but_not(is_trial, apart)), p.pose, index, select<L>(flips, w, v1),
+           select<L>(flips, v1, w));
   }
 
   // The origin is in the simplex: every determinant above what rounding and the points' own error could make of it.
@@ -207,23 +208,9 @@ class PacketSearch {
     answer(wedges_[kIndex] + k, apart, PacketAnswer::disjoint);
     answer(wedges_[kIndex] + k, inside, PacketAnswer::overlap);
     const Mask goes_on = but_not(but_not(is_trial, apart), inside);
-    const Compaction<W> turned(both(goes_on, turns));
-    if (turned.n() > 0) {
-      store_pose(wedges_, n_wedge_, turned, p.pose);
-      turned.store(wedges_[kIndex] + n_wedge_, index);
-      store(wedges_, n_wedge_, turned, kV1, select<L>(outside_23, w, v1));
-      store(wedges_, n_wedge_, turned, kV2, select<L>(outside_13, w, v2));
-      n_wedge_ += static_cast<std::size_t>(turned.n());
-    }
-    const Compaction<W> found(but_not(goes_on, turns));
-    if (found.n() > 0) {
-      store_pose(portals_, n_portal_, found, p.pose);
-      found.store(portals_[kIndex] + n_portal_, index);
-      store(portals_, n_portal_, found, kV1, v1);
-      store(portals_, n_portal_, found, kV2, v2);
-      store(portals_, n_portal_, found, kV3, w);
-      n_portal_ += static_cast<std::size_t>(found.n());
-    }
+    append(wedges_, n_wedge_, Compaction<W>(both(goes_on, turns)), p.pose, index, select<L>(outside_23, w, v1),
+           select<L>(outside_13, w, v2));
+    append(portals_, n_portal_, Compaction<W>(but_not(goes_on, turns)), p.pose, index, v1, v2, w);
   }
 
   void next_portal(std::size_t k, std::size_t n) {
@@ -249,13 +236,8 @@ class PacketSearch {
     const Mask inside = both(is_trial, encloses(p, dot(v1, c23), -dot(c23, p.v0), -dot(c31, p.v0), -dot(c12, p.v0)));
     answer(portals_[kIndex] + k, apart, PacketAnswer::disjoint);
     answer(portals_[kIndex] + k, inside, PacketAnswer::overlap);
-    const Compaction<W> move(both(but_not(but_not(is_trial, apart), inside), advances));
-    store_pose(portals_, n_portal_, move, p.pose);
-    move.store(portals_[kIndex] + n_portal_, index);
-    store(portals_, n_portal_, move, kV1, v1);
-    store(portals_, n_portal_, move, kV2, v2);
-    store(portals_, n_portal_, move, kV3, v3);
-    n_portal_ += static_cast<std::size_t>(move.n());
+    const Mask goes_on = both(but_not(but_not(is_trial, apart), inside), advances);
+    append(portals_, n_portal_, Compaction<W>(goes_on), p.pose, index, v1, v2, v3);
   }
 
   CoreA a_;

@@ -23,8 +23,8 @@ struct PoseRecipe {
 
 /// Up to PacketOverlap::kMostTrials poses; kPoseColumns of `kStride` values each.
 struct PoseColumns {
-  static constexpr std::size_t kStride = PacketOverlap::kMostTrials + 16;  // packets may read and write too far
-  alignas(64) double all[kPoseColumns][kStride] = {};                      // of trial first + k in row k
+  static constexpr std::size_t kStride = PacketOverlap::kStride;
+  alignas(64) double all[kPoseColumns][kStride] = {};   // of trial first + k in row k
   alignas(64) double open[kPoseColumns][kStride] = {};  // of those that the quick verdict leaves open
   alignas(64) double open_index[kStride] = {};          // their rows in `all`
   std::size_t n_open = 0;

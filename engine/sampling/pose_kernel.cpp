@@ -59,7 +59,6 @@ void for_each_column(const Transform<L>& pose, const Visit& visit) {
 
 __attribute__((flatten)) void draw_poses(const PoseRecipe& recipe, std::uint64_t first, std::size_t n,
                                          PoseColumns& poses) {
-  alignas(64) static constexpr double kNumbers[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
   alignas(64) static constexpr std::uint64_t kWholeNumbers[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
   Bits numbers;
   __builtin_memcpy(numbers.part, kWholeNumbers, sizeof numbers.part);
@@ -84,7 +83,7 @@ __attribute__((flatten)) void draw_poses(const PoseRecipe& recipe, std::uint64_t
     for (unsigned on = lanes_on(but_not(answer.overlap, answer.disjoint)); on != 0; on &= on - 1) {
       poses.quick[k + static_cast<std::size_t>(__builtin_ctz(on))] = PacketAnswer::overlap;
     }
-    const L row = L::load(kNumbers) + L(static_cast<double>(k));
+    const L row = L::numbers_from(static_cast<double>(k));
     const Compaction<W> open(but_not(row < L(static_cast<double>(n)), either(answer.disjoint, answer.overlap)));
     for_each_column(pose, [&](std::size_t c, const L& value) { open.store(poses.open[c] + poses.n_open, value); });
     open.store(poses.open_index + poses.n_open, row);

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <fstream>
 #include <memory>
 #include <random>
 #include <string>
@@ -17,6 +16,7 @@
 #include "engine/query/overlap.h"
 #include "engine/sampling/monte_carlo.h"
 #include "shapes/polytope.h"
+#include "tests/bench/processor.h"
 #include "tests/referees/polytopes.h"
 
 namespace vex {
@@ -162,12 +162,7 @@ std::vector<Vec3d> cube_grid(int n) {
 
 int main() {
   using namespace vex;
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    if (line.rfind("model name", 0) != 0) continue;
-    std::printf("%s, g++ %s\n\n", line.substr(line.find(':') + 2).c_str(), __VERSION__);
-    break;
-  }
+  std::printf("%s, g++ %s\n\n", processor().c_str(), __VERSION__);
   std::printf(
       "| body | vertices | scan, ns a call | table, ns a call | scan, us a query | table, us a query | made in, s | ns "
       "a "

@@ -6,7 +6,6 @@
 // as they are computed: what the proofs cost.
 #include <benchmark/benchmark.h>
 
-#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
@@ -18,19 +17,12 @@
 #include "engine/sampling/fitted_domain.h"
 #include "engine/sampling/monte_carlo.h"
 #include "shapes/any_shape.h"
+#include "tests/bench/processor.h"
 #include "tests/bench/unproven_filter.h"
 #include "tests/referees/polytopes.h"
 
 namespace vex {
 namespace {
-
-std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-  }
-  return "unknown";
-}
 
 struct Subject {
   std::string name;

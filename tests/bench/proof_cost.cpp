@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "engine/query/overlap_filter.h"
 #include "engine/sampling/domain.h"
 #include "shapes/any_shape.h"
+#include "tests/bench/processor.h"
 #include "tests/referees/polytopes.h"
 #include "tests/referees/random_poses.h"
 
@@ -113,12 +113,7 @@ void report(const Pair& pair, const char* where, const std::vector<Transformd>& 
 
 int main() {
   using namespace vex;
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    if (line.rfind("model name", 0) != 0) continue;
-    std::printf("%s, g++ %s\n\n", line.substr(line.find(':') + 2).c_str(), __VERSION__);
-    break;
-  }
+  std::printf("%s, g++ %s\n\n", processor().c_str(), __VERSION__);
   std::printf(
       "| pair | poses | left open by the filter | filter, us | what decides those, us | undecided | verdict with "
       "certificate, us | checker, us |\n|---|---|---|---|---|---|---|---|\n");

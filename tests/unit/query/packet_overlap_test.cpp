@@ -20,17 +20,14 @@
 namespace vex {
 namespace {
 
-constexpr std::size_t kStride = PacketOverlap::kMostTrials + 16;
+constexpr std::size_t kStride = PacketOverlap::kStride;
 
 struct Table {
   std::vector<double> columns = std::vector<double>(kPoseColumns * kStride, std::nan(""));
   std::size_t n = 0;
 
   void add(const Transformd& pose) {
-    std::size_t column = 0;
-    for (const Vec3d* part : {&pose.row_x, &pose.row_y, &pose.row_z, &pose.translation}) {
-      for (const double value : {part->x, part->y, part->z}) columns[kStride * column++ + n] = value;
-    }
+    set_pose(columns.data(), kStride, n, pose);
     ++n;
   }
   PoseTable table() const { return {columns.data(), kStride, n}; }
