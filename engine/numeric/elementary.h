@@ -22,8 +22,8 @@ struct SinCos {
 /// follow.
 template <class L>
 SinCos<L> sincospi(L x) {
-  const L q = nearest_whole(x + x);
-  const L r = x - L(0.5) * q;
+  const L shifted = (x + x) + L(0x1.8p52);  // its last bits are those of the nearest whole number, q
+  const L r = x - L(0.5) * (shifted - L(0x1.8p52));
   const L y = r * r;
   // (-1)^k pi^(2k+1) / (2k+1)!, rounded to nearest
   L s = L(-0x1.6fadb9f155744p-16);
@@ -45,13 +45,13 @@ SinCos<L> sincospi(L x) {
   c = L(0x1.03c1f081b5ac4p+2) + y * c;
   c = L(-0x1.3bd3cc9be45dep+2) + y * c;
   c = L(1.0) + y * c;
-  // sin and cos of q/2 half turns: a quarter turn swaps them, and q = 4 is q = 0 again.
-  const MaskOf<L> quarter = either(q == L(1.0), q == L(3.0));
-  const MaskOf<L> sin_negative = either(q == L(2.0), q == L(3.0));
-  const MaskOf<L> cos_negative = either(q == L(1.0), q == L(2.0));
-  const L sin = select(quarter, c, s);
-  const L cos = select(quarter, s, c);
-  return {select(sin_negative, -sin, sin), select(cos_negative, -cos, cos)};
+  // sin and cos of q/2 half turns: a quarter turn swaps them, and q = 4 is q = 0 again. The lowest bit of q is put
+  // where the sign is, and so is the second, of q and of q + 1.
+  const BitsOf<L> sign(0x8000000000000000u), q = bits_of(shifted);
+  const L quarter = from_bits(q << 63);
+  const BitsOf<L> sin_sign = (q << 62) & sign, cos_sign = ((q + BitsOf<L>(1u)) << 62) & sign;
+  return {from_bits(bits_of(select_by_sign(quarter, c, s)) ^ sin_sign),
+          from_bits(bits_of(select_by_sign(quarter, s, c)) ^ cos_sign)};
 }
 
 /// The cube root of a normal x > 0, within 2 u relative (E4).

@@ -54,6 +54,10 @@ inline bool all(bool a) { return a; }
 
 // --- arithmetic of the one-lane case
 inline double select(bool condition, double if_true, double if_false) { return condition ? if_true : if_false; }
+/// By the sign bit, that of a zero too.
+inline double select_by_sign(double sign, double if_set, double otherwise) {
+  return std::signbit(sign) ? if_set : otherwise;
+}
 inline double square_root(double x) { return std::sqrt(x); }
 inline double absolute(double x) { return std::fabs(x); }
 inline double copy_sign(double magnitude, double sign) { return std::copysign(magnitude, sign); }

@@ -27,6 +27,21 @@ typedef double Register __attribute__((vector_size(8 * kRegisterLanes)));
 typedef std::int64_t MaskRegister __attribute__((vector_size(8 * kRegisterLanes)));
 typedef std::uint64_t BitsRegister __attribute__((vector_size(8 * kRegisterLanes)));
 
+/// A register at any address of an element. Not by memcpy, which g++ 12 may do by halves, and a load of both halves
+/// then waits for the stores to reach the cache.
+template <class R>
+struct Unaligned {
+  typedef R Type __attribute__((aligned(8), may_alias));
+};
+template <class R>
+R load_register(const void* from) {
+  return *static_cast<const typename Unaligned<R>::Type*>(from);
+}
+template <class R>
+void store_register(void* to, R value) {
+  *static_cast<typename Unaligned<R>::Type*>(to) = value;
+}
+
 /// N registers' worth of one element type.
 template <class R, std::size_t N>
 struct Registers {
@@ -43,6 +58,16 @@ struct PacketMask : Registers<MaskRegister, kParts<W>> {
   explicit PacketMask(bool all) {
     for (MaskRegister& p : this->part) p = MaskRegister{} - (all ? 1 : 0);
   }
+  /// The first n lanes.
+  static PacketMask first(std::size_t n) {
+    alignas(64) static constexpr std::int64_t kOn[32] = {-1, -1, -1, -1, -1, -1, -1, -1,
+                                                         -1, -1, -1, -1, -1, -1, -1, -1};
+    static_assert(W <= 16);
+    const std::int64_t* const from = kOn + (16 - (n < 16 ? n : 16));
+    PacketMask m;
+    for (std::size_t k = 0; k < kParts<W>; ++k) m.part[k] = load_register<MaskRegister>(from + k * kRegisterLanes);
+    return m;
+  }
 };
 
 template <int W>
@@ -50,6 +75,22 @@ struct PacketBits : Registers<BitsRegister, kParts<W>> {
   PacketBits() = default;
   explicit PacketBits(std::uint64_t all) {
     for (BitsRegister& p : this->part) p = BitsRegister{} + all;
+  }
+  static PacketBits load(const std::uint64_t* from) {
+    PacketBits p;
+    for (std::size_t k = 0; k < kParts<W>; ++k) p.part[k] = load_register<BitsRegister>(from + k * kRegisterLanes);
+    return p;
+  }
+  void store(std::uint64_t* to) const {
+    for (std::size_t k = 0; k < kParts<W>; ++k) store_register(to + k * kRegisterLanes, this->part[k]);
+  }
+  /// first, first + 1, ... from lane to lane.
+  static PacketBits numbers_from(std::uint64_t first) {
+    alignas(64) static constexpr std::uint64_t kNumbers[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    static_assert(W <= 16);
+    PacketBits p(first);
+    for (std::size_t k = 0; k < kParts<W>; ++k) p.part[k] += load_register<BitsRegister>(kNumbers + k * kRegisterLanes);
+    return p;
   }
 };
 
@@ -65,10 +106,12 @@ struct Packet : Registers<Register, kParts<W>> {
   /// W doubles, aligned to themselves only.
   static Packet load(const double* from) {
     Packet p;
-    __builtin_memcpy(p.part, from, sizeof p.part);
+    for (std::size_t k = 0; k < kParts<W>; ++k) p.part[k] = load_register<Register>(from + k * kRegisterLanes);
     return p;
   }
-  void store(double* to) const { __builtin_memcpy(to, this->part, sizeof this->part); }
+  void store(double* to) const {
+    for (std::size_t k = 0; k < kParts<W>; ++k) store_register(to + k * kRegisterLanes, this->part[k]);
+  }
 
   /// first, first + 1, ... from lane to lane.
   static Packet numbers_from(double first) {
@@ -160,6 +203,21 @@ Packet<W> select(const PacketMask<W>& m, const Packet<W>& a, const Packet<W>& b)
   return each_part<Packet<W>>([&](std::size_t k) { return m.part[k] ? a.part[k] : b.part[k]; });
 }
 
+/// By the sign bit, that of a zero too.
+inline Register select_by_sign(Register sign, Register if_set, Register otherwise) {
+#if defined(__AVX2__) && !defined(__AVX512F__)
+  return reinterpret_cast<Register>(_mm256_blendv_pd(
+      reinterpret_cast<__m256d>(otherwise), reinterpret_cast<__m256d>(if_set), reinterpret_cast<__m256d>(sign)));
+#else
+  return reinterpret_cast<MaskRegister>(sign) < 0 ? if_set : otherwise;
+#endif
+}
+template <int W>
+Packet<W> select_by_sign(const Packet<W>& sign, const Packet<W>& if_set, const Packet<W>& otherwise) {
+  return each_part<Packet<W>>(
+      [&](std::size_t k) { return select_by_sign(sign.part[k], if_set.part[k], otherwise.part[k]); });
+}
+
 inline Register root_of(Register a) {
 #if defined(__AVX512F__)
   return reinterpret_cast<Register>(_mm512_sqrt_pd(reinterpret_cast<__m512d>(a)));
@@ -172,6 +230,18 @@ inline Register root_of(Register a) {
   return a;
 #endif
 }
+/// a > b ? a : b
+inline Register larger_of(Register a, Register b) {
+#if defined(__AVX512F__)
+  return reinterpret_cast<Register>(_mm512_max_pd(reinterpret_cast<__m512d>(a), reinterpret_cast<__m512d>(b)));
+#elif defined(__AVX2__)
+  return reinterpret_cast<Register>(_mm256_max_pd(reinterpret_cast<__m256d>(a), reinterpret_cast<__m256d>(b)));
+#elif defined(__SSE2__)
+  return reinterpret_cast<Register>(_mm_max_pd(reinterpret_cast<__m128d>(a), reinterpret_cast<__m128d>(b)));
+#else
+  return a > b ? a : b;
+#endif
+}
 template <int W>
 Packet<W> square_root(const Packet<W>& a) {
   return each_part<Packet<W>>([&](std::size_t k) { return root_of(a.part[k]); });
@@ -180,6 +250,14 @@ Packet<W> square_root(const Packet<W>& a) {
 template <int W>
 PacketBits<W> bits_of(const Packet<W>& a) {
   return each_part<PacketBits<W>>([&](std::size_t k) { return reinterpret_cast<BitsRegister>(a.part[k]); });
+}
+template <int W>
+PacketBits<W> bits_of(const PacketMask<W>& a) {
+  return each_part<PacketBits<W>>([&](std::size_t k) { return reinterpret_cast<BitsRegister>(a.part[k]); });
+}
+template <int W>
+PacketMask<W> mask_of(const PacketBits<W>& a) {
+  return each_part<PacketMask<W>>([&](std::size_t k) { return reinterpret_cast<MaskRegister>(a.part[k]); });
 }
 template <int W>
 Packet<W> from_bits(const PacketBits<W>& a) {
@@ -219,7 +297,7 @@ Packet<W> copy_sign(const Packet<W>& magnitude, const Packet<W>& sign) {
 }
 template <int W>
 Packet<W> larger(const Packet<W>& a, const Packet<W>& b) {
-  return select(a > b, a, b);
+  return each_part<Packet<W>>([&](std::size_t k) { return larger_of(a.part[k], b.part[k]); });
 }
 
 /// Moves the lanes that are on side by side, of as many packets as wanted.
@@ -229,7 +307,7 @@ class Compaction {
   explicit Compaction(const PacketMask<W>& mask) : on_(lanes_on(mask)) {
 #if defined(__AVX2__) && !defined(__AVX512F__)
     for (std::size_t k = 0; k < kParts<W>; ++k) {
-      __builtin_memcpy(&order_[k], kOrders[(on_ >> (4 * k)) & 15u], sizeof order_[k]);
+      order_[k] = _mm256_load_si256(reinterpret_cast<const __m256i*>(kOrders[(on_ >> (4 * k)) & 15u]));
     }
 #endif
   }
@@ -237,31 +315,37 @@ class Compaction {
   int n() const { return __builtin_popcount(on_); }
 
   /// What is behind the n values is rubbish; room for W must be there.
-  void store(double* to, const Packet<W>& a) const {
+  void store(double* to, const Packet<W>& a) const { store_lanes(reinterpret_cast<char*>(to), a); }
+  void store(std::uint64_t* to, const PacketBits<W>& a) const {
+    store_lanes(reinterpret_cast<char*>(to), from_bits(a));
+  }
+
+ private:
+  void store_lanes(char* to, const Packet<W>& a) const {
     for (std::size_t k = 0; k < kParts<W>; ++k) {
       const unsigned on = (on_ >> (k * std::size_t{kRegisterLanes})) & ((1u << kRegisterLanes) - 1u);
 #if defined(__AVX512F__)
       const __m512d moved = _mm512_maskz_compress_pd(static_cast<__mmask8>(on), reinterpret_cast<__m512d>(a.part[k]));
-      __builtin_memcpy(to, &moved, sizeof moved);
+      _mm512_storeu_pd(to, moved);
 #elif defined(__AVX2__)
       const __m256 moved = _mm256_permutevar8x32_ps(reinterpret_cast<__m256>(a.part[k]), order_[k]);
-      __builtin_memcpy(to, &moved, sizeof moved);
+      _mm256_storeu_ps(reinterpret_cast<float*>(to), moved);
 #else
-      double* next = to;
+      char* next = to;
       for (int j = 0; j < kRegisterLanes; ++j) {
-        *next = a.part[k][j];
-        next += (on >> j) & 1u;
+        const double lane = a.part[k][j];
+        __builtin_memcpy(next, &lane, sizeof lane);
+        next += sizeof lane * ((on >> j) & 1u);
       }
 #endif
-      to += __builtin_popcount(on);
+      to += sizeof(double) * static_cast<std::size_t>(__builtin_popcount(on));
     }
   }
 
- private:
   unsigned on_;
 #if defined(__AVX2__) && !defined(__AVX512F__)
   // Of the four doubles as eight words: those of the lanes that are on first.
-  static constexpr std::int32_t kOrders[16][8] = {
+  alignas(32) static constexpr std::int32_t kOrders[16][8] = {
       {0, 0, 0, 0, 0, 0, 0, 0}, {0, 1, 0, 0, 0, 0, 0, 0}, {2, 3, 0, 0, 0, 0, 0, 0}, {0, 1, 2, 3, 0, 0, 0, 0},
       {4, 5, 0, 0, 0, 0, 0, 0}, {0, 1, 4, 5, 0, 0, 0, 0}, {2, 3, 4, 5, 0, 0, 0, 0}, {0, 1, 2, 3, 4, 5, 0, 0},
       {6, 7, 0, 0, 0, 0, 0, 0}, {0, 1, 6, 7, 0, 0, 0, 0}, {2, 3, 6, 7, 0, 0, 0, 0}, {0, 1, 2, 3, 6, 7, 0, 0},

@@ -32,18 +32,34 @@ class GjkBackend final : public OverlapBackend {
       OverlapBackend::decide_table(a_from_b, verdicts);
       return;
     }
-    VEX_EXPECT(a_from_b.n == verdicts.size() && a_from_b.n <= PacketOverlap::kMostTrials);
-    packets_->decide(a_from_b, answers_.data());
-    for (std::size_t k = 0; k < a_from_b.n; ++k) {
-      switch (answers_[k]) {
-        case PacketAnswer::disjoint: verdicts[k] = Verdict::disjoint(DecidedBy::gjk); break;
-        case PacketAnswer::overlap: verdicts[k] = Verdict::overlap(DecidedBy::gjk); break;
-        case PacketAnswer::open: verdicts[k] = overlap(a_, b_, a_from_b.pose(k)); break;
-      }
+    VEX_EXPECT(a_from_b.n == verdicts.size());
+    // In parts of about the same size, so that the last is not a remainder that fills no packet.
+    const std::size_t n_parts = (a_from_b.n + PacketOverlap::kMostTrials - 1) / PacketOverlap::kMostTrials;
+    std::size_t first = 0;
+    for (std::size_t part = 1; part <= n_parts; ++part) {
+      const std::size_t end = part == n_parts ? a_from_b.n : part * a_from_b.n / n_parts;
+      decide_part({a_from_b.columns + first, a_from_b.stride, end - first}, verdicts.subspan(first, end - first));
+      first = end;
     }
   }
 
  private:
+  void decide_part(const PoseTable& a_from_b, std::span<Verdict> verdicts) {
+    static constexpr std::array<Verdict, 3> kVerdicts = {Verdict::undecided(DecidedBy::gjk, UndecidedReason::none),
+                                                         Verdict::disjoint(DecidedBy::gjk),
+                                                         Verdict::overlap(DecidedBy::gjk)};
+    packets_->decide(a_from_b, answers_.data());
+    bool any_open = false;
+    for (std::size_t k = 0; k < a_from_b.n; ++k) {
+      verdicts[k] = kVerdicts[static_cast<std::size_t>(answers_[k])];
+      any_open |= answers_[k] == PacketAnswer::open;
+    }
+    if (!any_open) return;
+    for (std::size_t k = 0; k < a_from_b.n; ++k) {
+      if (answers_[k] == PacketAnswer::open) verdicts[k] = overlap(a_, b_, a_from_b.pose(k));
+    }
+  }
+
   const ConvexBody& a_;
   const ConvexBody& b_;
   std::unique_ptr<PacketOverlap> packets_;
@@ -54,10 +70,13 @@ class GjkBackend final : public OverlapBackend {
 }  // namespace
 
 void OverlapBackend::decide_table(const PoseTable& a_from_b, std::span<Verdict> verdicts) {
-  VEX_EXPECT(a_from_b.n == verdicts.size() && a_from_b.n <= PacketOverlap::kMostTrials);
-  std::array<Transformd, PacketOverlap::kMostTrials> poses;
-  for (std::size_t k = 0; k < a_from_b.n; ++k) poses[k] = a_from_b.pose(k);
-  decide(std::span<const Transformd>(poses).first(a_from_b.n), verdicts);
+  VEX_EXPECT(a_from_b.n == verdicts.size());
+  std::array<Transformd, 64> poses;
+  for (std::size_t first = 0; first < a_from_b.n; first += poses.size()) {
+    const std::size_t n = std::min(poses.size(), a_from_b.n - first);
+    for (std::size_t k = 0; k < n; ++k) poses[k] = a_from_b.pose(first + k);
+    decide(std::span<const Transformd>(poses).first(n), verdicts.subspan(first, n));
+  }
 }
 
 BackendKind gjk_backend(InstructionSet set) { return gjk_backend_with(packet_kernel(set)); }

@@ -19,7 +19,7 @@ class OverlapBackend {
   virtual ~OverlapBackend() = default;
   /// verdicts[k] for a_from_b[k]; the spans have the same length.
   virtual void decide(std::span<const Transformd> a_from_b, std::span<Verdict> verdicts) = 0;
-  /// The same of poses in columns, up to PacketOverlap::kMostTrials of them.
+  /// The same of poses in columns.
   virtual void decide_table(const PoseTable& a_from_b, std::span<Verdict> verdicts);
 };
 

@@ -13,17 +13,33 @@ struct BoxCore {
 
   template <class L>
   Vec3<L> support(const Vec3<L>& dir) const {
-    const L zero(0.0);
-    return {select(dir.x < zero, L(lower.x), L(upper.x)), select(dir.y < zero, L(lower.y), L(upper.y)),
-            select(dir.z < zero, L(lower.z), L(upper.z))};
+    return {select_by_sign(dir.x, L(lower.x), L(upper.x)), select_by_sign(dir.y, L(lower.y), L(upper.y)),
+            select_by_sign(dir.z, L(lower.z), L(upper.z))};
   }
+
+  /// From the nearest point of the core to p: a first guess at what separates it from a body about there. Zero where p
+  /// is inside.
+  template <class L>
+  Vec3<L> direction_to(const Vec3<L>& p) const {
+    const auto beyond = [](const L& x, double low, double high) {
+      return larger(x - L(high), L(0.0)) - larger(L(low) - x, L(0.0));
+    };
+    return {beyond(p.x, lower.x, upper.x), beyond(p.y, lower.y, upper.y), beyond(p.z, lower.z, upper.z)};
+  }
+  /// Whether it is more than the direction from the centre.
+  bool has_direction() const { return lower.x < upper.x || lower.y < upper.y || lower.z < upper.z; }
 
   Vec3d lower, upper;
 };
 
 /// D (D d / |D d|): each coordinate within 7 u of itself, as that of the body's own mapping (E2).
 struct EllipsoidCore {
-  explicit EllipsoidCore(const CoreForm& form) : semi_axes(form.semi_axes) {}
+  explicit EllipsoidCore(const CoreForm& form) : semi_axes(form.semi_axes) {
+    double shortest = semi_axes.x < semi_axes.y ? semi_axes.x : semi_axes.y;
+    shortest = shortest < semi_axes.z ? shortest : semi_axes.z;
+    const auto square = [](double x) { return x * x; };
+    weights = {square(shortest / semi_axes.x), square(shortest / semi_axes.y), square(shortest / semi_axes.z)};
+  }
 
   template <class L>
   Vec3<L> support(const Vec3<L>& dir) const {
@@ -32,7 +48,14 @@ struct EllipsoidCore {
     return {L(semi_axes.x) * (scale * image.x), L(semi_axes.y) * (scale * image.y), L(semi_axes.z) * (scale * image.z)};
   }
 
-  Vec3d semi_axes;
+  /// Across the ellipsoid of this shape that goes through p.
+  template <class L>
+  Vec3<L> direction_to(const Vec3<L>& p) const {
+    return {L(weights.x) * p.x, L(weights.y) * p.y, L(weights.z) * p.z};
+  }
+  bool has_direction() const { return weights.x < 1.0 || weights.y < 1.0 || weights.z < 1.0; }
+
+  Vec3d semi_axes, weights;  // the latter D^-2, up to a factor
 };
 
 /// A vertex, and of those that tie the first.
@@ -51,6 +74,13 @@ struct VerticesCore {
     }
     return {gather(x, index), gather(y, index), gather(z, index)};
   }
+
+  template <class L>
+  Vec3<L> direction_to(const Vec3<L>& p) const {
+    return p;
+  }
+
+  bool has_direction() const { return false; }
 
   const double *x, *y, *z;
   std::size_t n;

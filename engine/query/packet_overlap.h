@@ -37,7 +37,7 @@ inline void set_pose(double* columns, std::size_t stride, std::size_t row, const
 }
 
 /// A packet's answer to a trial.
-enum class PacketAnswer : std::uint8_t { disjoint, overlap, open };
+enum class PacketAnswer : std::uint8_t { open, disjoint, overlap };
 
 /// Where the reach is beyond these a pose is left open: sixth powers of lengths, and their products with each other's,
 /// stay far from both ends (E18).

@@ -35,222 +35,312 @@ class PacketSearch {
  public:
   using L = Packet<W>;
   using Mask = PacketMask<W>;
+  using Bits = PacketBits<W>;
   using Vec = Vec3<L>;
 
-  explicit PacketSearch(const PacketPairForms& forms)
-      : a_(*forms.a),
-        b_(*forms.b),
-        centre_b_(forms.centre_b),
-        b_is_central_(forms.centre_b.x == 0.0 && forms.centre_b.y == 0.0 && forms.centre_b.z == 0.0),
-        start_(forms.centre_a + forms.start_offset),
-        ball_radius_(forms.ball_radius),
-        own_reach_(forms.own_reach),
-        own_error_(forms.own_error) {}
+  explicit PacketSearch(const PacketPairForms& forms) : pair_(forms) {}
 
   /// PacketOverlap::decide.
   __attribute__((flatten)) void decide(const double* poses, std::size_t stride, std::size_t n, PacketAnswer* answers) {
-    answers_ = answers;
     for (std::size_t k = 0; k < n; ++k) answers[k] = PacketAnswer::open;
-    n_wedge_ = 0;
-    for (std::size_t k = 0; k < n; k += W) first_point(poses, stride, k, n);
-    const std::size_t n_second = n_wedge_;
-    n_wedge_ = 0;
-    for (std::size_t k = 0; k < n_second; k += W) second_point(k, n_second);
-    n_portal_ = 0;
-    for (int round = 0; round < kMostWedges && n_wedge_ > 0; ++round) {
-      const std::size_t n_now = n_wedge_;
-      n_wedge_ = 0;
-      for (std::size_t k = 0; k < n_now; k += W) third_point(k, n_now);
-    }
-    for (int round = 0; round < kMostPortals && n_portal_ > 0; ++round) {
-      const std::size_t n_now = n_portal_;
-      n_portal_ = 0;
-      for (std::size_t k = 0; k < n_now; k += W) next_portal(k, n_now);
+    n_ended_ = n_portal_ = 0;
+    first_point(poses, stride, n);
+    second_point();
+    for (int round = 0; round < kMostWedges && n_wedge_ > 0; ++round) third_point();
+    for (int round = 0; round < kMostPortals && n_portal_ > 0; ++round) next_portal();
+    for (std::size_t k = 0; k < n_ended_; ++k) {
+      std::uint64_t code;
+      __builtin_memcpy(&code, &ended_[k], sizeof code);
+      answers[code >> 2] = static_cast<PacketAnswer>(code & 3u);
     }
   }
 
  private:
   static constexpr int kMostWedges = 8, kMostPortals = 16;
+  // |t|_1 in units of own_reach_, up to which one bound of errors serves all: what is farther is apart.
+  static constexpr double kFarthest = 1.75;
+  // A direction so short might lose the products with it, or the squares of an ellipsoid's image, to underflow, and
+  // takes its trial out of the search (E18).
+  static constexpr double kLeastLength = 0x1p-200;
   // What is compressed may write a packet too far.
   static constexpr std::size_t kColumn = PacketOverlap::kMostTrials + W;
+  static constexpr double kHuge = 0x1p900;  // higher than any height
+  static constexpr std::size_t kCode = 12, kV1 = 13, kV2 = 16, kV3 = 19;
 
-  // A packet's poses with what follows from them.
-  struct Placed {
-    Transform<L> pose;
-    L error, threshold;
-    Vec v0;
+  static Transform<L> pose_of(const double* poses, std::size_t stride, std::size_t k) {
+    const auto column = [&](std::size_t c) { return L::load(poses + c * stride + k); };
+    return {{column(0), column(1), column(2)},
+            {column(3), column(4), column(5)},
+            {column(6), column(7), column(8)},
+            {column(9), column(10), column(11)}};
+  }
+  static Vec load(const double (*columns)[kColumn], std::size_t first, std::size_t k) {
+    return {L::load(columns[first] + k), L::load(columns[first + 1] + k), L::load(columns[first + 2] + k)};
+  }
+  static Mask load_mask(const double* from) { return mask_of(bits_of(L::load(from))); }
+
+  // What is known of the two bodies. Loops work on a copy of their own: a member would be read again after each store.
+  struct Pair {
+    explicit Pair(const PacketPairForms& forms)
+        : a(*forms.a),
+          b(*forms.b),
+          centre_b(forms.centre_b),
+          b_is_central(forms.centre_b.x == 0.0 && forms.centre_b.y == 0.0 && forms.centre_b.z == 0.0),
+          start(forms.centre_a + forms.start_offset),
+          ball_radius(forms.ball_radius),
+          own_reach(forms.own_reach),
+          own_error(forms.own_error),
+          farthest(kFarthest * own_reach),
+          error(kProven ? own_error + 40.0 * kUnitRoundoff * (own_reach + farthest) : 0.0),
+          threshold(4.25 * error * ((own_reach + farthest) * (own_reach + farthest))) {}
+
+    Vec start_point(const Transform<L>& pose) const {
+      if (b_is_central) return broadcast<L>(start) - pose.translation;
+      return broadcast<L>(start) - pose(broadcast<L>(centre_b));
+    }
+    // Of the trials in these columns, of whose poses no more is needed if B's centre is its origin.
+    Vec start_point(const double (*columns)[kColumn], std::size_t k) const {
+      if (b_is_central) return broadcast<L>(start) - load(columns, 9, k);
+      return start_point(pose_of(columns[0], kColumn, k));
+    }
+
+    Vec support(const Transform<L>& pose, const Vec& dir) const {
+      const Vec p = b.support(-pose.direction_to_b(dir));
+      Vec w = a.support(dir) - pose.translation;
+      w = {((w.x - pose.row_x.x * p.x) - pose.row_x.y * p.y) - pose.row_x.z * p.z,
+           ((w.y - pose.row_y.x * p.x) - pose.row_y.y * p.y) - pose.row_y.z * p.z,
+           ((w.z - pose.row_z.x * p.x) - pose.row_z.y * p.y) - pose.row_z.z * p.z};
+      if (ball_radius > 0.0) w = w + (L(ball_radius) / norm(dir)) * dir;
+      return w;
+    }
+
+    // The origin is in the simplex: every determinant above what rounding and the points' own error could make of it.
+    Mask encloses(const L& d0, const L& d23, const L& d31, const L& d12) const {
+      const L least(threshold);
+      return both(both(d0 > least, d23 > least), both(d31 > least, d12 > least));
+    }
+
+    CoreA a;
+    CoreB b;
+    Vec3d centre_b;
+    bool b_is_central;
+    Vec3d start;
+    double ball_radius, own_reach, own_error;
+    double farthest, error, threshold;  // of all trials that are no farther than this
   };
 
-  Placed placed(const double* poses, std::size_t stride, std::size_t first) const {
-    const auto column = [&](std::size_t c) { return L::load(poses + c * stride + first); };
-    Placed p;
-    p.pose = {{column(0), column(1), column(2)},
-              {column(3), column(4), column(5)},
-              {column(6), column(7), column(8)},
-              {column(9), column(10), column(11)}};
-    if constexpr (kProven) {
-      const L reach = L(own_reach_) + norm_1(p.pose.translation);
-      p.error = L(own_error_) + L(40.0 * kUnitRoundoff) * reach;
-      p.threshold = L(4.25) * p.error * (reach * reach);
-    }
-    p.v0 = b_is_central_ ? broadcast<L>(start_) - p.pose.translation
-                         : broadcast<L>(start_) - p.pose(broadcast<L>(centre_b_));
-    return p;
+  // A step is two loops, so that neither runs out of registers, nor is its chain of operations longer than what a
+  // processor sees at once. The first finds the support point of each trial along its direction, whether that separates
+  // the bodies (apart_), and if not, whether the search may go on (onward_).
+  void set_found(std::size_t k, const Vec& w, const Mask& apart, const Mask& onward) {
+    w.x.store(w_[0] + k);
+    w.y.store(w_[1] + k);
+    w.z.store(w_[2] + k);
+    from_bits(bits_of(apart)).store(apart_ + k);
+    from_bits(bits_of(but_not(onward, apart))).store(onward_ + k);
   }
-
-  Vec support(const Placed& p, const Vec& dir) const {
-    Vec w = a_.support(dir) - p.pose(b_.support(p.pose.direction_to_b(-dir)));
-    if (ball_radius_ > 0.0) w = w + (L(ball_radius_) / norm(dir)) * dir;
-    return w;
-  }
-
-  // A direction of a usual length, and what a height along it must exceed: an unusual one might lose the products with
-  // it, or the squares of an ellipsoid's image, to underflow, and takes its trial out of the search (E18).
-  struct Slack {
-    Mask is_usual;
-    L value;
-  };
-  static Slack slack_of(const Placed& p, const Vec& dir) {
-    const L length = norm_1(dir);
-    return {both(length > L(0x1p-200), length < L(0x1p200)), kProven ? p.error * length : L(0.0)};
-  }
-
-  // The lanes of a packet from `first` that are trials.
-  static Mask trials(std::size_t first, std::size_t n) {
-    return L::numbers_from(static_cast<double>(first)) < L(static_cast<double>(n));
-  }
-
-  void answer(const double* indices, const Mask& which, PacketAnswer value) {
-    for (unsigned on = lanes_on(which); on != 0; on &= on - 1) {
-      answers_[static_cast<std::size_t>(indices[__builtin_ctz(on)])] = value;
+  // `least` gives the height that must be exceeded for the search to go on.
+  template <class Direction, class Least>
+  void find_points(const double (*columns)[kColumn], std::size_t n, const Direction& direction, const Least& least) {
+    const Pair pair = pair_;
+    for (std::size_t k = 0; k < n; k += W) {
+      const Transform<L> pose = pose_of(columns[0], kColumn, k);
+      const Vec dir = direction(pair, pose, k);
+      const Vec w = pair.support(pose, dir);
+      const L height = dot(dir, w), length = norm_1(dir);
+      const L slack = L(pair.error) * length;
+      const Mask is_usual = both(length > L(kLeastLength), Mask::first(n - k));
+      set_found(k, w, both(is_usual, height < -slack), both(is_usual, height - slack > least(k, dir)));
     }
   }
 
-  static constexpr std::size_t kIndex = 12, kV1 = 13, kV2 = 16, kV3 = 19;
-
-  static void store(double (*columns)[kColumn], std::size_t at, const Compaction<W>& move, std::size_t first,
-                    const Vec& v) {
-    move.store(columns[first] + at, v.x);
-    move.store(columns[first + 1] + at, v.y);
-    move.store(columns[first + 2] + at, v.z);
+  // A trial's row, times four, and its answer: open till it ends. Numbers that a loop counts up are its own variables:
+  // a member would be read again after each store.
+  void end(std::size_t& n_ended, const Bits& code, const Mask& ends, const Mask& apart, const Mask& inside) {
+    const Compaction<W> move(ends);
+    const Bits answer = (bits_of(apart) & Bits(static_cast<std::uint64_t>(PacketAnswer::disjoint))) |
+                        (bits_of(inside) & Bits(static_cast<std::uint64_t>(PacketAnswer::overlap)));
+    move.store(ended_ + n_ended, from_bits(code | answer));
+    n_ended += static_cast<std::size_t>(move.n());
   }
-  // The trials of `move` behind the n that stand in the columns: pose, index, v1 and as many points more as there are.
+
+  // The trials of `move`, of those from k on, behind the n that stand in the columns: pose, code and points.
   template <class... Points>
-  static void append(double (*columns)[kColumn], std::size_t& n, const Compaction<W>& move, const Transform<L>& pose,
-                     const L& index, const Points&... points) {
-    if (move.n() == 0) return;
-    store(columns, n, move, 0, pose.row_x);
-    store(columns, n, move, 3, pose.row_y);
-    store(columns, n, move, 6, pose.row_z);
-    store(columns, n, move, 9, pose.translation);
-    move.store(columns[kIndex] + n, index);
+  static void append(double (*columns)[kColumn], std::size_t& n, const Compaction<W>& move,
+                     const double (*from)[kColumn], std::size_t k, const Points&... points) {
+    for (std::size_t c = 0; c <= kCode; ++c) move.store(columns[c] + n, L::load(from[c] + k));
     std::size_t column = kV1;
-    ((store(columns, n, move, column, points), column += 3), ...);
+    const auto put = [&](const Vec& point) {
+      move.store(columns[column++] + n, point.x);
+      move.store(columns[column++] + n, point.y);
+      move.store(columns[column++] + n, point.z);
+    };
+    (put(points), ...);
     n += static_cast<std::size_t>(move.n());
   }
-  static Vec load(const double (*columns)[kColumn], std::size_t at, std::size_t first) {
-    return {L::load(columns[first] + at), L::load(columns[first + 1] + at), L::load(columns[first + 2] + at)};
-  }
 
-  void first_point(const double* poses, std::size_t stride, std::size_t k, std::size_t n) {
-    const L index = L::numbers_from(static_cast<double>(k));
-    const Placed p = placed(poses, stride, k);
-    const Vec dir = -p.v0;
-    const Slack slack = slack_of(p, dir);
-    // Of a rotation the magnitudes add up to 5.2 at most; of NaNs and infinities to nothing below 8.
-    const L turn = norm_1(p.pose.row_x) + (norm_1(p.pose.row_y) + norm_1(p.pose.row_z));
-    const Mask is_within = both(turn < L(8.0), L(own_reach_) + norm_1(p.pose.translation) < L(kLargestPacketReach));
-    const Mask is_trial = both(both(index < L(static_cast<double>(n)), is_within), slack.is_usual);
-    const Vec w = support(p, dir);
-    const Mask apart = both(is_trial, dot(dir, w) < -slack.value);
-    for (unsigned on = lanes_on(apart); on != 0; on &= on - 1) {
-      answers_[k + static_cast<std::size_t>(__builtin_ctz(on))] = PacketAnswer::disjoint;
+  void first_point(const double* poses, std::size_t stride, std::size_t n) {
+    const Pair pair = pair_;
+    for (std::size_t k = 0; k < n; k += W) {
+      const Transform<L> pose = pose_of(poses, stride, k);
+      const Vec v0 = pair.start_point(pose);
+      const Vec dir = usual(pair.a.direction_to(broadcast<L>(pair.start) - v0), -v0);
+      const L distance = norm_1(pose.translation), length = norm_1(dir);
+      const L reach = L(pair.own_reach) + distance;
+      const L slack = kProven ? (L(pair.own_error) + L(40.0 * kUnitRoundoff) * reach) * length : L(0.0);
+      // Of a rotation the magnitudes add up to 5.2 at most; of NaNs and infinities to nothing below 8.
+      const L turn = norm_1(pose.row_x) + (norm_1(pose.row_y) + norm_1(pose.row_z));
+      const Mask is_usual =
+          both(both(turn < L(8.0), reach < L(kLargestPacketReach)), both(length > L(kLeastLength), Mask::first(n - k)));
+      const Vec w = pair.support(pose, dir);
+      set_found(k, w, both(is_usual, dot(dir, w) < -slack), both(is_usual, distance < L(pair.farthest)));
     }
-    append(wedges_, n_wedge_, Compaction<W>(but_not(is_trial, apart)), p.pose, index, w);
+    std::size_t n_ended = 0, n_wedge = 0;
+    for (std::size_t k = 0; k < n; k += W) {
+      const Bits code = Bits::numbers_from(k) << 2;
+      const Mask onward = load_mask(onward_ + k);
+      end(n_ended, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), Mask(false));
+      const Compaction<W> move(onward);
+      for (std::size_t c = 0; c < kCode; ++c) move.store(wedges_[c] + n_wedge, L::load(poses + c * stride + k));
+      move.store(wedges_[kCode] + n_wedge, from_bits(code));
+      for (std::size_t c = 0; c < 3; ++c) move.store(wedges_[kV1 + c] + n_wedge, L::load(w_[c] + k));
+      n_wedge += static_cast<std::size_t>(move.n());
+    }
+    n_ended_ = n_ended;
+    n_wedge_ = n_wedge;
   }
 
-  void second_point(std::size_t k, std::size_t n) {
-    const Placed p = placed(wedges_[0], kColumn, k);
-    const L index = L::load(wedges_[kIndex] + k);
-    const Vec v1 = load(wedges_, k, kV1);
-    const Vec dir = cross(v1, p.v0);
-    const Vec w = support(p, dir);
-    const Slack slack = slack_of(p, dir);
-    const Mask is_trial = both(trials(k, n), slack.is_usual);
-    const Mask apart = both(is_trial, dot(dir, w) < -slack.value);
-    answer(wedges_[kIndex] + k, apart, PacketAnswer::disjoint);
-    // Oriented so that the wedge's normal points to the origin's side.
-    const Mask flips = dot(cross(v1, w), p.v0) > L(0.0);
-    append(wedges_, n_wedge_, Compaction<W>(but_not(is_trial, apart)), p.pose, index, select<L>(flips, w, v1),
-           select<L>(flips, v1, w));
+  // `dir`, unless it is nothing beside the other.
+  static Vec usual(const Vec& dir, const Vec& otherwise) {
+    return select<L>(norm_1(dir) > L(0x1p-20) * norm_1(otherwise), dir, otherwise);
   }
 
-  // The origin is in the simplex: every determinant above what rounding and the points' own error could make of it.
-  static Mask encloses(const Placed& p, const L& d0, const L& d23, const L& d31, const L& d12) {
-    return both(both(d0 > p.threshold, d23 > p.threshold), both(d31 > p.threshold, d12 > p.threshold));
+  // Along B's own direction to A; where it shows none, or one that leads to the first point again, across the line from
+  // the start through that point.
+  void second_point() {
+    const auto across = [](const double(*columns)[kColumn]) {
+      return [columns](const Pair& pair, const Transform<L>& pose, std::size_t k) {
+        return cross(load(columns, kV1, k), pair.start_point(pose));
+      };
+    };
+    const std::size_t n = n_wedge_;
+    n_wedge_ = 0;
+    if (!pair_.b.has_direction()) {
+      span_wedges(wedges_, n, across(wedges_));
+      return;
+    }
+    const auto from_b = [](const Pair& pair, const Transform<L>& pose, std::size_t) -> Vec {
+      const Vec v0 = pair.start_point(pose);
+      const Vec p = pair.b.direction_to(pose.direction_to_b(v0) + broadcast<L>(pair.centre_b));
+      return usual({-dot(pose.row_x, p), -dot(pose.row_y, p), -dot(pose.row_z, p)}, -v0);
+    };
+    span_wedges(wedges_, n, from_b);
+    const std::size_t n_again = n_portal_;
+    n_portal_ = 0;
+    span_wedges(portals_, n_again, across(portals_));
+  }
+  // What spans no wedge with the start and the first point goes to portals_, where nothing else is yet.
+  template <class Direction>
+  void span_wedges(const double (*columns)[kColumn], std::size_t n, const Direction& direction) {
+    find_points(columns, n, direction, [](std::size_t, const Vec&) { return L(-kHuge); });
+    const Pair pair = pair_;
+    const bool is_last = columns == portals_ || !pair.b.has_direction();
+    std::size_t n_ended = n_ended_, n_wedge = n_wedge_, n_again = 0;
+    for (std::size_t k = 0; k < n; k += W) {
+      const Vec v0 = pair.start_point(columns, k), v1 = load(columns, kV1, k), w = load(w_, 0, k);
+      // Oriented so that the wedge's normal points to the origin's side.
+      const Vec across = cross(v1, v0);
+      const L side = dot(across, w);
+      const Mask flips = side < L(0.0);
+      const Mask onward = load_mask(onward_ + k);
+      const Mask is_flat = is_last ? Mask(false) : absolute(side) < (L(0x1p-30) * norm_1(across)) * norm_1(w);
+      end(n_ended, bits_of(L::load(columns[kCode] + k)), but_not(Mask::first(n - k), onward), load_mask(apart_ + k),
+          Mask(false));
+      if (!is_last) append(portals_, n_again, Compaction<W>(both(onward, is_flat)), columns, k, v1);
+      append(wedges_, n_wedge, Compaction<W>(but_not(onward, is_flat)), columns, k, select<L>(flips, w, v1),
+             select<L>(flips, v1, w));
+    }
+    n_ended_ = n_ended;
+    n_wedge_ = n_wedge;
+    if (!is_last) n_portal_ = n_again;
   }
 
-  void third_point(std::size_t k, std::size_t n) {
-    const Placed p = placed(wedges_[0], kColumn, k);
-    const L index = L::load(wedges_[kIndex] + k);
-    const Vec v1 = load(wedges_, k, kV1), v2 = load(wedges_, k, kV2);
-    const Vec dir = cross(v1 - p.v0, v2 - p.v0);
-    const Vec w = support(p, dir);
-    const Slack slack = slack_of(p, dir);
-    const Mask is_trial = both(trials(k, n), slack.is_usual);
-    const Mask apart = both(is_trial, dot(dir, w) < -slack.value);
-    const Vec c12 = cross(v1, v2), c23 = cross(v2, w), c31 = cross(w, v1);
-    const L d23 = -dot(c23, p.v0), d31 = -dot(c31, p.v0), d12 = -dot(c12, p.v0);
-    const Mask outside_13 = d31 < L(0.0);
-    const Mask outside_23 = but_not(d23 < L(0.0), outside_13);
-    const Mask turns = either(outside_13, outside_23);
-    const Mask inside = but_not(both(is_trial, encloses(p, dot(v1, c23), d23, d31, d12)), turns);
-    answer(wedges_[kIndex] + k, apart, PacketAnswer::disjoint);
-    answer(wedges_[kIndex] + k, inside, PacketAnswer::overlap);
-    const Mask goes_on = but_not(but_not(is_trial, apart), inside);
-    append(wedges_, n_wedge_, Compaction<W>(both(goes_on, turns)), p.pose, index, select<L>(outside_23, w, v1),
-           select<L>(outside_13, w, v2));
-    append(portals_, n_portal_, Compaction<W>(but_not(goes_on, turns)), p.pose, index, v1, v2, w);
+  void third_point() {
+    const std::size_t n = n_wedge_;
+    const auto direction = [this](const Pair& pair, const Transform<L>& pose, std::size_t k) {
+      const Vec v0 = pair.start_point(pose);
+      return cross(load(wedges_, kV1, k) - v0, load(wedges_, kV2, k) - v0);
+    };
+    find_points(wedges_, n, direction, [](std::size_t, const Vec&) { return L(-kHuge); });
+    const Pair pair = pair_;
+    std::size_t n_ended = n_ended_, n_wedge = 0, n_portal = n_portal_;
+    for (std::size_t k = 0; k < n; k += W) {
+      const Vec v0 = pair.start_point(wedges_, k), v1 = load(wedges_, kV1, k), v2 = load(wedges_, kV2, k);
+      const Vec w = load(w_, 0, k);
+      const Vec face = cross(v1, v2), w_v0 = cross(w, v0);
+      const L d23 = -dot(w_v0, v2), d31 = dot(w_v0, v1);
+      const Mask outside_13 = d31 < L(0.0);
+      const Mask outside_23 = but_not(d23 < L(0.0), outside_13);
+      const Mask turns = either(outside_13, outside_23);
+      const Mask may = load_mask(onward_ + k);
+      const Mask inside = both(may, pair.encloses(dot(w, face), d23, d31, -dot(face, v0)));
+      const Mask onward = but_not(may, inside);
+      end(n_ended, bits_of(L::load(wedges_[kCode] + k)), but_not(Mask::first(n - k), onward), load_mask(apart_ + k),
+          inside);
+      append(portals_, n_portal, Compaction<W>(but_not(onward, turns)), wedges_, k, v1, v2, w);
+      append(wedges_, n_wedge, Compaction<W>(both(onward, turns)), wedges_, k, select<L>(outside_23, w, v1),
+             select<L>(outside_13, w, v2));
+    }
+    n_ended_ = n_ended;
+    n_wedge_ = n_wedge;
+    n_portal_ = n_portal;
   }
 
-  void next_portal(std::size_t k, std::size_t n) {
-    const Placed p = placed(portals_[0], kColumn, k);
-    const L index = L::load(portals_[kIndex] + k);
-    Vec v1 = load(portals_, k, kV1), v2 = load(portals_, k, kV2), v3 = load(portals_, k, kV3);
-    const Vec dir = cross(v2 - v1, v3 - v1);
-    const Vec w = support(p, dir);
-    const Slack slack = slack_of(p, dir);
-    const Mask is_trial = both(trials(k, n), slack.is_usual);
-    const L value = dot(dir, w);
-    const Mask apart = both(is_trial, value < -slack.value);
-    const Mask advances = (value - dot(dir, v1)) > slack.value;
-    // The planes through v0, the origin and w split the portal in three; the ray passes one of the parts.
-    const Vec w_v0 = cross(w, p.v0);
-    const Mask past_1 = dot(v1, w_v0) > L(0.0), past_2 = dot(v2, w_v0) > L(0.0), past_3 = dot(v3, w_v0) > L(0.0);
-    const Mask replaces_3 = but_not(past_1, past_2);
-    const Mask replaces_2 = but_not(past_3, past_1);
-    v1 = select<L>(either(replaces_2, replaces_3), v1, w);
-    v2 = select<L>(replaces_2, w, v2);
-    v3 = select<L>(replaces_3, w, v3);
-    const Vec c12 = cross(v1, v2), c23 = cross(v2, v3), c31 = cross(v3, v1);
-    const Mask inside = both(is_trial, encloses(p, dot(v1, c23), -dot(c23, p.v0), -dot(c31, p.v0), -dot(c12, p.v0)));
-    answer(portals_[kIndex] + k, apart, PacketAnswer::disjoint);
-    answer(portals_[kIndex] + k, inside, PacketAnswer::overlap);
-    const Mask goes_on = both(but_not(but_not(is_trial, apart), inside), advances);
-    append(portals_, n_portal_, Compaction<W>(goes_on), p.pose, index, v1, v2, v3);
+  void next_portal() {
+    const std::size_t n = n_portal_;
+    const auto direction = [this](const Pair&, const Transform<L>&, std::size_t k) {
+      const Vec v1 = load(portals_, kV1, k);
+      return cross(load(portals_, kV2, k) - v1, load(portals_, kV3, k) - v1);
+    };
+    // A height beyond the portal's own, or the search is at its end.
+    find_points(portals_, n, direction,
+                [this](std::size_t k, const Vec& dir) { return dot(dir, load(portals_, kV1, k)); });
+    const Pair pair = pair_;
+    std::size_t n_ended = n_ended_, n_portal = 0;
+    for (std::size_t k = 0; k < n; k += W) {
+      // The planes through v0, the origin and w split the portal in three; the ray passes one of the parts, of w and
+      // the two points beside it.
+      const Vec v0 = pair.start_point(portals_, k), w = load(w_, 0, k);
+      const Vec w_v0 = cross(w, v0);
+      const Vec v1 = load(portals_, kV1, k), v2 = load(portals_, kV2, k), v3 = load(portals_, kV3, k);
+      const L past_1 = dot(v1, w_v0), past_2 = dot(v2, w_v0), past_3 = dot(v3, w_v0);
+      const L zero(0.0);
+      const Mask beside_12 = but_not(past_1 > zero, past_2 > zero);
+      const Mask beside_31 = but_not(past_3 > zero, past_1 > zero);
+      const Vec left = select<L>(beside_12, v1, select<L>(beside_31, v3, v2));
+      const Vec right = select<L>(beside_12, v2, select<L>(beside_31, v1, v3));
+      const L past_left = select(beside_12, past_1, select(beside_31, past_3, past_2));
+      const L past_right = select(beside_12, past_2, select(beside_31, past_1, past_3));
+      const Vec face = cross(left, right);
+      const Mask apart = load_mask(apart_ + k), onward_if_outside = load_mask(onward_ + k);
+      const Mask inside = but_not(pair.encloses(dot(w, face), past_left, -past_right, -dot(face, v0)), apart);
+      const Mask ends_inside = both(Mask::first(n - k), inside);
+      const Mask onward = but_not(onward_if_outside, inside);
+      end(n_ended, bits_of(L::load(portals_[kCode] + k)), but_not(Mask::first(n - k), onward), apart, ends_inside);
+      append(portals_, n_portal, Compaction<W>(onward), portals_, k, left, right, w);
+    }
+    n_ended_ = n_ended;
+    n_portal_ = n_portal;
   }
 
-  CoreA a_;
-  CoreB b_;
-  Vec3d centre_b_;
-  bool b_is_central_;
-  Vec3d start_;
-  double ball_radius_, own_reach_, own_error_;
-  PacketAnswer* answers_ = nullptr;
-  std::size_t n_wedge_ = 0, n_portal_ = 0;
-  // Pose, index, points. A step reads a packet before it writes one, and writes no farther than it has read.
+  Pair pair_;
+  std::size_t n_ended_ = 0, n_wedge_ = 0, n_portal_ = 0;
+  // Pose, code, points. A step reads a packet before it writes one, and writes no farther than it has read.
   alignas(64) double wedges_[19][kColumn] = {};
   alignas(64) double portals_[22][kColumn] = {};
+  alignas(64) double ended_[kColumn] = {};
+  // Of a step: support points, and truth values as the bits of doubles.
+  alignas(64) double w_[3][kColumn] = {}, apart_[kColumn] = {}, onward_[kColumn] = {};
 };
 
 }  // namespace VEX_ISA

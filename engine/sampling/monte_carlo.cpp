@@ -52,18 +52,20 @@ struct BlockRecord {
 // One thread's means of answering trials: its own backends and buffers, filled a batch at a time.
 class TrialRunner {
  public:
-  TrialRunner(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings)
+  /// `quick` of the pair, or none.
+  TrialRunner(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings, const QuickVerdict* quick)
       : a_(a),
         b_(b),
         settings_(settings),
         sampler_(a, b, settings.seed, settings.law, settings.domain),
         is_fitted_(settings.domain.kind == Domain::Kind::fitted),
-        quick_verdict_(a, b, kDrawnRotationError),
-        uses_quick_verdicts_(settings.quick_verdicts && !settings.backend.is_peer),
-        recipe_{settings.seed, &settings.law, &settings.domain, b.centre(),
-                uses_quick_verdicts_ ? &quick_verdict_ : nullptr},
-        draw_poses_(is_fitted_ ? nullptr : pose_kernel(settings.instruction_set)),
+        quick_(quick),
+        recipe_{settings.seed, &settings.law, &settings.domain, b.centre(), quick},
         backend_(settings.backend.make(a, b)) {
+    // Whoever asks for each trial's pose and verdict gets them one by one.
+    if (!is_fitted_ && settings.cross_check.empty() && !settings.verify) {
+      draw_poses_ = pose_kernel(settings.instruction_set);
+    }
     for (const BackendKind& kind : settings.cross_check) checks_.push_back(kind.make(a, b));
     checked_verdicts_.resize(checks_.size());
     shares_.fill(1.0);
@@ -73,54 +75,52 @@ class TrialRunner {
     BlockRecord record;
     record.comparisons.resize(checks_.size());
     for (std::uint64_t first = begin; first < end; first += kBatch) {
-      run_batch(first, static_cast<std::size_t>(std::min<std::uint64_t>(kBatch, end - first)), record);
+      const auto n = static_cast<std::size_t>(std::min<std::uint64_t>(kBatch, end - first));
+      if (draw_poses_ != nullptr) {
+        run_columns(first, n, record);
+      } else {
+        run_batch(first, n, record);
+      }
     }
     return record;
   }
 
  private:
-  static constexpr std::size_t kBatch = PacketOverlap::kMostTrials;  // poses held at once: within the nearest caches
+  static constexpr std::size_t kBatch = PoseColumns::kMostTrials;  // poses held at once: within the nearest caches
+
+  // Poses by a kernel; what the quick verdict decides is only counted.
+  void run_columns(std::uint64_t first, std::size_t n, BlockRecord& record) {
+    draw_poses_(recipe_, first, n, columns_);
+    record.tally.add(DecidedBy::outer_bound, columns_.n_disjoint, 0);
+    record.tally.add(DecidedBy::inner_bound, 0, columns_.n_overlap);
+    const std::size_t n_open = columns_.n_open;
+    backend_->decide_table({columns_.poses[0], PoseColumns::kStride, n_open}, {verdicts_.data(), n_open});
+    record.tally.add(std::span<const Verdict>(verdicts_).first(n_open));
+    if (std::ranges::none_of(std::span(verdicts_).first(n_open),
+                             [](const Verdict& verdict) { return verdict.outcome == Outcome::undecided; })) {
+      return;
+    }
+    for (std::size_t k = 0; k < n_open; ++k) note_undecided(first + columns_.row[k], verdicts_[k], record);
+  }
 
   void run_batch(std::uint64_t first, std::size_t n, BlockRecord& record) {
-    if (draw_poses_ != nullptr) {
-      decide_by_columns(first, n);
-    } else {
-      decide_one_by_one(first, n);
-    }
+    decide_one_by_one(first, n);
     for (std::size_t k = 0; k < n; ++k) {
       if (is_fitted_) {
         record.tally.add(verdicts_[k], shares_[k]);
       } else {
         record.tally.add(verdicts_[k]);
       }
-      if (verdicts_[k].outcome == Outcome::undecided) {
-        ++record.undecided.n_all;
-        record.undecided.kept.push_back({first + k, verdicts_[k].reason});
-      }
+      note_undecided(first + k, verdicts_[k], record);
     }
     if (!checks_.empty()) cross_check(first, n, record);
     if (settings_.verify) verify(first, n, record);
   }
 
-  // Poses by a kernel.
-  void decide_by_columns(std::uint64_t first, std::size_t n) {
-    draw_poses_(recipe_, first, n, columns_);
-    if (uses_quick_verdicts_) {
-      for (std::size_t k = 0; k < n; ++k) {
-        if (columns_.quick[k] == PacketAnswer::disjoint) verdicts_[k] = Verdict::disjoint(DecidedBy::outer_bound);
-        if (columns_.quick[k] == PacketAnswer::overlap) verdicts_[k] = Verdict::overlap(DecidedBy::inner_bound);
-      }
-      const std::size_t n_open = columns_.n_open;
-      backend_->decide_table({columns_.open[0], PoseColumns::kStride, n_open}, {open_verdicts_.data(), n_open});
-      for (std::size_t j = 0; j < n_open; ++j) {
-        verdicts_[static_cast<std::size_t>(columns_.open_index[j])] = open_verdicts_[j];
-      }
-    } else {
-      backend_->decide_table({columns_.all[0], PoseColumns::kStride, n}, {verdicts_.data(), n});
-    }
-    if (checks_.empty() && !settings_.verify) return;
-    const PoseTable all{columns_.all[0], PoseColumns::kStride, n};
-    for (std::size_t k = 0; k < n; ++k) poses_[k] = all.pose(k);
+  static void note_undecided(std::uint64_t index, const Verdict& verdict, BlockRecord& record) {
+    if (verdict.outcome != Outcome::undecided) return;
+    ++record.undecided.n_all;
+    record.undecided.kept.push_back({index, verdict.reason});
   }
 
   void decide_one_by_one(std::uint64_t first, std::size_t n) {
@@ -129,8 +129,8 @@ class TrialRunner {
       const PosedTrial trial = sampler_(first + k);
       poses_[k] = trial.a_from_b;
       shares_[k] = trial.domain_share;
-      if (uses_quick_verdicts_) {
-        const QuickVerdict::Answer<double> quick = quick_verdict_(poses_[k]);
+      if (quick_ != nullptr) {
+        const QuickVerdict::Answer<double> quick = (*quick_)(poses_[k], trial.position);
         if (quick.disjoint) {
           verdicts_[k] = Verdict::disjoint(DecidedBy::outer_bound);
           continue;
@@ -188,10 +188,9 @@ class TrialRunner {
   const MonteCarloSettings& settings_;
   PoseSampler sampler_;
   bool is_fitted_;
-  QuickVerdict quick_verdict_;
-  bool uses_quick_verdicts_;
+  const QuickVerdict* quick_;
   PoseRecipe recipe_;
-  DrawPoses draw_poses_;
+  DrawPoses draw_poses_ = nullptr;
   PoseColumns columns_;
   std::unique_ptr<OverlapBackend> backend_;
   std::vector<std::unique_ptr<OverlapBackend>> checks_;
@@ -210,6 +209,7 @@ class Run {
       : a_(a),
         b_(b),
         settings_(settings),
+        quick_(a, b, kDrawnRotationError),
         certain_(hits_by_construction(a, b, settings.law, settings.domain)),
         is_only_rule_(settings.stop.relative_error && !settings.stop.trials && !settings.stop.seconds) {
     record_.comparisons.resize(settings.cross_check.size());
@@ -291,7 +291,8 @@ class Run {
 
   void work() {
     try {
-      TrialRunner runner(a_, b_, settings_);
+      const bool has_quick = settings_.quick_verdicts && !settings_.backend.is_peer;
+      TrialRunner runner(a_, b_, settings_, has_quick ? &quick_ : nullptr);
       std::uint64_t block = 16;
       std::unique_lock lock(mutex_);
       while (true) {
@@ -356,6 +357,7 @@ class Run {
   const ConvexBody& a_;
   const ConvexBody& b_;
   const MonteCarloSettings& settings_;
+  const QuickVerdict quick_;
   const bool certain_;
   const bool is_only_rule_;  // the relative error: where it cannot be reached, nothing else ends the run
   const Clock::time_point start_ = Clock::now();

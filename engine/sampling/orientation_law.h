@@ -18,11 +18,10 @@ namespace vex {
 /// The matrices drawn by any law are rotations to within this (E6).
 inline constexpr double kDrawnRotationError = 0x1p-46;
 
-/// The rows of a uniformly distributed rotation (K. Shoemake, "Uniform random rotations", Graphics Gems III, 1992).
+/// The rows of a uniformly distributed rotation (K. Shoemake, "Uniform random rotations", Graphics Gems III, 1992):
+/// sine and cosine of two uniform angles, and how the unit quaternion is shared between them.
 template <class L>
-Transform<L> uniform_rotation(const L& u, const L& v, const L& w) {
-  const SinCos<L> first = sincospi(v + v);
-  const SinCos<L> second = sincospi(w + w);
+Transform<L> uniform_rotation(const L& u, const SinCos<L>& first, const SinCos<L>& second) {
   const L short_leg = square_root(L(1.0) - u);
   const L long_leg = square_root(u);
   const L qx = short_leg * first.sin, qy = short_leg * first.cos;
@@ -32,6 +31,10 @@ Transform<L> uniform_rotation(const L& u, const L& v, const L& w) {
           {two * (qx * qy + qw * qz), one - two * (qx * qx + qz * qz), two * (qy * qz - qw * qx)},
           {two * (qx * qz - qw * qy), two * (qy * qz + qw * qx), one - two * (qx * qx + qy * qy)},
           {}};
+}
+template <class L>
+Transform<L> uniform_rotation(const L& u, const L& v, const L& w) {
+  return uniform_rotation(u, sincospi(v + v), sincospi(w + w));
 }
 
 /// A value: cheap to copy, never changes.

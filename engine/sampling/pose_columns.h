@@ -21,27 +21,31 @@ struct PoseRecipe {
   const QuickVerdict* quick;  // or none
 };
 
-/// Up to PacketOverlap::kMostTrials poses; kPoseColumns of `kStride` values each.
+/// Of up to kMostTrials trials those that the quick verdict leaves open, in their order, and how many it decided.
 struct PoseColumns {
-  static constexpr std::size_t kStride = PacketOverlap::kStride;
-  alignas(64) double all[kPoseColumns][kStride] = {};   // of trial first + k in row k
-  alignas(64) double open[kPoseColumns][kStride] = {};  // of those that the quick verdict leaves open
-  alignas(64) double open_index[kStride] = {};          // their rows in `all`
-  std::size_t n_open = 0;
-  PacketAnswer quick[kStride] = {};  // of every trial
+  static constexpr std::size_t kMostTrials = 256;
+  static constexpr std::size_t kStride = kMostTrials + 32;
+
+  alignas(64) double poses[kPoseColumns][kStride] = {};
+  std::uint64_t row[kStride] = {};  // of the open ones: trial `first + row`
+  std::size_t n_open = 0, n_disjoint = 0, n_overlap = 0;
+
+  // The kernel's own: of the unit cube, and of angles.
+  alignas(64) double coordinates[8][kStride] = {};
+  alignas(64) double sine[2][kStride] = {}, cosine[2][kStride] = {};
 };
 
 /// Draws the trials first ... first + n - 1.
-using DrawPoses = void (*)(const PoseRecipe& recipe, std::uint64_t first, std::size_t n, PoseColumns& poses);
+using DrawPoses = void (*)(const PoseRecipe& recipe, std::uint64_t first, std::size_t n, PoseColumns& columns);
 
 /// None for `scalar`.
 DrawPoses pose_kernel(InstructionSet set);
 
 namespace sse2 {
-void draw_poses(const PoseRecipe& recipe, std::uint64_t first, std::size_t n, PoseColumns& poses);
+void draw_poses(const PoseRecipe& recipe, std::uint64_t first, std::size_t n, PoseColumns& columns);
 }
 namespace avx2 {
-void draw_poses(const PoseRecipe& recipe, std::uint64_t first, std::size_t n, PoseColumns& poses);
+void draw_poses(const PoseRecipe& recipe, std::uint64_t first, std::size_t n, PoseColumns& columns);
 }
 
 }  // namespace vex

@@ -9,86 +9,222 @@ namespace vex {
 namespace VEX_ISA {
 namespace {
 
-constexpr int W = kRegisterLanes;
+// Poses are made two registers at a time, which hide each other's latency.
+constexpr int W = 1 * kRegisterLanes;
 using L = Packet<W>;
-using Bits = PacketBits<W>;
+using Bits = PacketBits<kRegisterLanes>;
 
 constexpr std::uint64_t kLowWord = 0xffffffffu;
 
+// The keys of the ten rounds of Philox4x32-10, in every lane.
+struct Keys {
+  explicit Keys(std::uint64_t seed) {
+    auto key_0 = static_cast<std::uint32_t>(seed), key_1 = static_cast<std::uint32_t>(seed >> 32);
+    for (int round = 0; round < 10; ++round) {
+      of_0[round] = Bits(key_0);
+      of_1[round] = Bits(key_1);
+      key_0 += 0x9E3779B9u;
+      key_1 += 0xBB67AE85u;
+    }
+  }
+  Bits of_0[10], of_1[10];
+};
+
 // The four words of a block of Philox4x32-10, counter (index, block, stream), as random_stream.cpp has them from
-// Random123. A word is the lower half of its lane; what the upper one holds between rounds is never read.
+// Random123. A word is the lower half of its lane; what the upper one holds is never read.
 struct Words {
   Bits w0, w1, w2, w3;
 };
 
-Words philox(std::uint64_t seed, const Bits& index, std::uint32_t block, Stream stream) {
-  Bits c0 = index, c1 = index >> 32, c2(block), c3(static_cast<std::uint32_t>(stream));
-  auto key_0 = static_cast<std::uint32_t>(seed), key_1 = static_cast<std::uint32_t>(seed >> 32);
+// Of several packets at once: a round is a chain of operations that a processor cannot shorten, only fill with others.
+constexpr std::size_t kAtOnce = 3;
+using ManyWords = std::array<Words, kAtOnce>;
+
+void philox(const Keys& keys, std::uint32_t block, const std::array<Bits, kAtOnce>& index, ManyWords& c) {
+  for (std::size_t j = 0; j < kAtOnce; ++j) {
+    c[j] = {index[j], index[j] >> 32, Bits(block), Bits(static_cast<std::uint32_t>(Stream::pose))};
+  }
   for (int round = 0; round < 10; ++round) {
-    const Bits product_0 = product_of_low_words(c0, Bits(0xD2511F53u));
-    const Bits product_1 = product_of_low_words(c2, Bits(0xCD9E8D57u));
-    c0 = (product_1 >> 32) ^ c1 ^ Bits(key_0);
-    c1 = product_1;
-    c2 = (product_0 >> 32) ^ c3 ^ Bits(key_1);
-    c3 = product_0;
-    key_0 += 0x9E3779B9u;
-    key_1 += 0xBB67AE85u;
+    for (std::size_t j = 0; j < kAtOnce; ++j) {
+      const Bits product_0 = product_of_low_words(c[j].w0, Bits(0xD2511F53u));
+      const Bits product_1 = product_of_low_words(c[j].w2, Bits(0xCD9E8D57u));
+      c[j] = {(product_1 >> 32) ^ (c[j].w1 ^ keys.of_0[round]), product_1,
+              (product_0 >> 32) ^ (c[j].w3 ^ keys.of_1[round]), product_0};
+    }
   }
-  return {c0, c1, c2, c3};
 }
 
-// The upper 52 of 64 bits, and a half, times 2^-52.
-L to_unit_interval(const Bits& low, const Bits& high) {
+// The upper 52 of 64 bits, and a half, times 2^-52: exact.
+Packet<kRegisterLanes> to_unit_interval(const Bits& low, const Bits& high) {
   const Bits upper = ((high << 32) | (low & Bits(kLowWord))) >> 12;
-  const L one_to_two = from_bits(upper | Bits(0x3ff0000000000000u));
-  return (one_to_two - L(1.0)) + L(0x1p-53);  // both exact
+  return from_bits(upper | Bits(0x3ff0000000000000u)) - Packet<kRegisterLanes>(1.0 - 0x1p-53);
 }
 
-// The twelve values of a pose, in the order of the columns.
-template <class Visit>
-void for_each_column(const Transform<L>& pose, const Visit& visit) {
-  std::size_t column = 0;
-  for (const Vec3<L>* part : {&pose.row_x, &pose.row_y, &pose.row_z, &pose.translation}) {
-    visit(column++, part->x);
-    visit(column++, part->y);
-    visit(column++, part->z);
+// Work on some hundred trials goes step by step, not trial by trial, and in a step several registers at a time: what is
+// one chain of operations, a series or a root, then stands beside others like it, and a processor sees no farther.
+class Drawing {
+ public:
+  Drawing(const PoseRecipe& recipe, std::uint64_t first, PoseColumns& columns)
+      : recipe_(recipe), first_(first), columns_(columns), keys_(recipe.seed) {}
+
+  void draw(std::size_t n) {
+    columns_.n_disjoint = columns_.n_overlap = 0;
+    columns_.n_open = n;
+    draw_coordinates(0, nullptr);
+    draw_coordinates(1, nullptr);
+    if (recipe_.domain->kind == Domain::Kind::ball) {
+      sines_and_cosines(1, 0);
+      cube_roots(2);
+    }
+    place();
+    const int dimension = recipe_.law->dimension();
+    for (int block = 2; 2 * block < 3 + dimension; ++block) draw_coordinates(block, columns_.row);
+    if (recipe_.law->kind() == OrientationLaw::Kind::isotropic) {
+      sines_and_cosines(4, 0);
+      sines_and_cosines(5, 1);
+    }
+    turn();
   }
-}
+
+ private:
+  static constexpr std::size_t kChain = 4 * kRegisterLanes;
+  using Chain = Packet<kChain>;
+
+  // Coordinates 2 block and 2 block + 1 of the open trials: of these rows, or of all.
+  void draw_coordinates(int block, const std::uint64_t* rows) {
+    double* const even = columns_.coordinates[2 * block];
+    double* const odd = columns_.coordinates[2 * block + 1];
+    for (std::size_t k = 0; k < columns_.n_open; k += kAtOnce * kRegisterLanes) {
+      std::array<Bits, kAtOnce> index;
+      for (std::size_t j = 0; j < kAtOnce; ++j) {
+        const std::size_t at = k + j * kRegisterLanes;
+        index[j] = rows != nullptr ? Bits::load(rows + at) + Bits(first_) : Bits::numbers_from(first_ + at);
+      }
+      ManyWords words;
+      philox(keys_, static_cast<std::uint32_t>(block), index, words);
+      for (std::size_t j = 0; j < kAtOnce; ++j) {
+        to_unit_interval(words[j].w0, words[j].w1).store(even + k + j * kRegisterLanes);
+        to_unit_interval(words[j].w2, words[j].w3).store(odd + k + j * kRegisterLanes);
+      }
+    }
+  }
+
+  // Of the angle that is this coordinate, in turns.
+  void sines_and_cosines(int coordinate, int angle) {
+    const double* const from = columns_.coordinates[coordinate];
+    double* const sines = columns_.sine[angle];
+    double* const cosines = columns_.cosine[angle];
+    for (std::size_t k = 0; k < columns_.n_open; k += kChain) {
+      const Chain v = Chain::load(from + k);
+      const SinCos<Chain> of = sincospi(v + v);
+      of.sin.store(sines + k);
+      of.cos.store(cosines + k);
+    }
+  }
+  SinCos<L> angle(int number, std::size_t k) const {
+    return {L::load(columns_.sine[number] + k), L::load(columns_.cosine[number] + k)};
+  }
+  void cube_roots(int coordinate) {
+    double* const column = columns_.coordinates[coordinate];
+    for (std::size_t k = 0; k < columns_.n_open; k += kChain) cube_root(Chain::load(column + k)).store(column + k);
+  }
+
+  L coordinate(int number, std::size_t k) const { return L::load(columns_.coordinates[number] + k); }
+
+  Vec3<L> position(std::size_t k) const {
+    const L u = coordinate(0, k), w = coordinate(2, k);
+    if (recipe_.domain->kind == Domain::Kind::ball) {
+      return position_in_ball(*recipe_.domain, in_unit_ball(u, angle(0, k), w));
+    }
+    return position_in_box(*recipe_.domain, u, coordinate(1, k), w);
+  }
+
+  // The positions of all trials; those that are decided by them go.
+  void place() {
+    const std::size_t n = columns_.n_open;
+    Counts counts;
+    for (std::size_t k = 0; k < n; k += W) {
+      const Vec3<L> at = position(k);
+      const PacketMask<W> trials = PacketMask<W>::first(n - k);
+      const Compaction<W> open(recipe_.quick == nullptr ? trials : counts.left(recipe_.quick->at(at), trials));
+      open.store(columns_.poses[9] + counts.n_open, at.x);
+      open.store(columns_.poses[10] + counts.n_open, at.y);
+      open.store(columns_.poses[11] + counts.n_open, at.z);
+      open.store(columns_.coordinates[3] + counts.n_open, coordinate(3, k));
+      open.store(columns_.row + counts.n_open, PacketBits<W>::numbers_from(k));
+      counts.n_open += static_cast<std::size_t>(open.n());
+    }
+    take_home(counts);
+  }
+
+  Transform<L> rotation(std::size_t k) const {
+    if (recipe_.law->kind() == OrientationLaw::Kind::isotropic) {
+      return uniform_rotation(coordinate(3, k), angle(0, k), angle(1, k));
+    }
+    std::array<L, OrientationLaw::kMaxDimension> point;
+    for (int c = 0; c < recipe_.law->dimension(); ++c) point[static_cast<std::size_t>(c)] = coordinate(3 + c, k);
+    return recipe_.law->rotation(std::span<const L>(point));
+  }
+
+  // The rotations of the open trials; those that are decided by them go.
+  void turn() {
+    const std::size_t n = columns_.n_open;
+    const bool decides = recipe_.quick != nullptr && recipe_.quick->turned_pays();
+    const bool is_central = recipe_.centre_b.x == 0.0 && recipe_.centre_b.y == 0.0 && recipe_.centre_b.z == 0.0;
+    Counts counts;
+    for (std::size_t k = 0; k < n; k += W) {
+      Transform<L> pose = rotation(k);
+      const Vec3<L> at{L::load(columns_.poses[9] + k), L::load(columns_.poses[10] + k),
+                       L::load(columns_.poses[11] + k)};
+      if (is_central) {
+        pose.translation = at;  // what taking 0 off leaves, to the sign of a zero
+      } else {
+        pose = placed(pose, at, recipe_.centre_b);
+      }
+      const PacketMask<W> trials = PacketMask<W>::first(n - k);
+      const Compaction<W> open(decides ? counts.left(recipe_.quick->turned(pose), trials) : trials);
+      std::size_t column = 0;
+      for (const Vec3<L>* part : {&pose.row_x, &pose.row_y, &pose.row_z, &pose.translation}) {
+        for (const L& value : {part->x, part->y, part->z}) {
+          open.store(columns_.poses[column++] + counts.n_open, value);
+        }
+      }
+      open.store(columns_.row + counts.n_open, PacketBits<W>::load(columns_.row + k));
+      counts.n_open += static_cast<std::size_t>(open.n());
+    }
+    take_home(counts);
+  }
+
+  // A loop's own: members would be read again after each store.
+  struct Counts {
+    std::size_t n_disjoint = 0, n_overlap = 0, n_open = 0;
+
+    // Of these trials those that the answer leaves open.
+    PacketMask<W> left(const QuickVerdict::Answer<L>& answer, const PacketMask<W>& trials) {
+      const PacketMask<W> disjoint = both(trials, answer.disjoint);
+      const PacketMask<W> overlap = but_not(both(trials, answer.overlap), answer.disjoint);
+      n_disjoint += static_cast<std::size_t>(__builtin_popcount(lanes_on(disjoint)));
+      n_overlap += static_cast<std::size_t>(__builtin_popcount(lanes_on(overlap)));
+      return but_not(trials, either(answer.disjoint, answer.overlap));
+    }
+  };
+  void take_home(const Counts& counts) {
+    columns_.n_open = counts.n_open;
+    columns_.n_disjoint += counts.n_disjoint;
+    columns_.n_overlap += counts.n_overlap;
+  }
+
+  const PoseRecipe& recipe_;
+  std::uint64_t first_;
+  PoseColumns& columns_;
+  Keys keys_;
+};
 
 }  // namespace
 
 __attribute__((flatten)) void draw_poses(const PoseRecipe& recipe, std::uint64_t first, std::size_t n,
-                                         PoseColumns& poses) {
-  alignas(64) static constexpr std::uint64_t kWholeNumbers[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-  Bits numbers;
-  __builtin_memcpy(numbers.part, kWholeNumbers, sizeof numbers.part);
-  const int n_coordinates = 3 + recipe.law->dimension();
-  poses.n_open = 0;
-  for (std::size_t k = 0; k < n; k += W) {
-    const Bits index = Bits(first + k) + numbers;
-    std::array<L, kPoseDimension> point;
-    for (int c = 0; c < n_coordinates; c += 2) {
-      const Words words = philox(recipe.seed, index, static_cast<std::uint32_t>(c / 2), Stream::pose);
-      point[static_cast<std::size_t>(c)] = to_unit_interval(words.w0, words.w1);
-      if (c + 1 < n_coordinates) point[static_cast<std::size_t>(c + 1)] = to_unit_interval(words.w2, words.w3);
-    }
-    const Transform<L> pose = pose_at(point, *recipe.law, *recipe.domain, recipe.centre_b);
-    for_each_column(pose, [&](std::size_t c, const L& value) { value.store(poses.all[c] + k); });
-    if (recipe.quick == nullptr) continue;
-    const QuickVerdict::Answer<L> answer = (*recipe.quick)(pose);
-    for (int j = 0; j < W; ++j) poses.quick[k + static_cast<std::size_t>(j)] = PacketAnswer::open;
-    for (unsigned on = lanes_on(answer.disjoint); on != 0; on &= on - 1) {
-      poses.quick[k + static_cast<std::size_t>(__builtin_ctz(on))] = PacketAnswer::disjoint;
-    }
-    for (unsigned on = lanes_on(but_not(answer.overlap, answer.disjoint)); on != 0; on &= on - 1) {
-      poses.quick[k + static_cast<std::size_t>(__builtin_ctz(on))] = PacketAnswer::overlap;
-    }
-    const L row = L::numbers_from(static_cast<double>(k));
-    const Compaction<W> open(but_not(row < L(static_cast<double>(n)), either(answer.disjoint, answer.overlap)));
-    for_each_column(pose, [&](std::size_t c, const L& value) { open.store(poses.open[c] + poses.n_open, value); });
-    open.store(poses.open_index + poses.n_open, row);
-    poses.n_open += static_cast<std::size_t>(open.n());
-  }
+                                         PoseColumns& columns) {
+  Drawing(recipe, first, columns).draw(n);
 }
 
 }  // namespace VEX_ISA

@@ -16,11 +16,15 @@ PosedTrial PoseSampler::operator()(std::uint64_t index) const {
   std::array<double, kPoseDimension> point;
   const auto n_used = static_cast<std::size_t>(3 + law_.dimension());
   draw_unit_cube(seed_, Stream::pose, index, std::span(point).first(n_used));
-  if (!fitted_) return {pose_at(point, law_, domain_, centre_b_), 1.0};
-
-  PosedTrial trial{law_.rotation(std::span<const double>(point).subspan(3)), 1.0};
-  const Parallelepiped set = fitted_->at(trial.a_from_b);
+  const Transformd rotation = law_.rotation(std::span<const double>(point).subspan(3));
+  if (!fitted_) {
+    const Vec3d position = position_in(domain_, point[0], point[1], point[2]);
+    return {placed(rotation, position, centre_b_), position, 1.0};
+  }
+  PosedTrial trial{rotation, {}, 1.0};
+  const Parallelepiped set = fitted_->at(rotation);
   trial.a_from_b.translation = set.position(point[0], point[1], point[2]);
+  trial.position = trial.a_from_b(centre_b_);
   trial.domain_share = std::min(1.0, set.volume / domain_.volume);
   return trial;
 }

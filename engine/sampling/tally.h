@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "engine/numeric/fixed_point_sum.h"
 #include "engine/query/verdict.h"
@@ -37,14 +38,33 @@ struct Tally {
 
   std::uint64_t n_misses() const { return n_trials - n_hits - n_undecided; }
 
-  void add(const Verdict& verdict) {
-    ++n_trials;
-    if (verdict.outcome == Outcome::undecided) {
-      ++n_undecided;
-    } else {
-      ++n_decided_by[static_cast<std::size_t>(verdict.by)];
-      if (verdict.outcome == Outcome::overlap) ++n_hits;
+  void add(std::span<const Verdict> verdicts) {
+    // Nearly all are of one kind: counted without a branch, and the rest apart.
+    std::uint64_t n_overlap = 0, n_open = 0, n_gjk = 0;
+    for (const Verdict& verdict : verdicts) {
+      n_overlap += verdict.outcome == Outcome::overlap ? 1u : 0u;
+      n_open += verdict.outcome == Outcome::undecided ? 1u : 0u;
+      n_gjk += verdict.outcome != Outcome::undecided && verdict.by == DecidedBy::gjk ? 1u : 0u;
     }
+    n_trials += verdicts.size();
+    n_hits += n_overlap;
+    n_undecided += n_open;
+    if (n_gjk + n_open == verdicts.size()) {
+      n_decided_by[static_cast<std::size_t>(DecidedBy::gjk)] += n_gjk;
+      return;
+    }
+    for (const Verdict& verdict : verdicts) {
+      if (verdict.outcome != Outcome::undecided) ++n_decided_by[static_cast<std::size_t>(verdict.by)];
+    }
+  }
+
+  void add(const Verdict& verdict) { add({&verdict, 1}); }
+
+  /// So many trials at once.
+  void add(DecidedBy by, std::uint64_t n_disjoint, std::uint64_t n_overlap) {
+    n_trials += n_disjoint + n_overlap;
+    n_hits += n_overlap;
+    n_decided_by[static_cast<std::size_t>(by)] += n_disjoint + n_overlap;
   }
 
   /// A trial of a fitted domain, of this share.

@@ -106,6 +106,11 @@ ArrayLanes<W> select(const ArrayMask<W>& m, const ArrayLanes<W>& a, const ArrayL
       [&](auto& r, std::size_t k) { r.lane[k] = m.on[k] ? a.lane[k] : b.lane[k]; });
 }
 template <int W>
+ArrayLanes<W> select_by_sign(const ArrayLanes<W>& sign, const ArrayLanes<W>& a, const ArrayLanes<W>& b) {
+  return array_lanes_detail::each<ArrayLanes<W>, W>(
+      [&](auto& r, std::size_t k) { r.lane[k] = select_by_sign(sign.lane[k], a.lane[k], b.lane[k]); });
+}
+template <int W>
 ArrayLanes<W> square_root(const ArrayLanes<W>& a) {
   return array_lanes_detail::each<ArrayLanes<W>, W>([&](auto& r, std::size_t k) { r.lane[k] = std::sqrt(a.lane[k]); });
 }
@@ -156,6 +161,14 @@ ArrayBits<W> operator-(const ArrayBits<W>& a, const ArrayBits<W>& b) {
 template <int W>
 ArrayBits<W> operator+(const ArrayBits<W>& a, const ArrayBits<W>& b) {
   return array_lanes_detail::each<ArrayBits<W>, W>([&](auto& r, std::size_t k) { r.word[k] = a.word[k] + b.word[k]; });
+}
+template <int W>
+ArrayBits<W> operator&(const ArrayBits<W>& a, const ArrayBits<W>& b) {
+  return array_lanes_detail::each<ArrayBits<W>, W>([&](auto& r, std::size_t k) { r.word[k] = a.word[k] & b.word[k]; });
+}
+template <int W>
+ArrayBits<W> operator^(const ArrayBits<W>& a, const ArrayBits<W>& b) {
+  return array_lanes_detail::each<ArrayBits<W>, W>([&](auto& r, std::size_t k) { r.word[k] = a.word[k] ^ b.word[k]; });
 }
 
 /// Puts one vector, or one pose, into lane k.
