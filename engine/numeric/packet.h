@@ -100,9 +100,10 @@ VEX_PACKET_BINARY(Packet, Packet, operator-, a.part[k] - b.part[k])
 VEX_PACKET_BINARY(Packet, Packet, operator*, a.part[k] * b.part[k])
 VEX_PACKET_BINARY(Packet, Packet, operator/, a.part[k] / b.part[k])
 #if defined(__AVX512F__)
-#define VEX_PACKET_COMPARISON(sign, predicate)          \
-  VEX_PACKET_BINARY(Packet, PacketMask, operator sign,  \
-                    _mm512_cmp_pd_mask(reinterpret_cast<__m512d>(a.part[k]), reinterpret_cast<__m512d>(b.part[k]), predicate))
+#define VEX_PACKET_COMPARISON(sign, predicate) \
+  VEX_PACKET_BINARY(                           \
+      Packet, PacketMask, operator sign,       \
+      _mm512_cmp_pd_mask(reinterpret_cast<__m512d>(a.part[k]), reinterpret_cast<__m512d>(b.part[k]), predicate))
 #else
 #define VEX_PACKET_COMPARISON(sign, predicate) \
   VEX_PACKET_BINARY(Packet, PacketMask, operator sign, a.part[k] sign b.part[k])
@@ -172,8 +173,8 @@ template <int W>
 Packet<W> select(const PacketMask<W>& m, const Packet<W>& a, const Packet<W>& b) {
 #if defined(__AVX512F__)
   return each_part<Packet<W>>([&](std::size_t k) {
-    return reinterpret_cast<Register>(_mm512_mask_blend_pd(m.part[k], reinterpret_cast<__m512d>(b.part[k]),
-                                                           reinterpret_cast<__m512d>(a.part[k])));
+    return reinterpret_cast<Register>(
+        _mm512_mask_blend_pd(m.part[k], reinterpret_cast<__m512d>(b.part[k]), reinterpret_cast<__m512d>(a.part[k])));
   });
 #else
   return each_part<Packet<W>>([&](std::size_t k) { return m.part[k] ? a.part[k] : b.part[k]; });
@@ -182,7 +183,7 @@ Packet<W> select(const PacketMask<W>& m, const Packet<W>& a, const Packet<W>& b)
 
 inline Register root_of(Register a) {
 #if defined(__AVX512F__)
-  // Not _mm512_sqrt_pd: g++ 12 warns of a register in it that it leaves undefined on purpose.
+  // The forms with a mask: in those without, g++ 12 warns of a register that they leave undefined on purpose.
   return reinterpret_cast<Register>(_mm512_maskz_sqrt_pd(0xff, reinterpret_cast<__m512d>(a)));
 #elif defined(__AVX2__)
   return reinterpret_cast<Register>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(a)));
@@ -210,7 +211,8 @@ Packet<W> from_bits(const PacketBits<W>& a) {
 /// Of the lower 32 bits of each lane, whatever is above them.
 inline BitsRegister product_of_low_words(BitsRegister a, BitsRegister b) {
 #if defined(__AVX512F__)
-  return reinterpret_cast<BitsRegister>(_mm512_maskz_mul_epu32(0xff, reinterpret_cast<__m512i>(a), reinterpret_cast<__m512i>(b)));
+  return reinterpret_cast<BitsRegister>(
+      _mm512_maskz_mul_epu32(0xff, reinterpret_cast<__m512i>(a), reinterpret_cast<__m512i>(b)));
 #elif defined(__AVX2__)
   return reinterpret_cast<BitsRegister>(_mm256_mul_epu32(reinterpret_cast<__m256i>(a), reinterpret_cast<__m256i>(b)));
 #elif defined(__SSE2__)
