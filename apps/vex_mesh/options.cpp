@@ -41,7 +41,7 @@ BackendKind backend_named(const std::string& word) {
 
 InstructionSet instruction_set_named(const std::string& name) {
   if (name == "best") return best_instruction_set();
-  require_one_of(name, "--isa", {"best", "scalar", "sse2", "avx2"}, {"avx512"});
+  require_one_of(name, "--isa", {"best", "scalar", "sse2", "avx2", "avx512"}, {});
   for (const InstructionSet set : instruction_sets()) {
     if (name_of(set) == name) return set;
   }
@@ -102,7 +102,7 @@ void declare_options(CLI::App& app, CommandLine& words) {
   app.add_option(
          "--isa", words.isa,
          "Instruction set of the kernels that draw poses and decide them by packets: scalar (none), sse2, avx2, "
-         "or the best that this machine has (default); changes nothing but the time")
+         "avx512, or the best that this machine has (default); changes nothing but the time")
       ->type_name("NAME")
       ->group(query);
   app.add_flag("--cross-check", words.cross_check, "Ask every backend about every pose and list each disagreement")

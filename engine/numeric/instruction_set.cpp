@@ -13,6 +13,13 @@ std::vector<InstructionSet> found() {
 #ifdef VEX_HAS_AVX2_KERNELS
   if (__builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0) sets.push_back(InstructionSet::avx2);
 #endif
+#ifdef VEX_HAS_AVX512_KERNELS
+  if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+      __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
+      __builtin_cpu_supports("fma") != 0) {
+    sets.push_back(InstructionSet::avx512);
+  }
+#endif
   return sets;
 }
 

@@ -24,7 +24,11 @@ inline constexpr int kRegisterLanes = 2;
 #endif
 
 typedef double Register __attribute__((vector_size(8 * kRegisterLanes)));
-typedef std::int64_t MaskRegister __attribute__((vector_size(8 * kRegisterLanes)));
+#if defined(__AVX512F__)
+typedef __mmask8 MaskRegister;  // a bit a lane: there are registers for such
+#else
+typedef std::int64_t MaskRegister __attribute__((vector_size(8 * kRegisterLanes)));  // all bits of a lane, or none
+#endif
 typedef std::uint64_t BitsRegister __attribute__((vector_size(8 * kRegisterLanes)));
 
 /// A register at any address of an element. Not by memcpy, which g++ 12 may do by halves, and a load of both halves
@@ -51,12 +55,12 @@ struct Registers {
 template <int W>
 inline constexpr std::size_t kParts = static_cast<std::size_t>(W / kRegisterLanes);
 
-/// All bits of a lane, or none.
+/// A truth value a lane.
 template <int W>
 struct PacketMask : Registers<MaskRegister, kParts<W>> {
   PacketMask() = default;
   explicit PacketMask(bool all) {
-    for (MaskRegister& p : this->part) p = MaskRegister{} - (all ? 1 : 0);
+    for (MaskRegister& p : this->part) p = static_cast<MaskRegister>(MaskRegister{} - (all ? 1 : 0));
   }
   /// The first n lanes.
   static PacketMask first(std::size_t n) {
@@ -138,14 +142,24 @@ VEX_PACKET_BINARY(Packet, Packet, operator+, a.part[k] + b.part[k])
 VEX_PACKET_BINARY(Packet, Packet, operator-, a.part[k] - b.part[k])
 VEX_PACKET_BINARY(Packet, Packet, operator*, a.part[k] * b.part[k])
 VEX_PACKET_BINARY(Packet, Packet, operator/, a.part[k] / b.part[k])
-VEX_PACKET_BINARY(Packet, PacketMask, operator<, a.part[k] < b.part[k])
-VEX_PACKET_BINARY(Packet, PacketMask, operator<=, a.part[k] <= b.part[k])
-VEX_PACKET_BINARY(Packet, PacketMask, operator>, a.part[k] > b.part[k])
-VEX_PACKET_BINARY(Packet, PacketMask, operator>=, a.part[k] >= b.part[k])
-VEX_PACKET_BINARY(Packet, PacketMask, operator==, a.part[k] == b.part[k])
-VEX_PACKET_BINARY(PacketMask, PacketMask, both, a.part[k] & b.part[k])
-VEX_PACKET_BINARY(PacketMask, PacketMask, either, a.part[k] | b.part[k])
-VEX_PACKET_BINARY(PacketMask, PacketMask, but_not, a.part[k] & ~b.part[k])
+#if defined(__AVX512F__)
+#define VEX_PACKET_COMPARISON(sign, predicate) \
+  VEX_PACKET_BINARY(                           \
+      Packet, PacketMask, operator sign,       \
+      _mm512_cmp_pd_mask(reinterpret_cast<__m512d>(a.part[k]), reinterpret_cast<__m512d>(b.part[k]), predicate))
+#else
+#define VEX_PACKET_COMPARISON(sign, predicate) \
+  VEX_PACKET_BINARY(Packet, PacketMask, operator sign, a.part[k] sign b.part[k])
+#endif
+VEX_PACKET_COMPARISON(<, _CMP_LT_OS)
+VEX_PACKET_COMPARISON(<=, _CMP_LE_OS)
+VEX_PACKET_COMPARISON(>, _CMP_GT_OS)
+VEX_PACKET_COMPARISON(>=, _CMP_GE_OS)
+VEX_PACKET_COMPARISON(==, _CMP_EQ_OQ)
+#undef VEX_PACKET_COMPARISON
+VEX_PACKET_BINARY(PacketMask, PacketMask, both, static_cast<MaskRegister>(a.part[k] & b.part[k]))
+VEX_PACKET_BINARY(PacketMask, PacketMask, either, static_cast<MaskRegister>(a.part[k] | b.part[k]))
+VEX_PACKET_BINARY(PacketMask, PacketMask, but_not, static_cast<MaskRegister>(a.part[k] & ~b.part[k]))
 VEX_PACKET_BINARY(PacketBits, PacketBits, operator+, a.part[k] + b.part[k])
 VEX_PACKET_BINARY(PacketBits, PacketBits, operator-, a.part[k] - b.part[k])
 VEX_PACKET_BINARY(PacketBits, PacketBits, operator&, a.part[k] & b.part[k])
@@ -159,7 +173,7 @@ Packet<W> operator-(const Packet<W>& a) {
 }
 template <int W>
 PacketMask<W> negation(const PacketMask<W>& a) {
-  return each_part<PacketMask<W>>([&](std::size_t k) { return ~a.part[k]; });
+  return each_part<PacketMask<W>>([&](std::size_t k) { return static_cast<MaskRegister>(~a.part[k]); });
 }
 template <int W>
 PacketBits<W> operator>>(const PacketBits<W>& a, int n) {
@@ -177,7 +191,7 @@ unsigned lanes_on(const PacketMask<W>& a) {
   for (std::size_t k = 0; k < kParts<W>; ++k) {
     unsigned of_part = 0;
 #if defined(__AVX512F__)
-    of_part = _cvtmask8_u32(_mm512_movepi64_mask(reinterpret_cast<__m512i>(a.part[k])));
+    of_part = a.part[k];
 #elif defined(__AVX2__)
     of_part = static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(a.part[k])));
 #elif defined(__SSE2__)
@@ -200,7 +214,14 @@ bool all(const PacketMask<W>& a) {
 
 template <int W>
 Packet<W> select(const PacketMask<W>& m, const Packet<W>& a, const Packet<W>& b) {
+#if defined(__AVX512F__)
+  return each_part<Packet<W>>([&](std::size_t k) {
+    return reinterpret_cast<Register>(
+        _mm512_mask_blend_pd(m.part[k], reinterpret_cast<__m512d>(b.part[k]), reinterpret_cast<__m512d>(a.part[k])));
+  });
+#else
   return each_part<Packet<W>>([&](std::size_t k) { return m.part[k] ? a.part[k] : b.part[k]; });
+#endif
 }
 
 /// By the sign bit, that of a zero too.
@@ -220,7 +241,8 @@ Packet<W> select_by_sign(const Packet<W>& sign, const Packet<W>& if_set, const P
 
 inline Register root_of(Register a) {
 #if defined(__AVX512F__)
-  return reinterpret_cast<Register>(_mm512_sqrt_pd(reinterpret_cast<__m512d>(a)));
+  // The forms with a mask: in those without, g++ 12 warns of a register that they leave undefined on purpose.
+  return reinterpret_cast<Register>(_mm512_maskz_sqrt_pd(0xff, reinterpret_cast<__m512d>(a)));
 #elif defined(__AVX2__)
   return reinterpret_cast<Register>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(a)));
 #elif defined(__SSE2__)
@@ -267,7 +289,8 @@ Packet<W> from_bits(const PacketBits<W>& a) {
 /// Of the lower 32 bits of each lane, whatever is above them.
 inline BitsRegister product_of_low_words(BitsRegister a, BitsRegister b) {
 #if defined(__AVX512F__)
-  return reinterpret_cast<BitsRegister>(_mm512_mul_epu32(reinterpret_cast<__m512i>(a), reinterpret_cast<__m512i>(b)));
+  return reinterpret_cast<BitsRegister>(
+      _mm512_maskz_mul_epu32(0xff, reinterpret_cast<__m512i>(a), reinterpret_cast<__m512i>(b)));
 #elif defined(__AVX2__)
   return reinterpret_cast<BitsRegister>(_mm256_mul_epu32(reinterpret_cast<__m256i>(a), reinterpret_cast<__m256i>(b)));
 #elif defined(__SSE2__)

@@ -37,21 +37,9 @@ bool is_within(const ConvexBody& a, const ConvexBody& b) {
 PacketOverlap::~PacketOverlap() = default;
 
 PacketKernel packet_kernel(InstructionSet set) {
-  switch (set) {
-    case InstructionSet::sse2:
-#ifdef VEX_HAS_SSE2_KERNELS
-      return sse2::new_packet_overlap;
-#else
-      break;
-#endif
-    case InstructionSet::avx2:
-#ifdef VEX_HAS_AVX2_KERNELS
-      return avx2::new_packet_overlap;
-#else
-      break;
-#endif
-    case InstructionSet::scalar: break;
-  }
+#define VEX_KERNEL_SET(name) \
+  if (set == InstructionSet::name) return name::new_packet_overlap;
+#include "engine/numeric/kernel_sets.inc"
   return nullptr;
 }
 

@@ -79,5 +79,8 @@ PacketOverlap* new_packet_overlap(const PacketPairForms& forms);
 namespace avx2 {
 PacketOverlap* new_packet_overlap(const PacketPairForms& forms);
 }
+namespace avx512 {
+PacketOverlap* new_packet_overlap(const PacketPairForms& forms);
+}
 
 }  // namespace vex

@@ -47,5 +47,8 @@ void draw_poses(const PoseRecipe& recipe, std::uint64_t first, std::size_t n, Po
 namespace avx2 {
 void draw_poses(const PoseRecipe& recipe, std::uint64_t first, std::size_t n, PoseColumns& columns);
 }
+namespace avx512 {
+void draw_poses(const PoseRecipe& recipe, std::uint64_t first, std::size_t n, PoseColumns& poses);
+}
 
 }  // namespace vex

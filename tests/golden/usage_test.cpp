@@ -1,6 +1,10 @@
 // Wrong usage: exit code 2 and one line that says what is wrong and what to do.
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <span>
+
+#include "engine/numeric/instruction_set.h"
 #include "tests/golden/program.h"
 #include "tests/golden/sample_files.h"
 
@@ -80,13 +84,9 @@ TEST_F(Usage, ANumberThatIsNone) {
 }
 
 TEST_F(Usage, WhatIsNotBuiltYetSaysSo) {
-  const std::vector<Words> planned = {{"--isa", "avx512"},
-                                      {"--checkpoint", "run.state"},
-                                      {"--resume", "run.state"},
-                                      {"--estimator", "stratified"},
-                                      {"--estimator", "radial"},
-                                      {"--estimator", "mixed-volume"},
-                                      {"--estimator", "mean-width"},
+  const std::vector<Words> planned = {{"--checkpoint", "run.state"},   {"--resume", "run.state"},
+                                      {"--estimator", "stratified"},   {"--estimator", "radial"},
+                                      {"--estimator", "mixed-volume"}, {"--estimator", "mean-width"},
                                       {"--sequence", "sobol"}};
   for (const Words& words : planned) {
     Words all = {"box:1,1,1"};
@@ -102,11 +102,23 @@ TEST_F(Usage, AChoiceThatDoesNotExist) {
                                                                   {"--sequence", "random"},
                                                                   {"--domain", "ball, box, best"},
                                                                   {"--backend", "gjk"},
+                                                                  {"--isa", "best, scalar, sse2, avx2, avx512"},
                                                                   {"--orientations", "isotropic, aligned"}}) {
     expect_wrong({"box:1,1,1", option, "wild"}, std::string("(\"wild\" for ") + option + ") - there are " + known);
   }
   expect_wrong({"box:1,1,1", "--orientations", "aligned:30"}, "not a choice");
   expect_wrong({"box:1,1,1", "--domain", "Box"}, "not a choice");
+}
+
+TEST_F(Usage, AnInstructionSetThatThisMachineLacks) {
+  const std::span<const InstructionSet> sets = instruction_sets();
+  for (const InstructionSet set : {InstructionSet::sse2, InstructionSet::avx2, InstructionSet::avx512}) {
+    if (std::find(sets.begin(), sets.end(), set) != sets.end()) continue;
+    const std::string name(name_of(set));
+    expect_wrong({"box:1,1,1", "--isa", name},
+                 "this machine or build has none (\"" + name + "\" for --isa) - its best is");
+  }
+  EXPECT_EQ(run({"box:1,1,1", "--trials", "10", "--isa", "best"}).exit_code, 0);
 }
 
 TEST_F(Usage, OrientationsThatMeanNothing) {
