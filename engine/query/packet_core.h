@@ -56,5 +56,126 @@ struct VerticesCore {
   std::size_t n;
 };
 
+/// A vertex whose computed product with the direction is the largest of all (E17), found by the table of directions.
+struct TableCore {
+  explicit TableCore(const CoreForm& form) : table(form.table) {}
+
+  template <class L>
+  Vec3<L> support(const Vec3<L>& dir) const {
+    const auto rows = rows_of(dir);
+    // A lane whose list has ended goes on in the next one: what stands there is a vertex, too. Two at a time, so that the
+    // number of rounds is mostly the same.
+    Vec3<L> best = rows.first_three(0);
+    L best_value = dot(best, dir);
+    const auto longest = static_cast<std::size_t>(rows.largest_fourth());
+    for (std::size_t k = 1; k < longest; k += 2) {
+      const Vec3<L> next = rows.first_three(k), second = rows.first_three(k + 1);
+      const L next_value = dot(next, dir), second_value = dot(second, dir);
+      const MaskOf<L> is_second = second_value > next_value;
+      const L value = select(is_second, second_value, next_value);
+      const MaskOf<L> is_better = value > best_value;
+      best = vex::select<L>(is_better, vex::select<L>(is_second, second, next), best);
+      best_value = select(is_better, value, best_value);
+    }
+    return best;
+  }
+
+ private:
+  /// The lists of the cells that the directions are in. Any lane's, also of a NaN, is one of the table's.
+  template <int W>
+  RowOfEach<W> rows_of(const Vec3<Packet<W>>& dir) const {
+    using L = Packet<W>;
+    using Bits = PacketBits<W>;
+    const Vec3<L> place{L(table.scale.x) * dir.x, L(table.scale.y) * dir.y, L(table.scale.z) * dir.z};
+    const L size_x = absolute(place.x), size_y = absolute(place.y);
+    const L size = larger(size_x, larger(size_y, absolute(place.z)));
+    const PacketMask<W> is_x = size_x >= size, is_y = size_y >= size;
+    const Vec3<L> from_y{place.y, place.z, place.x}, from_z{place.z, place.x, place.y};
+    const Vec3<L> turned = vex::select<L>(is_x, place, vex::select<L>(is_y, from_y, from_z));
+    const L half = L(0.5) / size;
+    // Not below 0, which a product that is not rounded may lead to; nor a NaN.
+    L p = larger(L(0.5) + half * turned.y, L(0.0)), q = larger(L(0.5) + half * turned.z, L(0.0));
+    const L face = select(is_x, L(0.0), select(is_y, L(2.0), L(4.0))) + select(turned.x < L(0.0), L(1.0), L(0.0));
+    const Bits of_place(DirectionTable::kPlaceBits);
+    Bits cell = gather(table.cells, bits_of(face + L(0x1p52)) & of_place);
+    for (;;) {
+      const Bits upper = cell & Bits(DirectionTable::kWidthBits);
+      const PacketMask<W> is_divided = from_bits(upper) > L(1.0);
+      if (!any(is_divided)) break;
+      const L width = larger(from_bits(upper), L(1.0));
+      p = p * width;
+      q = q * width;
+      const L column = whole_below(p, width), row = whole_below(q, width);
+      p = p - column;
+      q = q - row;
+      const Bits inner = bits_of((row * width + column) + L(0x1p52)) + cell;
+      const L next = from_bits(gather(table.cells, masked(inner & of_place, is_divided)));
+      cell = bits_of(select(is_divided, next, from_bits(cell)));
+    }
+    return RowOfEach<W>(&table.vertices->x, cell & of_place);
+  }
+
+  /// A whole number up to `last` with `a` at most 1 above it: of two that are, either.
+  template <class L>
+  static L whole_below(const L& a, const L& width) {
+    const L nearest = nearest_whole(a - L(0.5));
+    return select(nearest < width, nearest, width - L(1.0));
+  }
+  template <int W>
+  static PacketBits<W> masked(const PacketBits<W>& a, const PacketMask<W>& mask) {
+    return bits_of(select(mask, from_bits(a), Packet<W>(0.0)));
+  }
+
+  DirectionTable table;
+};
+
+/// The best piece's c + D (D d / |D d|), with what E18 says of its error.
+struct PiecesCore {
+  explicit PiecesCore(const CoreForm& form) : pieces(form.pieces.data()), n(form.pieces.size()) {}
+
+  template <class L>
+  Vec3<L> support(const Vec3<L>& dir) const {
+    Vec3<L> best;
+    L best_value(0.0);
+    for (std::size_t i = 0; i < n;) {
+      const CoreForm::Piece& piece = pieces[i];
+      const bool is_first = i == 0;
+      Vec3<L> p = broadcast<L>(piece.centre);
+      L value = dot(p, dir);
+      for (++i; i < n && pieces[i].is_like_last; ++i) {
+        const Vec3<L> other = broadcast<L>(pieces[i].centre);
+        const L other_value = dot(other, dir);
+        const MaskOf<L> is_better = other_value > value;
+        p = vex::select<L>(is_better, other, p);
+        value = select(is_better, other_value, value);
+      }
+      const Vec3d d = piece.semi_axes;
+      if (d.x > 0.0 || d.y > 0.0 || d.z > 0.0) {
+        Vec3<L> image{L(d.x) * dir.x, L(d.y) * dir.y, L(d.z) * dir.z};
+        if (piece.is_dome) image.z = larger(image.z, L(0.0));
+        const L length_sq = dot(image, image);
+        // Shorter ones add nothing, and their squares may have lost their digits.
+        const MaskOf<L> has_length = length_sq > L(0x1p-900);
+        const L length = square_root(select(has_length, length_sq, L(1.0)));
+        const L scale = select(has_length, L(1.0), L(0.0)) / length;
+        value = value + length_sq * scale;
+        p = p + Vec3<L>{L(d.x) * (scale * image.x), L(d.y) * (scale * image.y), L(d.z) * (scale * image.z)};
+      }
+      if (is_first) {
+        best = p;
+        best_value = value;
+        continue;
+      }
+      const MaskOf<L> is_better = value > best_value;
+      best = vex::select<L>(is_better, p, best);
+      best_value = select(is_better, value, best_value);
+    }
+    return best;
+  }
+
+  const CoreForm::Piece* pieces;
+  std::size_t n;
+};
+
 }  // namespace VEX_ISA
 }  // namespace vex
