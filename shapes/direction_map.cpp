@@ -31,12 +31,12 @@ constexpr double kLeastTableScale = 0x1p-300, kLargestTableScale = 0x1p300;
 constexpr double kMargin = 32.0 * kUnitRoundoff;
 
 // Dividing further saves nothing where so few vertices are scanned.
-constexpr std::size_t kShortList = 6;
+constexpr std::size_t kShortList = 4;
 // A cell that keeps more than this is divided in 16, others in 4.
 constexpr std::size_t kLongList = 128;
 // A cell is divided if what the mean scan then loses, in vertices, is worth the vertices that are stored in addition:
 // more than this for as many as are given. Lower values store more for the same time (docs/performance.md).
-constexpr double kPriceOfStorage = 4.0;
+constexpr double kPriceOfStorage = 0.5;
 // Nothing is gained where a cell adds less than this to the mean scan. (A facet with many vertices stays whole in the
 // cells around its normal, however small they are.)
 constexpr double kLeastScan = 0x1p-10;
@@ -221,7 +221,7 @@ class DirectionMapBuilder {
     return n;
   }
 
-  /// Writes at `place` what the table has of a node. A block is as wide as at least a quarter of the cells twice as
+  /// Writes at `place` what the table has of a node. A block is as wide as at least a sixteenth of the cells twice as
   /// wide are divided: few steps lead to a list, and the table stays small where the lists are unlike each other.
   void draw_together(std::size_t node, std::size_t place) {
     std::vector<std::uint64_t>& cells = map_->cells_;
@@ -230,7 +230,7 @@ class DirectionMapBuilder {
       return;
     }
     int levels = 1;
-    while (levels < kWidestBlock && 4 * n_divided(node, levels) >= (std::size_t{1} << (2 * levels))) ++levels;
+    while (levels < kWidestBlock && 16 * n_divided(node, levels) >= (std::size_t{1} << (2 * levels))) ++levels;
     const std::size_t width = std::size_t{1} << levels, block = cells.size();
     cells[place] = DirectionMap::cell_of_block(static_cast<double>(width), block);
     cells.resize(block + width * width);

@@ -280,6 +280,30 @@ Packet<W> gather(const double* table, const Packet<W>& index) {
   });
 }
 
+/// a > b ? a : b and a < b ? a : b, one instruction each: b where one is a NaN.
+template <int W>
+Packet<W> maximum(const Packet<W>& a, const Packet<W>& b) {
+#if defined(__AVX2__) && !defined(__AVX512F__)
+  return each_part<Packet<W>>([&](std::size_t k) {
+    return reinterpret_cast<Register>(
+        _mm256_max_pd(reinterpret_cast<__m256d>(a.part[k]), reinterpret_cast<__m256d>(b.part[k])));
+  });
+#else
+  return select(a > b, a, b);
+#endif
+}
+template <int W>
+Packet<W> minimum(const Packet<W>& a, const Packet<W>& b) {
+#if defined(__AVX2__) && !defined(__AVX512F__)
+  return each_part<Packet<W>>([&](std::size_t k) {
+    return reinterpret_cast<Register>(
+        _mm256_min_pd(reinterpret_cast<__m256d>(a.part[k]), reinterpret_cast<__m256d>(b.part[k])));
+  });
+#else
+  return select(a < b, a, b);
+#endif
+}
+
 template <int W>
 PacketBits<W> gather(const std::uint64_t* table, const PacketBits<W>& index) {
   return each_part<PacketBits<W>>([&](std::size_t k) {
@@ -295,12 +319,13 @@ class RowOfEach {
  public:
   RowOfEach(const double* table, const PacketBits<W>& row) {
     for (std::size_t k = 0; k < kParts<W>; ++k) {
-      for (int j = 0; j < kRegisterLanes; ++j) at_[k * std::size_t{kRegisterLanes} + static_cast<std::size_t>(j)] = table + 4 * row.part[k][j];
+      for (int j = 0; j < kRegisterLanes; ++j)
+        at_[k * std::size_t{kRegisterLanes} + static_cast<std::size_t>(j)] = table + 4 * row.part[k][j];
     }
   }
 
-  /// The first three and the last of the row that is `ahead` rows behind.
-  Vec3<Packet<W>> first_three(std::size_t ahead) const {
+  /// Of the row that is `ahead` rows behind the first three; and the fourth.
+  Vec3<Packet<W>> read(std::size_t ahead, Packet<W>* fourth) const {
     Vec3<Packet<W>> v;
     for (std::size_t k = 0; k < kParts<W>; ++k) {
       const double* const* const at = at_ + k * std::size_t{kRegisterLanes};
@@ -313,22 +338,19 @@ class RowOfEach {
       const __m256d xy_02 = halves(0, 2, 0), xy_13 = halves(1, 3, 0);
       v.x.part[k] = reinterpret_cast<Register>(_mm256_unpacklo_pd(xy_02, xy_13));
       v.y.part[k] = reinterpret_cast<Register>(_mm256_unpackhi_pd(xy_02, xy_13));
-      v.z.part[k] = reinterpret_cast<Register>(_mm256_unpacklo_pd(halves(0, 2, 2), halves(1, 3, 2)));
+      const __m256d zw_02 = halves(0, 2, 2), zw_13 = halves(1, 3, 2);
+      v.z.part[k] = reinterpret_cast<Register>(_mm256_unpacklo_pd(zw_02, zw_13));
+      fourth->part[k] = reinterpret_cast<Register>(_mm256_unpackhi_pd(zw_02, zw_13));
 #else
       for (int j = 0; j < kRegisterLanes; ++j) {
         v.x.part[k][j] = at[j][4 * ahead];
         v.y.part[k][j] = at[j][4 * ahead + 1];
         v.z.part[k][j] = at[j][4 * ahead + 2];
+        fourth->part[k][j] = at[j][4 * ahead + 3];
       }
 #endif
     }
     return v;
-  }
-  /// The largest of the lanes' fourth numbers.
-  double largest_fourth() const {
-    double largest = at_[0][3];
-    for (int j = 1; j < W; ++j) largest = at_[j][3] > largest ? at_[j][3] : largest;
-    return largest;
   }
 
  private:

@@ -7,6 +7,9 @@
 namespace vex {
 namespace VEX_ISA {
 
+// Long ones are called: inlined, they were as fast, and each pair of cores had eight of them.
+#define VEX_OUT_OF_LINE __attribute__((noinline))
+
 /// A vertex, exactly.
 struct BoxCore {
   explicit BoxCore(const CoreForm& form) : lower(form.lower), upper(form.upper) {}
@@ -61,21 +64,20 @@ struct TableCore {
   explicit TableCore(const CoreForm& form) : table(form.table) {}
 
   template <class L>
-  Vec3<L> support(const Vec3<L>& dir) const {
+  VEX_OUT_OF_LINE Vec3<L> support(const Vec3<L>& dir) const {
     const auto rows = rows_of(dir);
-    // A lane whose list has ended goes on in the next one: what stands there is a vertex, too. Two at a time, so that the
-    // number of rounds is mostly the same.
-    Vec3<L> best = rows.first_three(0);
+    // A lane whose list has ended goes on in the next one: what stands there is a vertex, too. So the number of rounds,
+    // which the processor would like to foresee, is mostly the same.
+    L n, unused;
+    Vec3<L> best = rows.read(0, &n);
     L best_value = dot(best, dir);
-    const auto longest = static_cast<std::size_t>(rows.largest_fourth());
-    for (std::size_t k = 1; k < longest; k += 2) {
-      const Vec3<L> next = rows.first_three(k), second = rows.first_three(k + 1);
+    for (std::size_t k = 1; k < kScannedAtLeast || any(n > L(static_cast<double>(k))); k += 2) {
+      const Vec3<L> next = rows.read(k, &unused), second = rows.read(k + 1, &unused);
       const L next_value = dot(next, dir), second_value = dot(second, dir);
-      const MaskOf<L> is_second = second_value > next_value;
-      const L value = select(is_second, second_value, next_value);
-      const MaskOf<L> is_better = value > best_value;
+      const L value = maximum(second_value, next_value);
+      const MaskOf<L> is_second = second_value > next_value, is_better = value > best_value;
       best = vex::select<L>(is_better, vex::select<L>(is_second, second, next), best);
-      best_value = select(is_better, value, best_value);
+      best_value = maximum(value, best_value);
     }
     return best;
   }
@@ -88,43 +90,47 @@ struct TableCore {
     using Bits = PacketBits<W>;
     const Vec3<L> place{L(table.scale.x) * dir.x, L(table.scale.y) * dir.y, L(table.scale.z) * dir.z};
     const L size_x = absolute(place.x), size_y = absolute(place.y);
-    const L size = larger(size_x, larger(size_y, absolute(place.z)));
+    const L size = maximum(size_x, maximum(size_y, absolute(place.z)));
     const PacketMask<W> is_x = size_x >= size, is_y = size_y >= size;
     const Vec3<L> from_y{place.y, place.z, place.x}, from_z{place.z, place.x, place.y};
     const Vec3<L> turned = vex::select<L>(is_x, place, vex::select<L>(is_y, from_y, from_z));
     const L half = L(0.5) / size;
     // Not below 0, which a product that is not rounded may lead to; nor a NaN.
-    L p = larger(L(0.5) + half * turned.y, L(0.0)), q = larger(L(0.5) + half * turned.z, L(0.0));
-    const L face = select(is_x, L(0.0), select(is_y, L(2.0), L(4.0))) + select(turned.x < L(0.0), L(1.0), L(0.0));
-    const Bits of_place(DirectionTable::kPlaceBits);
-    Bits cell = gather(table.cells, bits_of(face + L(0x1p52)) & of_place);
+    L p = maximum(L(0.5) + half * turned.y, L(0.0)), q = maximum(L(0.5) + half * turned.z, L(0.0));
+    const PacketMask<W> is_negative = turned.x < L(0.0);
+    const auto of_axis = [&](std::size_t axis) {
+      return select(is_negative, number_of<W>(table.cells[2 * axis + 1]), number_of<W>(table.cells[2 * axis]));
+    };
+    L cell = select(is_x, of_axis(0), select(is_y, of_axis(1), of_axis(2)));
+    const Bits of_place(DirectionTable::kPlaceBits), of_width(DirectionTable::kWidthBits);
     for (;;) {
-      const Bits upper = cell & Bits(DirectionTable::kWidthBits);
-      const PacketMask<W> is_divided = from_bits(upper) > L(1.0);
+      const L upper = from_bits(bits_of(cell) & of_width);
+      const PacketMask<W> is_divided = upper > L(1.0);
       if (!any(is_divided)) break;
-      const L width = larger(from_bits(upper), L(1.0));
+      const L width = maximum(upper, L(1.0));
       p = p * width;
       q = q * width;
       const L column = whole_below(p, width), row = whole_below(q, width);
       p = p - column;
       q = q - row;
-      const Bits inner = bits_of((row * width + column) + L(0x1p52)) + cell;
-      const L next = from_bits(gather(table.cells, masked(inner & of_place, is_divided)));
-      cell = bits_of(select(is_divided, next, from_bits(cell)));
+      const Bits inner = (bits_of((row * width + column) + L(0x1p52)) + bits_of(cell)) & of_place;
+      cell = select(is_divided, from_bits(gather(table.cells, bits_of(select(is_divided, from_bits(inner), L(0.0))))),
+                    cell);
     }
-    return RowOfEach<W>(&table.vertices->x, cell & of_place);
+    return RowOfEach<W>(&table.vertices->x, bits_of(cell) & of_place);
   }
 
-  /// A whole number up to `last` with `a` at most 1 above it: of two that are, either.
+  /// A whole number up to `last` with `a` at most 1 above it: of two that are, either. Never a NaN for none.
   template <class L>
   static L whole_below(const L& a, const L& width) {
-    const L nearest = nearest_whole(a - L(0.5));
-    return select(nearest < width, nearest, width - L(1.0));
+    return minimum(nearest_whole(a - L(0.5)), width - L(1.0));
   }
   template <int W>
-  static PacketBits<W> masked(const PacketBits<W>& a, const PacketMask<W>& mask) {
-    return bits_of(select(mask, from_bits(a), Packet<W>(0.0)));
+  static Packet<W> number_of(std::uint64_t cell) {
+    return from_bits(PacketBits<W>(cell));
   }
+
+  static constexpr std::size_t kScannedAtLeast = 3;
 
   DirectionTable table;
 };
@@ -134,7 +140,7 @@ struct PiecesCore {
   explicit PiecesCore(const CoreForm& form) : pieces(form.pieces.data()), n(form.pieces.size()) {}
 
   template <class L>
-  Vec3<L> support(const Vec3<L>& dir) const {
+  VEX_OUT_OF_LINE Vec3<L> support(const Vec3<L>& dir) const {
     Vec3<L> best;
     L best_value(0.0);
     for (std::size_t i = 0; i < n;) {
@@ -176,6 +182,8 @@ struct PiecesCore {
   const CoreForm::Piece* pieces;
   std::size_t n;
 };
+
+#undef VEX_OUT_OF_LINE
 
 }  // namespace VEX_ISA
 }  // namespace vex

@@ -9,8 +9,8 @@
 namespace vex {
 namespace {
 
-// The kernel and the forms it refers to. As long as a body has not been asked often enough to have its table of directions,
-// all is left open: to be asked.
+// The kernel and the forms it refers to. As long as a body has not been asked often enough to have its table of
+// directions, all is left open: to be asked.
 class OwningPacketOverlap final : public PacketOverlap {
  public:
   OwningPacketOverlap(PacketKernel kernel, const ConvexBody& a, const ConvexBody& b, CoreForm core_a, CoreForm core_b)

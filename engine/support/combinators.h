@@ -111,9 +111,7 @@ class Inflated {
     return form;
   }
   /// The core's.
-  std::optional<DirectionTable> direction_table() const
-    requires HasDirectionTable<Body>
-  {
+  std::optional<DirectionTable> direction_table() const requires HasDirectionTable<Body> {
     return body_.direction_table();
   }
 

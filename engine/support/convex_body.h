@@ -25,7 +25,8 @@ template <class S>
 concept HasExactForm = requires(const S& body) {
   { body.exact_form() } -> std::convertible_to<std::optional<ExactForm>>;
 };
-/// A polytope, or one with a ball, of many vertices has a table of directions once it has been asked often: none before.
+/// A polytope, or one with a ball, of many vertices has a table of directions once it has been asked often: none
+/// before.
 template <class S>
 concept HasDirectionTable = requires(const S& body) {
   { body.direction_table() } -> std::same_as<std::optional<DirectionTable>>;

@@ -9,11 +9,11 @@ namespace vex {
 
 /// What it refers to belongs to the body.
 ///
-/// A direction is scaled axis by axis; its largest coordinate picks a face of the cube, and the two others divided by it
-/// a place in it. A cell is one number. Where it is divided, the upper half are the upper bits of a double, the width of
-/// a block, and the lower half is the place of the block's width * width cells, row by row. Otherwise the upper half is 0 and
-/// the lower the place of its list: the vertices of which one is the farthest in each direction of the cell (E17). The cells of
-/// the six faces stand first.
+/// A direction is scaled axis by axis; its largest coordinate picks a face of the cube, and the two others divided by
+/// it a place in it. A cell is one number. Where it is divided, the upper half are the upper bits of a double, the
+/// width of a block, and the lower half is the place of the block's width * width cells, row by row. Otherwise the
+/// upper half is 0 and the lower the place of its list: the vertices of which one is the farthest in each direction of
+/// the cell (E17). The cells of the six faces stand first.
 struct DirectionTable {
   static constexpr std::uint64_t kWidthBits = 0xffffffff00000000u, kPlaceBits = 0xffffffffu;
 
