@@ -24,6 +24,8 @@ namespace {
 // away is far below the margin; and the least reach of a body of which that holds (E17).
 constexpr double kLeastDirection = 0x1p-900, kLargestDirection = 0x1p900;
 constexpr double kLeastReach = 0x1p-30;
+// A facet of more vertices takes longer to scan for all the trials of a packet, finished ones too, than one at a time.
+constexpr std::size_t kLongestForKernels = 4096;
 // The kernels' directions have sizes between 2^-200 and 2^200 (E18).
 constexpr double kLeastTableScale = 0x1p-300, kLargestTableScale = 0x1p300;
 
@@ -116,7 +118,7 @@ class DirectionMapBuilder {
         tree_(kFaces),
         levels_(std::size_t{kDeepest} + 1) {
     for (face_ = 0; face_ < kFaces; ++face_) divide_face();
-    map_->lists_.insert(map_->lists_.end(), longest_list_ + 1, map_->lists_.back());
+    map_->lists_.insert(map_->lists_.end(), map_->longest_list_ + 1, map_->lists_.back());
     map_->cells_.resize(kFaces);
     for (std::size_t face = 0; face < kFaces; ++face) draw_together(face, face);
   }
@@ -138,7 +140,7 @@ class DirectionMapBuilder {
   void keep(const VertexList& list, std::size_t node) {
     tree_[node].list = map_->lists_.size();
     n_kept_ += list.size();
-    longest_list_ = std::max(longest_list_, list.size());
+    map_->longest_list_ = std::max(map_->longest_list_, list.size());
     for (std::size_t i = 0; i < list.size(); ++i) {
       std::array<double, 3> vertex{};
       vertex[axis()] = sign() * list.w[i];
@@ -247,7 +249,7 @@ class DirectionMapBuilder {
   double margin_;
   DirectionMap* map_;
   std::size_t face_ = 0;
-  std::size_t n_kept_ = 0, longest_list_ = 0;
+  std::size_t n_kept_ = 0;
   std::vector<TreeNode> tree_;  // the faces first
   std::vector<Level> levels_;
 };
@@ -279,7 +281,7 @@ DirectionMap::DirectionMap(std::span<const double> x, std::span<const double> y,
 }
 
 std::optional<DirectionTable> DirectionMap::table() const {
-  if (largest_size_ < 0.0) return std::nullopt;
+  if (largest_size_ < 0.0 || longest_list_ > kLongestForKernels) return std::nullopt;
   for (const double s : {scale_.x, scale_.y, scale_.z}) {
     if (s < kLeastTableScale || s > kLargestTableScale) return std::nullopt;
   }

@@ -37,7 +37,8 @@ class DirectionMap {
   /// The first of the vertices whose computed product with `dir`, which `takes` must accept, is the largest.
   Vec3d support(const Vec3d& dir) const;
 
-  /// For the kernels; none where they could ask for a direction that `takes` does not accept.
+  /// For the kernels; none where they could ask for a direction that `takes` does not accept, or where a list is very
+  /// long.
   std::optional<DirectionTable> table() const;
 
   std::size_t bytes() const { return sizeof cells_[0] * cells_.capacity() + sizeof lists_[0] * lists_.capacity(); }
@@ -59,6 +60,7 @@ class DirectionMap {
   std::vector<std::uint64_t> cells_;
   std::vector<Vertex> lists_;
   Vec3d scale_{1.0, 1.0, 1.0};
+  std::size_t longest_list_ = 0;
   double least_size_ = 0.0;
   double largest_size_ = -1.0;
 };

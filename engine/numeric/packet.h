@@ -324,6 +324,12 @@ class RowOfEach {
     }
   }
 
+  /// The lanes read W rows that stand one behind the other.
+  explicit RowOfEach(const double* first) {
+    for (std::size_t j = 0; j < static_cast<std::size_t>(W); ++j) at_[j] = first + 4 * j;
+  }
+  const double* at(std::size_t lane) const { return at_[lane]; }
+
   /// Of the row that is `ahead` rows behind the first three; and the fourth.
   Vec3<Packet<W>> read(std::size_t ahead, Packet<W>* fourth) const {
     Vec3<Packet<W>> v;

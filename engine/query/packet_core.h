@@ -70,6 +70,9 @@ struct TableCore {
     // which the processor would like to foresee, is mostly the same.
     L n, unused;
     Vec3<L> best = rows.read(0, &n);
+    if (any(n > L(kLongList))) [[unlikely]] {
+      return one_by_one(rows, n, dir);
+    }
     L best_value = dot(best, dir);
     for (std::size_t k = 1; k < kScannedAtLeast || any(n > L(static_cast<double>(k))); k += 2) {
       const Vec3<L> next = rows.read(k, &unused), second = rows.read(k + 1, &unused);
@@ -120,6 +123,51 @@ struct TableCore {
     return RowOfEach<W>(&table.vertices->x, bits_of(cell) & of_place);
   }
 
+  /// Of lists as those around the normal of a facet with many vertices: one after the other, a register of vertices
+  /// together.
+  template <int W>
+  static Vec3<Packet<W>> one_by_one(const RowOfEach<W>& rows, const Packet<W>& n, const Vec3<Packet<W>>& dir) {
+    using L = Packet<W>;
+    const Stored<W> dirs(dir);
+    double length[kCount<W>];
+    n.store(length);
+    Stored<W> best_of_each;
+    for (std::size_t lane = 0; lane < kCount<W>; ++lane) {
+      const Vec3<L> one_dir{L(dirs.x[lane]), L(dirs.y[lane]), L(dirs.z[lane])};
+      const RowOfEach<W> list(rows.at(lane));
+      L unused;
+      Vec3<L> best = list.read(0, &unused);
+      L best_value = dot(best, one_dir);
+      for (std::size_t k = kCount<W>; k < static_cast<std::size_t>(length[lane]); k += kCount<W>) {
+        const Vec3<L> next = list.read(k, &unused);
+        const L value = dot(next, one_dir);
+        best = vex::select<L>(value > best_value, next, best);
+        best_value = maximum(value, best_value);
+      }
+      const Stored<W> bests(best);
+      double values[kCount<W>];
+      best_value.store(values);
+      std::size_t first = 0;
+      for (std::size_t k = 1; k < kCount<W>; ++k) first = values[k] > values[first] ? k : first;
+      best_of_each.x[lane] = bests.x[first];
+      best_of_each.y[lane] = bests.y[first];
+      best_of_each.z[lane] = bests.z[first];
+    }
+    return {L::load(best_of_each.x), L::load(best_of_each.y), L::load(best_of_each.z)};
+  }
+  template <int W>
+  static constexpr std::size_t kCount = static_cast<std::size_t>(W);
+  template <int W>
+  struct Stored {
+    Stored() = default;
+    explicit Stored(const Vec3<Packet<W>>& v) {
+      v.x.store(x);
+      v.y.store(y);
+      v.z.store(z);
+    }
+    double x[kCount<W>], y[kCount<W>], z[kCount<W>];
+  };
+
   /// A whole number up to `last` with `a` at most 1 above it: of two that are, either. Never a NaN for none.
   template <class L>
   static L whole_below(const L& a, const L& width) {
@@ -131,6 +179,7 @@ struct TableCore {
   }
 
   static constexpr std::size_t kScannedAtLeast = 3;
+  static constexpr double kLongList = 48.0;
 
   DirectionTable table;
 };

@@ -68,11 +68,16 @@ TEST(TableCore, FindsTheFarthestVertexOfEachLane) {
       tables.emplace_back(test_point_hull(n, stretch, 1).vertices);
     }
   }
-  std::vector<Vec3d> cube, flat;
+  // Of the cubes' facets many vertices tie.
+  std::vector<Vec3d> cube, flat, facets;
   for (int k = 0; k < 8 * 8 * 8; ++k) cube.push_back({k % 8 - 3.5, k / 8 % 8 - 3.5, k / 64 - 3.5});
   for (int k = 0; k < 100; ++k) flat.push_back({std::cos(k), std::sin(k), 0.5});
   tables.emplace_back(cube);
+  for (int k = 0; k < 24 * 24; ++k) {
+    for (const double side : {-1.0, 1.0}) facets.push_back({side, k % 24 / 12.0 - 1.0, k / 24 / 12.0 - 1.0});
+  }
   tables.emplace_back(flat);
+  tables.emplace_back(facets);
   for (const TableOf& table : tables) {
     double reach = 0.0;
     for (const Vec3d& v : table.vertices) reach = std::max(reach, norm(v));

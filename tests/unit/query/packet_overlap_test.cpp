@@ -273,7 +273,7 @@ TEST(PacketOverlap, LeavesOpenUntilTheTableIsMade) {
 void expect_right_and_answered(const std::string& name, const ConvexBody& a, const ConvexBody& b, int n) {
   SCOPED_TRACE(name);
   std::mt19937_64 random(8);
-  std::uniform_real_distribution<double> share(0.0, 0.8);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
   std::vector<Transformd> poses;
   std::vector<Outcome> truths;
   for (int k = 0; k < n; ++k) {
