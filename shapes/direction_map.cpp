@@ -39,6 +39,9 @@ constexpr std::size_t kLongList = 128;
 // A cell is divided if what the mean scan then loses, in vertices, is worth the vertices that are stored in addition:
 // more than this for as many as are given. Lower values store more for the same time (docs/performance.md).
 constexpr double kPriceOfStorage = 0.5;
+// Of many vertices memory is what takes time, and the table's making.
+constexpr double kPriceOfMuchStorage = 4.0;
+constexpr std::size_t kManyVertices = std::size_t{1} << 16;
 // Nothing is gained where a cell adds less than this to the mean scan. (A facet with many vertices stays whole in the
 // cells around its normal, however small they are.)
 constexpr double kLeastScan = 0x1p-10;
@@ -154,7 +157,8 @@ class DirectionMapBuilder {
     const double share = std::ldexp(1.0 / static_cast<double>(kFaces), -2 * depth);  // of all directions
     const auto before = static_cast<double>(n_before), after = static_cast<double>(division.n_in_all);
     const double saved = share * (before - after / static_cast<double>(division.n_children()));
-    return share * before > kLeastScan && saved * static_cast<double>(n_given_) > kPriceOfStorage * (after - before);
+    const double price = n_given_ > kManyVertices ? kPriceOfMuchStorage : kPriceOfStorage;
+    return share * before > kLeastScan && saved * static_cast<double>(n_given_) > price * (after - before);
   }
 
   void divide(const VertexList& given, const DirectionCell& cell, int depth, std::size_t node) {

@@ -123,9 +123,9 @@ void report(const std::string& name, const std::vector<Vec3d>& vertices) {
   std::vector<Transformd> poses;
   for (std::size_t k = 0; k < kMost; ++k) poses.push_back(trial_pose(mapped_body, mapped_body, settings, k));
 
-  const ConvexBody body = polytope;
-  for (std::size_t k = 0; k <= LazyDirectionMap::kCallsThatPay; ++k) body.support(dirs[k]);
-  const std::unique_ptr<OverlapBackend> packets = gjk_backend().make(body, body);
+  const ConvexBody asked = polytope;
+  for (std::size_t k = 0; k <= LazyDirectionMap::kCallsThatPay; ++k) asked.support(dirs[k]);
+  const std::unique_ptr<OverlapBackend> packets = gjk_backend().make(asked, asked);
   std::vector<Verdict> verdicts(std::size_t{PacketOverlap::kMostTrials});
 
   double scan_call = HUGE_VAL, map_call = HUGE_VAL, scan_query = HUGE_VAL, map_query = HUGE_VAL, packet = HUGE_VAL;
