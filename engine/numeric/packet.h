@@ -330,7 +330,7 @@ class RowOfEach {
   }
   const double* at(std::size_t lane) const { return at_[lane]; }
 
-  /// Of the row that is `ahead` rows behind the first three; and the fourth.
+  /// The first three numbers of each lane's row, taken `ahead` rows behind where it begins; and the fourth.
   Vec3<Packet<W>> read(std::size_t ahead, Packet<W>* fourth) const {
     Vec3<Packet<W>> v;
     for (std::size_t k = 0; k < kParts<W>; ++k) {
