@@ -24,17 +24,24 @@ namespace {
 // away is far below the margin; and the least reach of a body of which that holds (E17).
 constexpr double kLeastDirection = 0x1p-900, kLargestDirection = 0x1p900;
 constexpr double kLeastReach = 0x1p-30;
+// A facet of more vertices takes longer to scan for all the trials of a packet, finished ones too, than one at a time.
+constexpr std::size_t kLongestForKernels = 4096;
+// The kernels' directions have sizes between 2^-200 and 2^200 (E18).
+constexpr double kLeastTableScale = 0x1p-300, kLargestTableScale = 0x1p300;
 
 // By how much a vertex must be beaten, relative to the reach (E17).
 constexpr double kMargin = 32.0 * kUnitRoundoff;
 
 // Dividing further saves nothing where so few vertices are scanned.
-constexpr std::size_t kShortList = 6;
+constexpr std::size_t kShortList = 4;
 // A cell that keeps more than this is divided in 16, others in 4.
 constexpr std::size_t kLongList = 128;
 // A cell is divided if what the mean scan then loses, in vertices, is worth the vertices that are stored in addition:
 // more than this for as many as are given. Lower values store more for the same time (docs/performance.md).
-constexpr double kPriceOfStorage = 4.0;
+constexpr double kPriceOfStorage = 0.5;
+// Of many vertices memory is what takes time, and the table's making.
+constexpr double kPriceOfMuchStorage = 4.0;
+constexpr std::size_t kManyVertices = std::size_t{1} << 16;
 // Nothing is gained where a cell adds less than this to the mean scan. (A facet with many vertices stays whole in the
 // cells around its normal, however small they are.)
 constexpr double kLeastScan = 0x1p-10;
@@ -47,12 +54,13 @@ constexpr std::size_t kFaces = 6;
 
 /// A copy without spare room, in large pages where the system has them: a call that finds neither the list nor the way
 /// to its page in a cache takes 10 to 30 % less time (a million vertices).
-std::vector<double> in_large_pages(const std::vector<double>& from) {
-  std::vector<double> to;
+template <class T>
+std::vector<T> in_large_pages(const std::vector<T>& from) {
+  std::vector<T> to;
   to.reserve(from.size());
 #ifdef __linux__
   // Advice only, and only for whole pages: to fail changes nothing.
-  const std::size_t page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE)), bytes = sizeof(double) * to.capacity();
+  const std::size_t page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE)), bytes = sizeof(T) * to.capacity();
   const std::size_t before = (page - std::bit_cast<std::uintptr_t>(to.data()) % page) % page;
   if (bytes > before + page) {
     madvise(reinterpret_cast<char*>(to.data()) + before, (bytes - before) / page * page, MADV_HUGEPAGE);
@@ -112,9 +120,9 @@ class DirectionMapBuilder {
         map_(map),
         tree_(kFaces),
         levels_(std::size_t{kDeepest} + 1) {
-    map_->lists_.push_back(0.0);  // no list begins at place 0
     for (face_ = 0; face_ < kFaces; ++face_) divide_face();
-    map_->blocks_.resize(kFaces);
+    map_->lists_.insert(map_->lists_.end(), map_->longest_list_ + 1, map_->lists_.back());
+    map_->cells_.resize(kFaces);
     for (std::size_t face = 0; face < kFaces; ++face) draw_together(face, face);
   }
 
@@ -134,14 +142,14 @@ class DirectionMapBuilder {
 
   void keep(const VertexList& list, std::size_t node) {
     tree_[node].list = map_->lists_.size();
-    map_->lists_.push_back(static_cast<double>(list.size()));
     n_kept_ += list.size();
+    map_->longest_list_ = std::max(map_->longest_list_, list.size());
     for (std::size_t i = 0; i < list.size(); ++i) {
       std::array<double, 3> vertex{};
       vertex[axis()] = sign() * list.w[i];
       vertex[(axis() + 1) % 3] = list.y[i];
       vertex[(axis() + 2) % 3] = list.z[i];
-      map_->lists_.insert(map_->lists_.end(), vertex.begin(), vertex.end());
+      map_->lists_.push_back({vertex[0], vertex[1], vertex[2], static_cast<double>(list.size() - i)});
     }
   }
 
@@ -149,7 +157,8 @@ class DirectionMapBuilder {
     const double share = std::ldexp(1.0 / static_cast<double>(kFaces), -2 * depth);  // of all directions
     const auto before = static_cast<double>(n_before), after = static_cast<double>(division.n_in_all);
     const double saved = share * (before - after / static_cast<double>(division.n_children()));
-    return share * before > kLeastScan && saved * static_cast<double>(n_given_) > kPriceOfStorage * (after - before);
+    const double price = n_given_ > kManyVertices ? kPriceOfMuchStorage : kPriceOfStorage;
+    return share * before > kLeastScan && saved * static_cast<double>(n_given_) > price * (after - before);
   }
 
   void divide(const VertexList& given, const DirectionCell& cell, int depth, std::size_t node) {
@@ -218,23 +227,22 @@ class DirectionMapBuilder {
     return n;
   }
 
-  /// Writes at `place` what the table has of a node. A block is as wide as at least a quarter of the cells twice as
+  /// Writes at `place` what the table has of a node. A block is as wide as at least a sixteenth of the cells twice as
   /// wide are divided: few steps lead to a list, and the table stays small where the lists are unlike each other.
   void draw_together(std::size_t node, std::size_t place) {
-    std::vector<double>& blocks = map_->blocks_;
+    std::vector<std::uint64_t>& cells = map_->cells_;
     if (tree_[node].children < 0) {
-      blocks[place] = -static_cast<double>(tree_[node].list);
+      cells[place] = tree_[node].list;
       return;
     }
     int levels = 1;
-    while (levels < kWidestBlock && 4 * n_divided(node, levels) >= (std::size_t{1} << (2 * levels))) ++levels;
-    const std::size_t width = std::size_t{1} << levels, block = blocks.size();
-    blocks[place] = static_cast<double>(block);
-    blocks.resize(block + 1 + width * width);
-    blocks[block] = static_cast<double>(width);
+    while (levels < kWidestBlock && 16 * n_divided(node, levels) >= (std::size_t{1} << (2 * levels))) ++levels;
+    const std::size_t width = std::size_t{1} << levels, block = cells.size();
+    cells[place] = DirectionMap::cell_of_block(static_cast<double>(width), block);
+    cells.resize(block + width * width);
     for (std::size_t row = 0; row < width; ++row) {
       for (std::size_t column = 0; column < width; ++column) {
-        draw_together(descend(node, levels, column, row), block + 1 + row * width + column);
+        draw_together(descend(node, levels, column, row), block + row * width + column);
       }
     }
   }
@@ -267,8 +275,21 @@ DirectionMap::DirectionMap(std::span<const double> x, std::span<const double> y,
   least_size_ = kLeastDirection;
   largest_size_ = kLargestDirection;
   DirectionMapBuilder(coordinates, scale, kMargin * reach, this);
-  blocks_ = in_large_pages(blocks_);
+  if (cells_.size() > DirectionTable::kPlaceBits || lists_.size() > DirectionTable::kPlaceBits) {
+    largest_size_ = -1.0;  // places have 32 bits
+    cells_.clear();
+    lists_.clear();
+  }
+  cells_ = in_large_pages(cells_);
   lists_ = in_large_pages(lists_);
+}
+
+std::optional<DirectionTable> DirectionMap::table() const {
+  if (largest_size_ < 0.0 || longest_list_ > kLongestForKernels) return std::nullopt;
+  for (const double s : {scale_.x, scale_.y, scale_.z}) {
+    if (s < kLeastTableScale || s > kLargestTableScale) return std::nullopt;
+  }
+  return DirectionTable{cells_.data(), lists_.data(), scale_};
 }
 
 }  // namespace vex

@@ -16,7 +16,7 @@ namespace vex {
 /// when it is there: it gives what the scan gives, bit for bit.
 class LazyDirectionMap {
  public:
-  /// From docs/performance.md, "Large hulls": 1 to 3 us a vertex to make it, 1 ns to scan it.
+  /// From docs/performance.md, "Large hulls": 1 to 4 us a vertex to make it, 1 ns to scan it.
   static constexpr std::size_t kCallsThatPay = 1500;
 
   /// Counts a call; the map of these vertices, or null while there is none.

@@ -1,7 +1,9 @@
 // The convex hull of finitely many points.
 #pragma once
 
+#include <concepts>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,9 +27,11 @@ class Polytope {
 
   template <class L>
   Vec3<L> support(const Vec3<L>& dir) const {
-    if (map_ != nullptr) {
-      const DirectionMap* const map = map_->for_call(x_, y_, z_);
-      if (map != nullptr && all(map->takes(dir))) return map->support(dir);
+    if constexpr (std::same_as<L, double>) {
+      if (map_ != nullptr) {
+        const DirectionMap* const map = map_->for_call(x_, y_, z_);
+        if (map != nullptr && map->takes(dir)) return map->support(dir);
+      }
     }
     return scan(dir);
   }
@@ -50,6 +54,9 @@ class Polytope {
   static constexpr std::size_t kMostScanned = 32;
   /// The table, or null while there is none.
   const DirectionMap* direction_map() const { return map_ == nullptr ? nullptr : map_->made(); }
+  std::optional<DirectionTable> direction_table() const {
+    return direction_map() == nullptr ? std::nullopt : direction_map()->table();
+  }
 
  private:
   template <class L>

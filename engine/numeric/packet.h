@@ -387,6 +387,89 @@ Packet<W> gather(const double* table, const Packet<W>& index) {
   });
 }
 
+/// a > b ? a : b and a < b ? a : b, one instruction each: b where one is a NaN.
+template <int W>
+Packet<W> maximum(const Packet<W>& a, const Packet<W>& b) {
+#if defined(__AVX2__) && !defined(__AVX512F__)
+  return each_part<Packet<W>>([&](std::size_t k) {
+    return reinterpret_cast<Register>(
+        _mm256_max_pd(reinterpret_cast<__m256d>(a.part[k]), reinterpret_cast<__m256d>(b.part[k])));
+  });
+#else
+  return select(a > b, a, b);
+#endif
+}
+template <int W>
+Packet<W> minimum(const Packet<W>& a, const Packet<W>& b) {
+#if defined(__AVX2__) && !defined(__AVX512F__)
+  return each_part<Packet<W>>([&](std::size_t k) {
+    return reinterpret_cast<Register>(
+        _mm256_min_pd(reinterpret_cast<__m256d>(a.part[k]), reinterpret_cast<__m256d>(b.part[k])));
+  });
+#else
+  return select(a < b, a, b);
+#endif
+}
+
+template <int W>
+PacketBits<W> gather(const std::uint64_t* table, const PacketBits<W>& index) {
+  return each_part<PacketBits<W>>([&](std::size_t k) {
+    BitsRegister r;
+    for (int j = 0; j < kRegisterLanes; ++j) r[j] = table[index.part[k][j]];
+    return r;
+  });
+}
+
+/// Where each lane reads in a table of rows of four doubles.
+template <int W>
+class RowOfEach {
+ public:
+  RowOfEach(const double* table, const PacketBits<W>& row) {
+    for (std::size_t k = 0; k < kParts<W>; ++k) {
+      for (int j = 0; j < kRegisterLanes; ++j)
+        at_[k * std::size_t{kRegisterLanes} + static_cast<std::size_t>(j)] = table + 4 * row.part[k][j];
+    }
+  }
+
+  /// The lanes read W rows that stand one behind the other.
+  explicit RowOfEach(const double* first) {
+    for (std::size_t j = 0; j < static_cast<std::size_t>(W); ++j) at_[j] = first + 4 * j;
+  }
+  const double* at(std::size_t lane) const { return at_[lane]; }
+
+  /// The first three numbers of each lane's row, taken `ahead` rows behind where it begins; and the fourth.
+  Vec3<Packet<W>> read(std::size_t ahead, Packet<W>* fourth) const {
+    Vec3<Packet<W>> v;
+    for (std::size_t k = 0; k < kParts<W>; ++k) {
+      const double* const* const at = at_ + k * std::size_t{kRegisterLanes};
+#if defined(__AVX2__) && !defined(__AVX512F__)
+      // Four rows as two times two halves: half the shuffles go to the loads.
+      const auto halves = [&](std::size_t low, std::size_t high, std::size_t column) {
+        const __m128d first = _mm_loadu_pd(at[low] + 4 * ahead + column);
+        return _mm256_insertf128_pd(_mm256_castpd128_pd256(first), _mm_loadu_pd(at[high] + 4 * ahead + column), 1);
+      };
+      const __m256d xy_02 = halves(0, 2, 0), xy_13 = halves(1, 3, 0);
+      v.x.part[k] = reinterpret_cast<Register>(_mm256_unpacklo_pd(xy_02, xy_13));
+      v.y.part[k] = reinterpret_cast<Register>(_mm256_unpackhi_pd(xy_02, xy_13));
+      const __m256d zw_02 = halves(0, 2, 2), zw_13 = halves(1, 3, 2);
+      v.z.part[k] = reinterpret_cast<Register>(_mm256_unpacklo_pd(zw_02, zw_13));
+      fourth->part[k] = reinterpret_cast<Register>(_mm256_unpackhi_pd(zw_02, zw_13));
+#else
+      for (int j = 0; j < kRegisterLanes; ++j) {
+        v.x.part[k][j] = at[j][4 * ahead];
+        v.y.part[k][j] = at[j][4 * ahead + 1];
+        v.z.part[k][j] = at[j][4 * ahead + 2];
+        fourth->part[k][j] = at[j][4 * ahead + 3];
+      }
+#endif
+    }
+    return v;
+  }
+
+ private:
+  const double* at_[static_cast<std::size_t>(W)];
+};
+
 }  // namespace VEX_ISA
 
 template <int W>

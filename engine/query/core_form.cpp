@@ -25,6 +25,39 @@ bool is_box(const std::vector<Vec3d>& points, const Vec3d& lower, const Vec3d& u
   return static_cast<std::size_t>(__builtin_popcount(corners)) == n_corners;
 }
 
+bool is_zero(const Vec3d& a) { return a.x == 0.0 && a.y == 0.0 && a.z == 0.0; }
+
+void extend(CoreForm& form, const Vec3d& lower, const Vec3d& upper) {
+  form.lower = {std::min(form.lower.x, lower.x), std::min(form.lower.y, lower.y), std::min(form.lower.z, lower.z)};
+  form.upper = {std::max(form.upper.x, upper.x), std::max(form.upper.y, upper.y), std::max(form.upper.z, upper.z)};
+}
+
+bool have_same_shape(const CoreForm::Piece& a, const CoreForm::Piece& b) {
+  return a.semi_axes.x == b.semi_axes.x && a.semi_axes.y == b.semi_axes.y && a.semi_axes.z == b.semi_axes.z &&
+         a.is_dome == b.is_dome;
+}
+
+// Those of the same shape side by side: their length along a direction is found once.
+std::vector<CoreForm::Piece> core_pieces(const ExactForm& exact) {
+  std::vector<CoreForm::Piece> given;
+  for (const ExactForm::Piece& piece : exact.pieces) {
+    given.push_back({piece.centre, piece.semi_axes, piece.is_dome && !is_zero(piece.semi_axes)});
+  }
+  for (const Vec3d& p : exact.points) given.push_back({p, {}});
+  std::vector<CoreForm::Piece> pieces;
+  while (!given.empty()) {
+    const auto others = std::stable_partition(given.begin(), given.end(), [first = given.front()](const auto& piece) {
+      return have_same_shape(piece, first);
+    });
+    for (auto piece = given.begin(); piece != others; ++piece) {
+      piece->is_like_last = piece != given.begin();
+      pieces.push_back(*piece);
+    }
+    given.erase(given.begin(), others);
+  }
+  return pieces;
+}
+
 }  // namespace
 
 std::optional<CoreForm> core_form(const ConvexBody& body) {
@@ -33,22 +66,34 @@ std::optional<CoreForm> core_form(const ConvexBody& body) {
   CoreForm form;
   if (exact->points.empty() && exact->pieces.size() == 1 && !exact->pieces[0].is_dome) {
     const ExactForm::Piece& piece = exact->pieces[0];
-    const bool is_central = piece.centre.x == 0.0 && piece.centre.y == 0.0 && piece.centre.z == 0.0;
-    const bool is_solid = piece.semi_axes.x > 0.0 && piece.semi_axes.y > 0.0 && piece.semi_axes.z > 0.0;
     // Squares of the shortest with any direction that a packet takes are far from underflow (E18).
     const double shortest = std::min({piece.semi_axes.x, piece.semi_axes.y, piece.semi_axes.z});
-    if (!is_central || !is_solid || shortest < 0x1p-100) return std::nullopt;
-    form.kind = CoreForm::Kind::ellipsoid;
-    form.semi_axes = piece.semi_axes;
+    if (is_zero(piece.centre) && shortest >= 0x1p-100) {
+      form.kind = CoreForm::Kind::ellipsoid;
+      form.semi_axes = piece.semi_axes;
+      return form;
+    }
+  }
+  if (!exact->pieces.empty()) {
+    if (exact->points.size() + exact->pieces.size() > CoreForm::kMostPieces) return std::nullopt;
+    form.kind = CoreForm::Kind::pieces;
+    form.pieces = core_pieces(*exact);
+    form.lower = form.pieces[0].centre;
+    form.upper = form.lower;
+    for (const CoreForm::Piece& piece : form.pieces)
+      extend(form, piece.centre - piece.semi_axes, piece.centre + piece.semi_axes);
+    form.support_error = 20.0 * kUnitRoundoff * body.reach();  // E18
     return form;
   }
-  if (!exact->pieces.empty() || exact->points.empty()) return std::nullopt;
+  if (exact->points.empty()) return std::nullopt;
   form.lower = form.upper = exact->points.front();
-  for (const Vec3d& p : exact->points) {
-    form.lower = {std::min(form.lower.x, p.x), std::min(form.lower.y, p.y), std::min(form.lower.z, p.z)};
-    form.upper = {std::max(form.upper.x, p.x), std::max(form.upper.y, p.y), std::max(form.upper.z, p.z)};
-  }
+  for (const Vec3d& p : exact->points) extend(form, p, p);
   if (is_box(exact->points, form.lower, form.upper)) return form;
+  if (exact->points.size() > kMostScannedVertices && body.may_have_direction_table()) {
+    form.kind = CoreForm::Kind::table;
+    form.table = body.direction_table().value_or(DirectionTable{});
+    return form;
+  }
   if (exact->points.size() > kMostScannedVertices) return std::nullopt;
   form.kind = CoreForm::Kind::vertices;
   for (const Vec3d& p : exact->points) {

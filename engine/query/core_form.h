@@ -7,6 +7,7 @@
 
 #include "engine/numeric/vec3.h"
 #include "engine/support/convex_body.h"
+#include "engine/support/direction_table.h"
 
 namespace vex {
 
@@ -15,16 +16,29 @@ struct CoreForm {
     box,        // all points with coordinates of `lower` or `upper`: plates, needles and points among them
     ellipsoid,  // about the origin
     vertices,   // few enough to scan
+    table,      // of directions, of a polytope of more vertices
+    pieces,     // few ellipsoids anywhere, flat ones, half ones and points among them
   };
+  /// {centre + D x : |x| <= 1}, D = diag(semi_axes), or of a dome the upper half.
+  struct Piece {
+    Vec3d centre, semi_axes;
+    bool is_dome = false;
+    bool is_like_last = false;  // but for the centre
+  };
+  static constexpr std::size_t kMostPieces = 8;
+
   Kind kind = Kind::box;
-  Vec3d lower, upper;           // of a box
+  Vec3d lower, upper;           // the bounding box; a box itself
   Vec3d semi_axes;              // of an ellipsoid
   std::vector<double> x, y, z;  // of vertices
+  DirectionTable table;         // null where the body has none as yet
+  std::vector<Piece> pieces;
+  double support_error = 0.0;  // of the core's own support mapping, beyond that of the body's
 };
 
-/// Polytopes of more vertices are left to their own support mapping, one pose at a time: a query of two hulls of 100
-/// takes 0.42 us by packets that scan and 0.45 us by tables of directions (docs/performance.md), which grow no longer.
-inline constexpr std::size_t kMostScannedVertices = 100;
+/// Polytopes of more vertices are asked by their table of directions: from there on it takes no longer than the scan,
+/// and grows no longer (docs/performance.md, "Large hulls").
+inline constexpr std::size_t kMostScannedVertices = 32;
 
 /// None where the body's core is none of these.
 std::optional<CoreForm> core_form(const ConvexBody& body);

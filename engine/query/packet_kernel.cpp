@@ -25,6 +25,8 @@ PacketOverlap* with_a(const PacketPairForms& forms) {
   switch (forms.b->kind) {
     case CoreForm::Kind::box: return new Kernel<CoreA, BoxCore>(forms);
     case CoreForm::Kind::ellipsoid: return new Kernel<CoreA, EllipsoidCore>(forms);
+    case CoreForm::Kind::table: return new Kernel<CoreA, TableCore>(forms);
+    case CoreForm::Kind::pieces: return new Kernel<CoreA, PiecesCore>(forms);
     case CoreForm::Kind::vertices: break;
   }
   return new Kernel<CoreA, VerticesCore>(forms);
@@ -36,6 +38,8 @@ PacketOverlap* new_packet_overlap(const PacketPairForms& forms) {
   switch (forms.a->kind) {
     case CoreForm::Kind::box: return with_a<BoxCore>(forms);
     case CoreForm::Kind::ellipsoid: return with_a<EllipsoidCore>(forms);
+    case CoreForm::Kind::table: return with_a<TableCore>(forms);
+    case CoreForm::Kind::pieces: return with_a<PiecesCore>(forms);
     case CoreForm::Kind::vertices: break;
   }
   return with_a<VerticesCore>(forms);

@@ -38,7 +38,7 @@ QuickVerdict::Bounds QuickVerdict::bounds_of(const ConvexBody& body, const Conve
     return (own + other.inradius()) * (1.0 - 2.0 * rotation_error) * (1.0 - gamma(24));
   };
   const std::optional<CoreForm> core = core_form(body);
-  if (core && core->kind != CoreForm::Kind::vertices) {
+  if (core && (core->kind == CoreForm::Kind::box || core->kind == CoreForm::Kind::ellipsoid)) {
     bounds.outer = outer_with(body.ball_radius());
     bounds.inner = inner_with(body.ball_radius());
     if (core->kind == CoreForm::Kind::ellipsoid) {

@@ -110,6 +110,10 @@ class Inflated {
     if (form) form->ball_radius += radius_;
     return form;
   }
+  /// The core's.
+  std::optional<DirectionTable> direction_table() const requires HasDirectionTable<Body> {
+    return body_.direction_table();
+  }
 
  private:
   Body body_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/numeric/rounding.h"
+#include "engine/support/direction_table.h"
 #include "engine/support/exact_form.h"
 #include "engine/support/support_mapping.h"
 
@@ -23,6 +24,12 @@ concept HasBallPart = requires(const S& body, const Vec3d& dir) {
 template <class S>
 concept HasExactForm = requires(const S& body) {
   { body.exact_form() } -> std::convertible_to<std::optional<ExactForm>>;
+};
+/// A polytope, or one with a ball, of many vertices has a table of directions once it has been asked often: none
+/// before.
+template <class S>
+concept HasDirectionTable = requires(const S& body) {
+  { body.direction_table() } -> std::same_as<std::optional<DirectionTable>>;
 };
 
 /// Holds any support mapping; itself one. Cheap to copy: copies share the shape, which never changes.
@@ -57,6 +64,10 @@ class ConvexBody {
   /// What the body is exactly; none where its class does not tell. Copies the vertices of a polytope.
   std::optional<ExactForm> exact_form() const { return model_->exact_form(); }
 
+  /// Whether there may be a table of directions, and the table, or none as yet. It lives as long as the shape.
+  bool may_have_direction_table() const { return model_->may_have_direction_table(); }
+  std::optional<DirectionTable> direction_table() const { return model_->direction_table(); }
+
   Vec3d centre() const { return centre_; }
   double circumradius() const { return circumradius_; }
   double inradius() const { return inradius_; }
@@ -77,6 +88,8 @@ class ConvexBody {
     virtual Vec3d support(const Vec3d& dir) const = 0;
     virtual Vec3d core_support(const Vec3d& dir) const = 0;
     virtual std::optional<ExactForm> exact_form() const = 0;
+    virtual bool may_have_direction_table() const = 0;
+    virtual std::optional<DirectionTable> direction_table() const = 0;
   };
   template <class Shape>
   struct ModelOf final : Model {
@@ -92,6 +105,14 @@ class ConvexBody {
     std::optional<ExactForm> exact_form() const override {
       if constexpr (HasExactForm<Shape>) {
         return shape.exact_form();
+      } else {
+        return std::nullopt;
+      }
+    }
+    bool may_have_direction_table() const override { return HasDirectionTable<Shape>; }
+    std::optional<DirectionTable> direction_table() const override {
+      if constexpr (HasDirectionTable<Shape>) {
+        return shape.direction_table();
       } else {
         return std::nullopt;
       }

@@ -3,7 +3,7 @@
 //
 // Directions are random over the whole sphere and poses over the whole ball domain, more of them than fit in a cache,
 // so that large tables are met cold. Every figure is processor time, the least of some passes, in which scan and table
-// take turns.
+// take turns. Packets ask the table (of 33 vertices or more) for some poses at a time.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "engine/query/overlap.h"
+#include "engine/query/overlap_backend.h"
+#include "engine/query/packet_overlap.h"
 #include "engine/sampling/monte_carlo.h"
 #include "shapes/polytope.h"
 #include "tests/bench/processor.h"
@@ -121,7 +123,12 @@ void report(const std::string& name, const std::vector<Vec3d>& vertices) {
   std::vector<Transformd> poses;
   for (std::size_t k = 0; k < kMost; ++k) poses.push_back(trial_pose(mapped_body, mapped_body, settings, k));
 
-  double scan_call = HUGE_VAL, map_call = HUGE_VAL, scan_query = HUGE_VAL, map_query = HUGE_VAL;
+  const ConvexBody asked = polytope;
+  for (std::size_t k = 0; k <= LazyDirectionMap::kCallsThatPay; ++k) asked.support(dirs[k]);
+  const std::unique_ptr<OverlapBackend> packets = gjk_backend().make(asked, asked);
+  std::vector<Verdict> verdicts(std::size_t{PacketOverlap::kMostTrials});
+
+  double scan_call = HUGE_VAL, map_call = HUGE_VAL, scan_query = HUGE_VAL, map_query = HUGE_VAL, packet = HUGE_VAL;
   double sum = 0.0;  // used, so that no call is left out
   for (int pass = 0; pass < kPasses; ++pass) {
     const auto call = [&](const auto& body) { return [&](std::size_t k) { sum += body.support(dirs[k]).x; }; };
@@ -132,10 +139,15 @@ void report(const std::string& name, const std::vector<Vec3d>& vertices) {
     time_pass(kMost, call(mapped), &map_call);
     time_pass(n_of_scan(vertices.size(), 8.0), query(scanned_body), &scan_query);
     time_pass(kMost, query(mapped_body), &map_query);
+    const auto batch = [&](std::size_t k) {
+      packets->decide({&poses[k * verdicts.size()], verdicts.size()}, verdicts);
+    };
+    time_pass(kMost / verdicts.size(), batch, &packet);
   }
   const auto n = static_cast<double>(vertices.size());
-  std::printf("| %s | %zu | %.3g | %.3g | %.3g | %.3g | %.2g | %.0f | %.0f |\n", name.c_str(), vertices.size(),
-              1e9 * scan_call, 1e9 * map_call, 1e6 * scan_query, 1e6 * map_query, build, 1e9 * build / n,
+  std::printf("| %s | %zu | %.3g | %.3g | %.3g | %.3g | %.3g | %.2g | %.0f | %.0f |\n", name.c_str(), vertices.size(),
+              1e9 * scan_call, 1e9 * map_call, 1e6 * scan_query, 1e6 * map_query,
+              1e6 * packet / static_cast<double>(verdicts.size()), build, 1e9 * build / n,
               static_cast<double>(map->bytes()) / n);
   if (std::isnan(sum)) std::printf("not a number\n");
   std::fflush(stdout);
@@ -164,9 +176,8 @@ int main() {
   using namespace vex;
   std::printf("%s, g++ %s\n\n", processor().c_str(), __VERSION__);
   std::printf(
-      "| body | vertices | scan, ns a call | table, ns a call | scan, us a query | table, us a query | made in, s | ns "
-      "a "
-      "vertex | bytes a vertex |\n|---|---|---|---|---|---|---|---|---|\n");
+      "| body | vertices | scan, ns a call | table, ns a call | scan, us a query | table, us a query | packets, us "
+      "a query | made in, s | ns a vertex | bytes a vertex |\n|---|---|---|---|---|---|---|---|---|---|\n");
   for (const int n : {8, 16, 24, 32, 48, 64, 100, 316, 1000, 10000, 100000, 1000000}) {
     report("ellipsoid 3:2:1", test_point_hull(n, {3, 2, 1}, 1).vertices);
   }

@@ -33,7 +33,11 @@ std::vector<Subject> subjects() {
   return {{"cube", parse_shape("box:1,1,1").body},
           {"ellipsoid-4:1:1", parse_shape("ellipsoid:4,1,1").body},
           {"capsule-L1-R.25", parse_shape("capsule:1,0.25").body},
-          {"hull-100", test_point_hull(100, {1, 1, 1}, 100).body}};
+          {"cylinder-L1-R.5", parse_shape("cylinder:1,0.5").body},
+          {"cone-H1-R.5", parse_shape("cone:1,0.5").body},
+          {"hull-100", test_point_hull(100, {1, 1, 1}, 100).body},
+          {"hull-100-3:2:1", test_point_hull(100, {3, 2, 1}, 1).body},
+          {"hull-10000-3:2:1", test_point_hull(10000, {3, 2, 1}, 1).body}};
 }
 
 // More poses than a branch predictor remembers.
