@@ -1,0 +1,104 @@
+// Whole trials of the engine beside the peers, on the same poses, in one process: docs/performance.md.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <optional>
+
+#include "apps/common/common_options.h"
+#include "apps/common/numbers.h"
+#include "apps/common/output_file.h"
+#include "apps/common/run_program.h"
+#include "engine/numeric/errors.h"
+#include "tests/bench/bench_report.h"
+#include "tests/bench/rounds.h"
+#include "tests/bench/thread_scaling.h"
+#include "tests/bench/trial_rows.h"
+#include "tests/bench/vertex_cost.h"
+
+namespace vex {
+namespace {
+
+struct Words {
+  std::string rounds, poses, seed, most_vertices, most_peer_vertices, json, svg;
+  bool vertices = false, threads = false, peers_best = false;
+};
+
+void declare(CLI::App& app, Words& words) {
+  CLI::Option_group* const modes = app.add_option_group("What is measured");
+  modes->add_flag("--vertices", words.vertices, "Cost of a trial against the number of vertices, 8 to 10^6");
+  modes->add_flag("--threads", words.threads, "One process with two threads against two processes with one");
+  modes->add_flag("--peers-best", words.peers_best, "The peers at their own best settings, each named");
+  modes->require_option(0, 1);
+  app.add_option("--json", words.json, "Write all figures to FILE (- is standard output, then without tables)")
+      ->type_name("FILE");
+  app.add_option("--svg", words.svg, "Of --vertices: write the plot to FILE")->type_name("FILE");
+  app.add_option("--rounds", words.rounds, "Rounds in which every contender takes a turn (default 11)")->type_name("N");
+  app.add_option("--poses", words.poses, "Poses a turn, trials of --threads (default: as many as take minutes in all)")
+      ->type_name("N");
+  app.add_option("--seed", words.seed, "Of the poses (default 1)")->type_name("N");
+  app.add_option("--most-vertices", words.most_vertices, "Of --vertices: stop there (default 1e6)")->type_name("N");
+  app.add_option("--most-peer-vertices", words.most_peer_vertices,
+                 "Of --vertices: peers other than on the engine's own bodies stop there (default 1e5)")
+      ->type_name("N");
+}
+
+BenchSettings interpret(const Words& words) {
+  BenchSettings settings;
+  if (!words.rounds.empty()) {
+    const std::uint64_t n = parse_positive_count(words.rounds, "--rounds");
+    if (n > 10000) throw UsageError("more rounds than anybody waits for (" + words.rounds + ") - at most 10000");
+    settings.n_rounds = static_cast<int>(n);
+  }
+  if (!words.poses.empty()) settings.n_poses = parse_positive_count(words.poses, "--poses");
+  if (!words.seed.empty()) settings.seed = parse_count(words.seed, "--seed");
+  if (!words.most_vertices.empty()) {
+    settings.most_vertices = parse_positive_count(words.most_vertices, "--most-vertices");
+  }
+  if (!words.most_peer_vertices.empty()) {
+    settings.most_peer_vertices = parse_positive_count(words.most_peer_vertices, "--most-peer-vertices");
+  }
+  if (!words.svg.empty() && !words.vertices) throw UsageError("--svg without --vertices - there is one plot, of these");
+  return settings;
+}
+
+BenchReport measure(const Words& words, const BenchSettings& settings) {
+  if (words.vertices) return vertex_costs(settings);
+  if (words.threads) return thread_scaling(settings);
+  if (words.peers_best) return compare_best_peers(settings);
+  return compare_trials(settings);
+}
+
+}  // namespace
+}  // namespace vex
+
+int main(int argc, char** argv) {
+  using namespace vex;
+  CLI::App app(
+      "Nanoseconds of whole trials of the engine (random numbers, pose, proof, tally) beside queries alone of libccd "
+      "and "
+      "FCL, on the same poses in the same process. Prints Markdown. Machine at rest, minutes.",
+      "vex_trial_bench");
+  Words words;
+  declare(app, words);
+  return run_program(app, argc, argv, [&] {
+    const BenchSettings settings = interpret(words);
+    std::optional<OutputFile> json, svg;
+    if (!words.json.empty()) json.emplace(words.json, std::span<const std::string>{});
+    if (!words.svg.empty()) svg.emplace(words.svg, std::span<const std::string>{});
+    const double start = wall_ns();
+    const BenchReport report = measure(words, settings);
+    if (svg) svg->write(report.picture);
+    if (json) {
+      CommonOptions common;
+      common.seed = settings.seed;
+      common.n_threads = words.threads ? settings.n_threads : 1;
+      nlohmann::ordered_json document =
+          document_head(command_line(argc, argv), common, true, 1e-9 * (wall_ns() - start));
+      document.update(machine_json());
+      document["rounds"] = settings.n_rounds;
+      document["rows"] = report.rows;
+      json->write(document.dump(2) + "\n");
+    }
+    if (!json || !json->is_standard_output()) std::printf("%s\n\n%s", machine_line().c_str(), report.markdown.c_str());
+    return kSuccess;
+  });
+}
