@@ -1,9 +1,11 @@
 #include "tests/bench/bench_pairs.h"
 
 #include <algorithm>
+#include <bit>
 #include <stdexcept>
 #include <utility>
 
+#include "apps/common/numbers.h"
 #include "engine/numeric/expect.h"
 #include "shapes/any_shape.h"
 #include "tests/bench/best_peers.h"
@@ -66,20 +68,16 @@ Contender StoredQuery::contender(std::size_t n) {
 }
 
 std::size_t StoredQuery::n_answered_in(double seconds) {
-  std::size_t n = std::min<std::size_t>(64, poses_.size());
-  answer(n);  // fills caches
-  while (true) {
+  const std::size_t all = poses_.size(), least = std::min<std::size_t>(64, all);
+  answer(least);  // fills caches
+  for (std::size_t n = least;; n = std::min(4 * n, all)) {
     const double start = processor_ns();
     answer(n);
     const double taken = processor_ns() - start;
-    if (taken > 1e6 || n == poses_.size()) {
-      const double affordable = 1e9 * seconds / taken * static_cast<double>(n);
-      return affordable >= static_cast<double>(poses_.size())
-                 ? poses_.size()
-                 : std::max<std::size_t>(std::min<std::size_t>(64, poses_.size()),
-                                         static_cast<std::size_t>(affordable));
-    }
-    n = std::min(4 * n, poses_.size());
+    if (taken < 1e6 && n < all) continue;  // too short to go by
+    const double affordable = 1e9 * seconds / taken * static_cast<double>(n);
+    if (affordable >= static_cast<double>(all)) return all;
+    return std::max(least, std::bit_floor(static_cast<std::size_t>(affordable)));
   }
 }
 
@@ -114,7 +112,7 @@ std::size_t n_hits(const std::vector<Verdict>& verdicts) {
 }
 
 std::string timing_text(const Timing& timing) {
-  return three_digits(timing.median()) + " (" + percent(timing.spread()) + ")";
+  return three_digits(timing.median()) + " (" + fixed_number(0, 100.0 * timing.spread()) + " %)";
 }
 
 }  // namespace vex

@@ -45,7 +45,7 @@ class StoredQuery {
   Contender contender(std::size_t n);
   const std::string& name() const { return name_; }
   const std::vector<Verdict>& verdicts() const { return verdicts_; }
-  /// Poses that it answers in so many seconds, to go by the first of them: at least 64 where there are as many.
+  /// Poses that it answers in so many seconds, to go by the first of them: all, or a power of two from 64 up.
   std::size_t n_answered_in(double seconds);
 
  private:

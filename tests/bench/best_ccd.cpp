@@ -1,5 +1,6 @@
 #include <ccd/ccd.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -70,7 +71,7 @@ struct ScannedHull {
   std::vector<ccd_vec3_t> vertices;
 };
 
-// Uphill along the edges, from the vertex that answered last.
+// Uphill along the edges, from the vertex that answered the last direction of the same octant.
 struct ClimbedHull {
   explicit ClimbedHull(const Polytope& polytope) : scanned(polytope), first(scanned.vertices.size() + 1) {
     const std::vector<Vec3d> points = polytope.vertices();
@@ -83,11 +84,12 @@ struct ClimbedHull {
     for (const auto& corners : hull->corners) {
       for (std::size_t k = 0; k < 3; ++k) neighbours[next[corners[k]]++] = corners[(k + 1) % 3];
     }
-    last = hull->corners[0][0];
+    last.fill(hull->corners[0][0]);
   }
   void support(const ccd_vec3_t& dir, ccd_vec3_t* point) const {
     if (neighbours.empty()) return scanned.support(dir, point);
-    std::uint32_t best = last;
+    std::uint32_t& start = last[(dir.v[0] < 0 ? 1u : 0u) + (dir.v[1] < 0 ? 2u : 0u) + (dir.v[2] < 0 ? 4u : 0u)];
+    std::uint32_t best = start;
     ccd_real_t most = ccdVec3Dot(&scanned.vertices[best], &dir);
     for (bool climbs = true; climbs;) {
       climbs = false;
@@ -97,12 +99,12 @@ struct ClimbedHull {
         if (value > most) most = value, best = neighbours[k], climbs = true;
       }
     }
-    last = best;
+    start = best;
     *point = scanned.vertices[best];
   }
   ScannedHull scanned;
   std::vector<std::uint32_t> first, neighbours;
-  mutable std::uint32_t last = 0;
+  mutable std::array<std::uint32_t, 8> last{};  // by octant
 };
 
 template <class Shape>
@@ -211,9 +213,10 @@ std::vector<BestPeer> best_ccd_peers() {
           {kind<ScannedHull>("ccd-mpr-plain", ccdMPRIntersect, are_plain),
            "libccd ccdMPRIntersect, mpr_tolerance 1e-4, its default; " + plain + ", hulls scanned"},
           {kind<ClimbedHull>("ccd-gjk-climbing", ccdGJKIntersect, are_hulls),
-           "the same GJK, hulls climbed along their edges from the vertex that answered last"},
+           "the same GJK, hulls climbed along their edges from the vertex that answered the octant's last direction"},
           {kind<ClimbedHull>("ccd-mpr-climbing", ccdMPRIntersect, are_hulls),
-           "the same portal refinement, hulls climbed along their edges from the vertex that answered last"}};
+           "the same portal refinement, hulls climbed along their edges from the vertex that answered the octant's "
+           "last direction"}};
 }
 
 BestPeer ccd_scan_mpr() { return best_ccd_peers()[1]; }
