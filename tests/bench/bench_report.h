@@ -15,7 +15,7 @@ struct BenchSettings {
   int n_rounds = 11;
   std::optional<std::size_t> n_poses;  // of each pair; none: as many as the mode has time for
   std::size_t most_vertices = 1'000'000;
-  std::size_t most_peer_vertices = 100'000;
+  std::size_t most_peer_vertices = 1'000'000;
   int n_threads = 2;
 };
 

@@ -14,7 +14,7 @@ constexpr double kLeft = 78.0, kRight = 700.0, kTop = 84.0, kBottom = 476.0;
 constexpr double kNameHeight = 17.0;  // of a line of a curve's name
 
 struct Axis {
-  double from, to;    // powers of ten
+  double from, to;    // logarithms
   double begin, end;  // pixels
 
   double pixel(double value) const { return begin + (std::log10(value) - from) / (to - from) * (end - begin); }
@@ -24,8 +24,21 @@ std::string anchored(const char* anchor, const std::string& attributes) {
   return "style=\"text-anchor:" + std::string(anchor) + "\" " + attributes;
 }
 
-std::string power_of_ten(int exponent) {
-  if (exponent >= 0 && exponent <= 3) return std::to_string(static_cast<int>(std::pow(10.0, exponent) + 0.5));
+// Powers of ten, or their multiples between.
+std::vector<double> values_within(const Axis& axis, bool powers) {
+  std::vector<double> values;
+  for (int decade = static_cast<int>(std::floor(axis.from)); decade <= static_cast<int>(axis.to); ++decade) {
+    for (int digit = powers ? 1 : 2; digit <= (powers ? 1 : 9); ++digit) {
+      const double value = digit * std::pow(10.0, decade), place = std::log10(value);
+      if (place > axis.from - 1e-9 && place < axis.to + 1e-9) values.push_back(value);
+    }
+  }
+  return values;
+}
+
+std::string power_of_ten(double value) {
+  const int exponent = static_cast<int>(std::lround(std::log10(value)));
+  if (exponent >= 0 && exponent <= 3) return std::to_string(std::lround(value));
   return "10<tspan dy=\"-.45em\" font-size=\"75%\">" + std::to_string(exponent) + "</tspan>";
 }
 
@@ -60,21 +73,14 @@ void draw_axes(Svg& svg, const LogPlot& plot, const Axis& x, const Axis& y) {
   const std::string major = "stroke=\"#cfd6df\" stroke-width=\"1\"", minor = "stroke=\"#eef1f5\" stroke-width=\"1\"";
   const std::string text = "font-size=\"14\" fill=\"#333\"";
   for (const bool is_major : {false, true}) {
-    for (int decade = static_cast<int>(x.from); decade <= static_cast<int>(x.to); ++decade) {
-      for (int digit = is_major ? 1 : 2; digit <= (is_major ? 1 : 9); ++digit) {
-        const double at = x.pixel(digit * std::pow(10.0, decade));
-        if (at <= x.end + 0.1) svg.line({at, y.begin}, {at, y.end}, is_major ? major : minor);
-      }
-      if (is_major) svg.label({x.pixel(std::pow(10.0, decade)), y.begin + 18.0}, power_of_ten(decade), text);
+    const std::string& style = is_major ? major : minor;
+    for (const double value : values_within(x, is_major)) {
+      svg.line({x.pixel(value), y.begin}, {x.pixel(value), y.end}, style);
+      if (is_major) svg.label({x.pixel(value), y.begin + 18.0}, power_of_ten(value), text);
     }
-    for (int decade = static_cast<int>(y.from); decade <= static_cast<int>(y.to); ++decade) {
-      for (int digit = is_major ? 1 : 2; digit <= (is_major ? 1 : 9); ++digit) {
-        const double at = y.pixel(digit * std::pow(10.0, decade));
-        if (at >= y.end - 0.1) svg.line({x.begin, at}, {x.end, at}, is_major ? major : minor);
-      }
-      if (is_major) {
-        svg.label({x.begin - 8.0, y.pixel(std::pow(10.0, decade))}, power_of_ten(decade), anchored("end", text));
-      }
+    for (const double value : values_within(y, is_major)) {
+      svg.line({x.begin, y.pixel(value)}, {x.end, y.pixel(value)}, style);
+      if (is_major) svg.label({x.begin - 8.0, y.pixel(value)}, power_of_ten(value), anchored("end", text));
     }
   }
   svg.path("M" + svg_number(x.begin) + "," + svg_number(y.end) + "V" + svg_number(y.begin) + "H" + svg_number(x.end),
@@ -96,11 +102,9 @@ std::string svg_of(const LogPlot& plot) {
       least_y = std::min(least_y, y), most_y = std::max(most_y, y);
     }
   }
-  const auto axis = [](double least, double most, double begin, double end) {
-    const double from = std::floor(std::log10(least)), to = std::ceil(std::log10(most));
-    return Axis{from, std::max(to, from + 1.0), begin, end};
-  };
-  const Axis x = axis(least_x, most_x, kLeft, kRight), y = axis(least_y, most_y, kBottom, kTop);
+  const double beside = 0.12, from_y = std::floor(std::log10(least_y));
+  const Axis x{std::log10(least_x) - beside, std::log10(most_x) + beside, kLeft, kRight};
+  const Axis y{from_y, std::max(std::ceil(std::log10(most_y)), from_y + 1.0), kBottom, kTop};
 
   Svg svg(kWidth, kHeight, plot.title);
   svg.label({kLeft, 32.0}, plot.title, anchored("start", "font-size=\"20\" font-weight=\"bold\" fill=\"#111\""));

@@ -21,7 +21,8 @@ struct LogPlot {
   std::vector<Curve> curves;
 };
 
-/// The text of an SVG file. The axes reach to the powers of ten about the points; each curve's name stands at its end.
+/// The text of an SVG file. The upright axis reaches to the powers of ten about the points; each curve's name stands at
+/// its end.
 std::string svg_of(const LogPlot& plot);
 
 }  // namespace vex

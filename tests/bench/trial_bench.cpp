@@ -37,7 +37,7 @@ void declare(CLI::App& app, Words& words) {
   app.add_option("--seed", words.seed, "Of the poses (default 1)")->type_name("N");
   app.add_option("--most-vertices", words.most_vertices, "Of --vertices: stop there (default 1e6)")->type_name("N");
   app.add_option("--most-peer-vertices", words.most_peer_vertices,
-                 "Of --vertices: peers other than on the engine's own bodies stop there (default 1e5)")
+                 "Of --vertices: FCL, and libccd by scans, stop there (default 1e6)")
       ->type_name("N");
 }
 
