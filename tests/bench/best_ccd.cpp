@@ -142,6 +142,15 @@ void centre_b(const void* object, ccd_vec3_t* point) {
   set(point, placed<Shape>(object).a_from_b(placed<Shape>(object).centre));
 }
 
+// GJK's first direction: libccd's own is x, whatever the poses.
+template <class Shape>
+void between_centres(const void* a, const void* b, ccd_vec3_t* dir) {
+  ccd_vec3_t from, to;
+  centre_a<Shape>(a, &from);
+  centre_b<Shape>(b, &to);
+  ccdVec3Sub2(dir, &to, &from);
+}
+
 using Query = int (*)(const void*, const void*, const ccd_t*);
 
 template <class Shape>
@@ -151,6 +160,7 @@ class PlainBackend final : public OverlapBackend {
   PlainBackend(const Body& a, const Body& b, Query query)
       : query_(query), a_{Shape(a), a.centre(), {}}, b_{Shape(b), b.centre(), {}} {
     CCD_INIT(&ccd_);  // and so portal refinement's tolerance of 1e-4
+    ccd_.first_dir = between_centres<Shape>;
     ccd_.support1 = support_a<Shape>;
     ccd_.support2 = support_b<Shape>;
     ccd_.center1 = centre_a<Shape>;
@@ -209,7 +219,7 @@ BackendKind kind(const char* name, Query query, bool (*takes_pair)(const ConvexB
 std::vector<BestPeer> best_ccd_peers() {
   const std::string plain = "plain C support functions on the shape's own sizes, B placed by a matrix";
   return {{kind<ScannedHull>("ccd-gjk-plain", ccdGJKIntersect, are_plain),
-           "libccd ccdGJKIntersect, max_iterations 100; " + plain + ", hulls scanned"},
+           "libccd ccdGJKIntersect, max_iterations 100, first_dir between the centres; " + plain + ", hulls scanned"},
           {kind<ScannedHull>("ccd-mpr-plain", ccdMPRIntersect, are_plain),
            "libccd ccdMPRIntersect, mpr_tolerance 1e-4, its default; " + plain + ", hulls scanned"},
           {kind<ClimbedHull>("ccd-gjk-climbing", ccdGJKIntersect, are_hulls),

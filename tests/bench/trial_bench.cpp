@@ -19,11 +19,13 @@ namespace {
 
 struct Words {
   std::string rounds, poses, seed, most_vertices, most_peer_vertices, json, svg;
-  bool vertices = false, threads = false, peers_best = false;
+  bool all = false, vertices = false, threads = false, peers_best = false;
 };
 
 void declare(CLI::App& app, Words& words) {
   CLI::Option_group* const modes = app.add_option_group("What is measured");
+  modes->add_flag("--all", words.all,
+                  "Whole trials beside the peers, which is measured without these, and each of these");
   modes->add_flag("--vertices", words.vertices, "Cost of a trial against the number of vertices, 8 to 10^6");
   modes->add_flag("--threads", words.threads, "One process with two threads against two processes with one");
   modes->add_flag("--peers-best", words.peers_best, "The peers at their own best settings, each named");
@@ -56,15 +58,23 @@ BenchSettings interpret(const Words& words) {
   if (!words.most_peer_vertices.empty()) {
     settings.most_peer_vertices = parse_positive_count(words.most_peer_vertices, "--most-peer-vertices");
   }
-  if (!words.svg.empty() && !words.vertices) throw UsageError("--svg without --vertices - there is one plot, of these");
+  if (!words.svg.empty() && !words.vertices && !words.all)
+    throw UsageError("--svg without --vertices - there is one plot, of these");
   return settings;
 }
 
-BenchReport measure(const Words& words, const BenchSettings& settings) {
-  if (words.vertices) return vertex_costs(settings);
-  if (words.threads) return thread_scaling(settings);
-  if (words.peers_best) return compare_best_peers(settings);
-  return compare_trials(settings);
+struct Mode {
+  const char* name;  // in the document
+  bool is_asked;
+  BenchReport (*measure)(const BenchSettings& settings);
+};
+
+std::vector<Mode> modes(const Words& words) {
+  const bool is_default = !words.vertices && !words.threads && !words.peers_best;
+  return {{"trials", is_default, compare_trials},
+          {"peers_best", words.peers_best || words.all, compare_best_peers},
+          {"vertices", words.vertices || words.all, vertex_costs},
+          {"threads", words.threads || words.all, thread_scaling}};
 }
 
 }  // namespace
@@ -84,21 +94,29 @@ int main(int argc, char** argv) {
     std::optional<OutputFile> json, svg;
     if (!words.json.empty()) json.emplace(words.json, std::span<const std::string>{});
     if (!words.svg.empty()) svg.emplace(words.svg, std::span<const std::string>{});
+    const bool prints = !json || !json->is_standard_output();
+    if (prints) std::printf("%s\n", machine_line().c_str());
     const double start = wall_ns();
-    const BenchReport report = measure(words, settings);
-    if (svg) svg->write(report.picture);
+    nlohmann::ordered_json measured = nlohmann::ordered_json::object();
+    for (const Mode& mode : modes(words)) {
+      if (!mode.is_asked) continue;
+      const BenchReport report = mode.measure(settings);
+      measured[mode.name] = report.rows;
+      if (svg && !report.picture.empty()) svg->write(report.picture);
+      if (prints) std::printf("\n%s", report.markdown.c_str());
+      std::fflush(stdout);
+    }
     if (json) {
       CommonOptions common;
       common.seed = settings.seed;
-      common.n_threads = words.threads ? settings.n_threads : 1;
+      common.n_threads = words.threads || words.all ? settings.n_threads : 1;
       nlohmann::ordered_json document =
           document_head(command_line(argc, argv), common, true, 1e-9 * (wall_ns() - start));
       document.update(machine_json());
       document["rounds"] = settings.n_rounds;
-      document["rows"] = report.rows;
+      document.update(measured);
       json->write(document.dump(2) + "\n");
     }
-    if (!json || !json->is_standard_output()) std::printf("%s\n\n%s", machine_line().c_str(), report.markdown.c_str());
     return kSuccess;
   });
 }

@@ -126,7 +126,7 @@ LogPlot plot_of(const std::vector<VertexRow>& rows, const std::string& subtitle)
     }
     if (line.name == "trial") {
       if (const auto growth = million_to_thousand(rows)) {
-        curve.name += "\n1 000 000 cost " + short_number(*growth, 2) + " times 1000";
+        curve.name += "\nfrom 10³ to 10⁶: × " + short_number(*growth, 2);
       }
     }
     if (!curve.points.empty()) plot.curves.push_back(std::move(curve));
