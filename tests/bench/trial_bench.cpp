@@ -23,13 +23,12 @@ struct Words {
 };
 
 void declare(CLI::App& app, Words& words) {
-  CLI::Option_group* const modes = app.add_option_group("What is measured");
-  modes->add_flag("--all", words.all,
-                  "Whole trials beside the peers, which is measured without these, and each of these");
-  modes->add_flag("--vertices", words.vertices, "Cost of a trial against the number of vertices, 8 to 10^6");
-  modes->add_flag("--threads", words.threads, "One process with two threads against two processes with one");
-  modes->add_flag("--peers-best", words.peers_best, "The peers at their own best settings, each named");
-  modes->require_option(0, 1);
+  const char* const modes = "What is measured (without any: whole trials beside the peers)";
+  app.add_flag("--peers-best", words.peers_best, "The same with the peers at their own best settings, each named")
+      ->group(modes);
+  app.add_flag("--vertices", words.vertices, "Cost of a trial against the number of vertices, 8 to 10^6")->group(modes);
+  app.add_flag("--threads", words.threads, "One process with two threads against two processes with one")->group(modes);
+  app.add_flag("--all", words.all, "All of these, one after another")->group(modes);
   app.add_option("--json", words.json, "Write all figures to FILE (- is standard output, then without tables)")
       ->type_name("FILE");
   app.add_option("--svg", words.svg, "Of --vertices: write the plot to FILE")->type_name("FILE");
@@ -58,6 +57,9 @@ BenchSettings interpret(const Words& words) {
   if (!words.most_peer_vertices.empty()) {
     settings.most_peer_vertices = parse_positive_count(words.most_peer_vertices, "--most-peer-vertices");
   }
+  if (words.vertices + words.threads + words.peers_best + words.all > 1) {
+    throw UsageError("--vertices, --threads, --peers-best and --all are one measurement each - give one of them");
+  }
   if (!words.svg.empty() && !words.vertices && !words.all)
     throw UsageError("--svg without --vertices - there is one plot, of these");
   return settings;
@@ -74,7 +76,7 @@ std::vector<Mode> modes(const Words& words) {
   return {{"trials", is_default, compare_trials},
           {"peers_best", words.peers_best || words.all, compare_best_peers},
           {"vertices", words.vertices || words.all, vertex_costs},
-          {"threads", words.threads || words.all, thread_scaling}};
+          {"thread_scaling", words.threads || words.all, thread_scaling}};
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ TEST_F(TrialBench, PlotsTheCostAgainstTheVertices) {
 }
 
 TEST_F(TrialBench, ComparesThreadsWithProcesses) {
-  EXPECT_GT(rows_of("threads", {"--threads"}).at(0).at("threads_of_processes").get<double>(), 0.0);
+  EXPECT_GT(rows_of("thread_scaling", {"--threads"}).at(0).at("threads_of_processes").get<double>(), 0.0);
 }
 
 TEST_F(TrialBench, PrintsTablesBesideTheFile) {
