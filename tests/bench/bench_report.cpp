@@ -33,7 +33,7 @@ std::string compiler() {
 
 }  // namespace
 
-MarkdownTable::MarkdownTable(std::vector<std::string> heads) {
+MarkdownTable::MarkdownTable(const std::vector<std::string>& heads) {
   text_ = line_of(heads) + "|---|";
   for (std::size_t k = 1; k < heads.size(); ++k) text_ += "---:|";
   text_ += "\n";

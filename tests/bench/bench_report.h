@@ -28,7 +28,7 @@ struct BenchReport {
 /// A table of Markdown, the first column flush left.
 class MarkdownTable {
  public:
-  explicit MarkdownTable(std::vector<std::string> heads);
+  explicit MarkdownTable(const std::vector<std::string>& heads);
   void add(const std::vector<std::string>& cells);
   const std::string& text() const { return text_; }
 
