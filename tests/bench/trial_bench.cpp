@@ -1,0 +1,124 @@
+// Whole trials of the engine beside the peers, on the same poses, in one process: docs/performance.md.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <optional>
+
+#include "apps/common/common_options.h"
+#include "apps/common/numbers.h"
+#include "apps/common/output_file.h"
+#include "apps/common/run_program.h"
+#include "engine/numeric/errors.h"
+#include "tests/bench/bench_report.h"
+#include "tests/bench/rounds.h"
+#include "tests/bench/thread_scaling.h"
+#include "tests/bench/trial_rows.h"
+#include "tests/bench/vertex_cost.h"
+
+namespace vex {
+namespace {
+
+struct Words {
+  std::string rounds, poses, seed, most_vertices, most_peer_vertices, json, svg;
+  bool all = false, vertices = false, threads = false, peers_best = false;
+};
+
+void declare(CLI::App& app, Words& words) {
+  const char* const modes = "What is measured (without any: whole trials beside the peers)";
+  app.add_flag("--peers-best", words.peers_best, "The same with the peers at their own best settings, each named")
+      ->group(modes);
+  app.add_flag("--vertices", words.vertices, "Cost of a trial against the number of vertices, 8 to 10^6")->group(modes);
+  app.add_flag("--threads", words.threads, "One process with two threads against two processes with one")->group(modes);
+  app.add_flag("--all", words.all, "All of these, one after another")->group(modes);
+  app.add_option("--json", words.json, "Write all figures to FILE (- is standard output, then without tables)")
+      ->type_name("FILE");
+  app.add_option("--svg", words.svg, "Of --vertices: write the plot to FILE")->type_name("FILE");
+  app.add_option("--rounds", words.rounds, "Rounds in which every contender takes a turn (default 11)")->type_name("N");
+  app.add_option("--poses", words.poses, "Poses a turn, trials of --threads (default: as many as take minutes in all)")
+      ->type_name("N");
+  app.add_option("--seed", words.seed, "Of the poses (default 1)")->type_name("N");
+  app.add_option("--most-vertices", words.most_vertices, "Of --vertices: stop there (default 1e6)")->type_name("N");
+  app.add_option("--most-peer-vertices", words.most_peer_vertices,
+                 "Of --vertices: FCL, and libccd by scans, stop there (default 1e6)")
+      ->type_name("N");
+}
+
+BenchSettings interpret(const Words& words) {
+  BenchSettings settings;
+  if (!words.rounds.empty()) {
+    const std::uint64_t n = parse_positive_count(words.rounds, "--rounds");
+    if (n > 10000) throw UsageError("more rounds than anybody waits for (" + words.rounds + ") - at most 10000");
+    settings.n_rounds = static_cast<int>(n);
+  }
+  if (!words.poses.empty()) settings.n_poses = parse_positive_count(words.poses, "--poses");
+  if (!words.seed.empty()) settings.seed = parse_count(words.seed, "--seed");
+  if (!words.most_vertices.empty()) {
+    settings.most_vertices = parse_positive_count(words.most_vertices, "--most-vertices");
+  }
+  if (!words.most_peer_vertices.empty()) {
+    settings.most_peer_vertices = parse_positive_count(words.most_peer_vertices, "--most-peer-vertices");
+  }
+  if (words.vertices + words.threads + words.peers_best + words.all > 1) {
+    throw UsageError("--vertices, --threads, --peers-best and --all are one measurement each - give one of them");
+  }
+  if (!words.svg.empty() && !words.vertices && !words.all)
+    throw UsageError("--svg without --vertices - there is one plot, of these");
+  return settings;
+}
+
+struct Mode {
+  const char* name;  // in the document
+  bool is_asked;
+  BenchReport (*measure)(const BenchSettings& settings);
+};
+
+std::vector<Mode> modes(const Words& words) {
+  const bool is_default = !words.vertices && !words.threads && !words.peers_best;
+  return {{"trials", is_default, compare_trials},
+          {"peers_best", words.peers_best || words.all, compare_best_peers},
+          {"vertices", words.vertices || words.all, vertex_costs},
+          {"thread_scaling", words.threads || words.all, thread_scaling}};
+}
+
+}  // namespace
+}  // namespace vex
+
+int main(int argc, char** argv) {
+  using namespace vex;
+  CLI::App app(
+      "Nanoseconds of whole trials of the engine (random numbers, pose, proof, tally) beside queries alone of libccd "
+      "and "
+      "FCL, on the same poses in the same process. Prints Markdown. Machine at rest, minutes.",
+      "vex_trial_bench");
+  Words words;
+  declare(app, words);
+  return run_program(app, argc, argv, [&] {
+    const BenchSettings settings = interpret(words);
+    std::optional<OutputFile> json, svg;
+    if (!words.json.empty()) json.emplace(words.json, std::span<const std::string>{});
+    if (!words.svg.empty()) svg.emplace(words.svg, std::span<const std::string>{});
+    const bool prints = !json || !json->is_standard_output();
+    if (prints) std::printf("%s\n", machine_line().c_str());
+    const double start = wall_ns();
+    nlohmann::ordered_json measured = nlohmann::ordered_json::object();
+    for (const Mode& mode : modes(words)) {
+      if (!mode.is_asked) continue;
+      const BenchReport report = mode.measure(settings);
+      measured[mode.name] = report.rows;
+      if (svg && !report.picture.empty()) svg->write(report.picture);
+      if (prints) std::printf("\n%s", report.markdown.c_str());
+      std::fflush(stdout);
+    }
+    if (json) {
+      CommonOptions common;
+      common.seed = settings.seed;
+      common.n_threads = words.threads || words.all ? settings.n_threads : 1;
+      nlohmann::ordered_json document =
+          document_head(command_line(argc, argv), common, true, 1e-9 * (wall_ns() - start));
+      document.update(machine_json());
+      document["rounds"] = settings.n_rounds;
+      document.update(measured);
+      json->write(document.dump(2) + "\n");
+    }
+    return kSuccess;
+  });
+}

@@ -1,0 +1,15 @@
+// Whole trials beside the peers' queries alone, on the same poses, in one run.
+#pragma once
+
+#include "tests/bench/bench_report.h"
+
+namespace vex {
+
+/// The engine's whole trial, its query, and every instruction set of this machine, beside the peers as apps/peers asks
+/// them.
+BenchReport compare_trials(const BenchSettings& settings);
+
+/// The engine's whole trial beside the peers at their own best (best_peers.h).
+BenchReport compare_best_peers(const BenchSettings& settings);
+
+}  // namespace vex
