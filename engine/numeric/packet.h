@@ -64,12 +64,17 @@ struct PacketMask : Registers<MaskRegister, kParts<W>> {
   }
   /// The first n lanes.
   static PacketMask first(std::size_t n) {
+    PacketMask m;
+#if defined(__AVX512F__)
+    const unsigned on = n < std::size_t{W} ? (1u << n) - 1u : ~0u;
+    for (std::size_t k = 0; k < kParts<W>; ++k) m.part[k] = static_cast<MaskRegister>(on >> (k * kRegisterLanes));
+#else
     alignas(64) static constexpr std::int64_t kOn[32] = {-1, -1, -1, -1, -1, -1, -1, -1,
                                                          -1, -1, -1, -1, -1, -1, -1, -1};
-    static_assert(W <= 16);
     const std::int64_t* const from = kOn + (16 - (n < 16 ? n : 16));
-    PacketMask m;
     for (std::size_t k = 0; k < kParts<W>; ++k) m.part[k] = load_register<MaskRegister>(from + k * kRegisterLanes);
+#endif
+    static_assert(W <= 16);
     return m;
   }
 };
@@ -229,6 +234,10 @@ inline Register select_by_sign(Register sign, Register if_set, Register otherwis
 #if defined(__AVX2__) && !defined(__AVX512F__)
   return reinterpret_cast<Register>(_mm256_blendv_pd(
       reinterpret_cast<__m256d>(otherwise), reinterpret_cast<__m256d>(if_set), reinterpret_cast<__m256d>(sign)));
+#elif defined(__AVX512F__)
+  return reinterpret_cast<Register>(_mm512_mask_blend_pd(_mm512_movepi64_mask(reinterpret_cast<__m512i>(sign)),
+                                                         reinterpret_cast<__m512d>(otherwise),
+                                                         reinterpret_cast<__m512d>(if_set)));
 #else
   return reinterpret_cast<MaskRegister>(sign) < 0 ? if_set : otherwise;
 #endif
@@ -252,10 +261,11 @@ inline Register root_of(Register a) {
   return a;
 #endif
 }
-/// a > b ? a : b
+/// a > b ? a : b: b where one is a NaN.
 inline Register larger_of(Register a, Register b) {
 #if defined(__AVX512F__)
-  return reinterpret_cast<Register>(_mm512_max_pd(reinterpret_cast<__m512d>(a), reinterpret_cast<__m512d>(b)));
+  return reinterpret_cast<Register>(
+      _mm512_maskz_max_pd(0xff, reinterpret_cast<__m512d>(a), reinterpret_cast<__m512d>(b)));
 #elif defined(__AVX2__)
   return reinterpret_cast<Register>(_mm256_max_pd(reinterpret_cast<__m256d>(a), reinterpret_cast<__m256d>(b)));
 #elif defined(__SSE2__)
@@ -275,11 +285,22 @@ PacketBits<W> bits_of(const Packet<W>& a) {
 }
 template <int W>
 PacketBits<W> bits_of(const PacketMask<W>& a) {
+#if defined(__AVX512F__)
+  return each_part<PacketBits<W>>(
+      [&](std::size_t k) { return reinterpret_cast<BitsRegister>(_mm512_movm_epi64(a.part[k])); });
+#else
   return each_part<PacketBits<W>>([&](std::size_t k) { return reinterpret_cast<BitsRegister>(a.part[k]); });
+#endif
 }
+/// Of lanes with all bits set, or none.
 template <int W>
 PacketMask<W> mask_of(const PacketBits<W>& a) {
+#if defined(__AVX512F__)
+  return each_part<PacketMask<W>>(
+      [&](std::size_t k) { return _mm512_movepi64_mask(reinterpret_cast<__m512i>(a.part[k])); });
+#else
   return each_part<PacketMask<W>>([&](std::size_t k) { return reinterpret_cast<MaskRegister>(a.part[k]); });
+#endif
 }
 template <int W>
 Packet<W> from_bits(const PacketBits<W>& a) {
@@ -387,20 +408,9 @@ Packet<W> gather(const double* table, const Packet<W>& index) {
   });
 }
 
-/// a > b ? a : b and a < b ? a : b, one instruction each: b where one is a NaN.
+/// a < b ? a : b: b where one is a NaN.
 template <int W>
-Packet<W> maximum(const Packet<W>& a, const Packet<W>& b) {
-#if defined(__AVX2__) && !defined(__AVX512F__)
-  return each_part<Packet<W>>([&](std::size_t k) {
-    return reinterpret_cast<Register>(
-        _mm256_max_pd(reinterpret_cast<__m256d>(a.part[k]), reinterpret_cast<__m256d>(b.part[k])));
-  });
-#else
-  return select(a > b, a, b);
-#endif
-}
-template <int W>
-Packet<W> minimum(const Packet<W>& a, const Packet<W>& b) {
+Packet<W> smaller(const Packet<W>& a, const Packet<W>& b) {
 #if defined(__AVX2__) && !defined(__AVX512F__)
   return each_part<Packet<W>>([&](std::size_t k) {
     return reinterpret_cast<Register>(

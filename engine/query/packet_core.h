@@ -127,10 +127,10 @@ struct TableCore : BoundsDirection {
     for (std::size_t k = 1; k < kScannedAtLeast || any(n > L(static_cast<double>(k))); k += 2) {
       const Vec3<L> next = rows.read(k, &unused), second = rows.read(k + 1, &unused);
       const L next_value = dot(next, dir), second_value = dot(second, dir);
-      const L value = maximum(second_value, next_value);
+      const L value = larger(second_value, next_value);
       const MaskOf<L> is_second = second_value > next_value, is_better = value > best_value;
       best = vex::select<L>(is_better, vex::select<L>(is_second, second, next), best);
-      best_value = maximum(value, best_value);
+      best_value = larger(value, best_value);
     }
     return best;
   }
@@ -143,13 +143,13 @@ struct TableCore : BoundsDirection {
     using Bits = PacketBits<W>;
     const Vec3<L> place{L(table.scale.x) * dir.x, L(table.scale.y) * dir.y, L(table.scale.z) * dir.z};
     const L size_x = absolute(place.x), size_y = absolute(place.y);
-    const L size = maximum(size_x, maximum(size_y, absolute(place.z)));
+    const L size = larger(size_x, larger(size_y, absolute(place.z)));
     const PacketMask<W> is_x = size_x >= size, is_y = size_y >= size;
     const Vec3<L> from_y{place.y, place.z, place.x}, from_z{place.z, place.x, place.y};
     const Vec3<L> turned = vex::select<L>(is_x, place, vex::select<L>(is_y, from_y, from_z));
     const L half = L(0.5) / size;
     // Not below 0, which a product that is not rounded may lead to; nor a NaN.
-    L p = maximum(L(0.5) + half * turned.y, L(0.0)), q = maximum(L(0.5) + half * turned.z, L(0.0));
+    L p = larger(L(0.5) + half * turned.y, L(0.0)), q = larger(L(0.5) + half * turned.z, L(0.0));
     const PacketMask<W> is_negative = turned.x < L(0.0);
     const auto of_axis = [&](std::size_t axis) {
       return select(is_negative, number_of<W>(table.cells[2 * axis + 1]), number_of<W>(table.cells[2 * axis]));
@@ -160,7 +160,7 @@ struct TableCore : BoundsDirection {
       const L upper = from_bits(bits_of(cell) & of_width);
       const PacketMask<W> is_divided = upper > L(1.0);
       if (!any(is_divided)) break;
-      const L width = maximum(upper, L(1.0));
+      const L width = larger(upper, L(1.0));
       p = p * width;
       q = q * width;
       const L column = whole_below(p, width), row = whole_below(q, width);
@@ -192,7 +192,7 @@ struct TableCore : BoundsDirection {
         const Vec3<L> next = list.read(k, &unused);
         const L value = dot(next, one_dir);
         best = vex::select<L>(value > best_value, next, best);
-        best_value = maximum(value, best_value);
+        best_value = larger(value, best_value);
       }
       const Stored<W> bests(best);
       double values[kCount<W>];
@@ -221,7 +221,7 @@ struct TableCore : BoundsDirection {
   /// A whole number up to `last` with `a` at most 1 above it: of two that are, either. Never a NaN for none.
   template <class L>
   static L whole_below(const L& a, const L& width) {
-    return minimum(nearest_whole(a - L(0.5)), width - L(1.0));
+    return smaller(nearest_whole(a - L(0.5)), width - L(1.0));
   }
   template <int W>
   static Packet<W> number_of(std::uint64_t cell) {
