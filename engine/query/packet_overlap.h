@@ -54,7 +54,7 @@ struct PacketPairForms {
 /// One instance serves one thread.
 class PacketOverlap {
  public:
-  static constexpr std::size_t kMostTrials = 128;
+  static constexpr std::size_t kMostTrials = 256;
   static constexpr std::size_t kStride = kMostTrials + 16;  // of a table of so many
 
   virtual ~PacketOverlap();  // not inline: kernels would each have it

@@ -23,12 +23,13 @@ enum class DecidedBy : std::uint8_t {
 };
 inline constexpr int kNDecidedBy = 6;
 
-enum class UndecidedReason : std::uint8_t {
+enum class UndecidedReason : std::uint16_t {
   none,
   rounding,       // the bodies touch to within the rounding bound of the query
   iteration_cap,  // the search was given up
 };
 
+/// Four bytes without a gap, so that tallies may compare it as one word.
 struct Verdict {
   Outcome outcome = Outcome::undecided;
   DecidedBy by = DecidedBy::gjk;

@@ -96,10 +96,7 @@ class TrialRunner {
     const std::size_t n_open = columns_.n_open;
     backend_->decide_table({columns_.poses[0], PoseColumns::kStride, n_open}, {verdicts_.data(), n_open});
     record.tally.add(std::span<const Verdict>(verdicts_).first(n_open));
-    if (std::ranges::none_of(std::span(verdicts_).first(n_open),
-                             [](const Verdict& verdict) { return verdict.outcome == Outcome::undecided; })) {
-      return;
-    }
+    if (record.tally.n_undecided == record.undecided.n_all) return;
     for (std::size_t k = 0; k < n_open; ++k) note_undecided(first + columns_.row[k], verdicts_[k], record);
   }
 

@@ -23,7 +23,7 @@ struct PoseRecipe {
 
 /// Of up to kMostTrials trials those that the quick verdict leaves open, in their order, and how many it decided.
 struct PoseColumns {
-  static constexpr std::size_t kMostTrials = 256;
+  static constexpr std::size_t kMostTrials = 512;
   static constexpr std::size_t kStride = kMostTrials + 32;
 
   alignas(64) double poses[kPoseColumns][kStride] = {};

@@ -9,8 +9,7 @@ namespace vex {
 namespace VEX_ISA {
 namespace {
 
-// Poses are made two registers at a time, which hide each other's latency.
-constexpr int W = 1 * kRegisterLanes;
+constexpr int W = kRegisterLanes;
 using L = Packet<W>;
 using Bits = PacketBits<kRegisterLanes>;
 
@@ -131,30 +130,44 @@ class Drawing {
 
   L coordinate(int number, std::size_t k) const { return L::load(columns_.coordinates[number] + k); }
 
-  Vec3<L> position(std::size_t k) const {
+  Vec3<L> position(const Domain& domain, std::size_t k) const {
     const L u = coordinate(0, k), w = coordinate(2, k);
-    if (recipe_.domain->kind == Domain::Kind::ball) {
-      return position_in_ball(*recipe_.domain, in_unit_ball(u, angle(0, k), w));
-    }
-    return position_in_box(*recipe_.domain, u, coordinate(1, k), w);
+    if (domain.kind == Domain::Kind::ball) return position_in_ball(domain, in_unit_ball(u, angle(0, k), w));
+    return position_in_box(domain, u, coordinate(1, k), w);
   }
 
   // The positions of all trials; those that are decided by them go.
   void place() {
     const std::size_t n = columns_.n_open;
+    const Domain domain = *recipe_.domain;
+    for (std::size_t k = 0; k < n; k += W) {
+      store(9, k, position(domain, k));
+      PacketBits<W>::numbers_from(k).store(columns_.row + k);
+    }
+    if (recipe_.quick == nullptr) return;
+    const QuickVerdict quick = *recipe_.quick;
     Counts counts;
     for (std::size_t k = 0; k < n; k += W) {
-      const Vec3<L> at = position(k);
-      const PacketMask<W> trials = PacketMask<W>::first(n - k);
-      const Compaction<W> open(recipe_.quick == nullptr ? trials : counts.left(recipe_.quick->at(at), trials));
+      const Vec3<L> at = load(9, k);
+      const L odd = coordinate(3, k);
+      const Compaction<W> open(counts.left(quick.at(at), PacketMask<W>::first(n - k)));
       open.store(columns_.poses[9] + counts.n_open, at.x);
       open.store(columns_.poses[10] + counts.n_open, at.y);
       open.store(columns_.poses[11] + counts.n_open, at.z);
-      open.store(columns_.coordinates[3] + counts.n_open, coordinate(3, k));
+      open.store(columns_.coordinates[3] + counts.n_open, odd);
       open.store(columns_.row + counts.n_open, PacketBits<W>::numbers_from(k));
       counts.n_open += static_cast<std::size_t>(open.n());
     }
     take_home(counts);
+  }
+  Vec3<L> load(std::size_t column, std::size_t k) const {
+    return {L::load(columns_.poses[column] + k), L::load(columns_.poses[column + 1] + k),
+            L::load(columns_.poses[column + 2] + k)};
+  }
+  void store(std::size_t column, std::size_t k, const Vec3<L>& v) {
+    v.x.store(columns_.poses[column] + k);
+    v.y.store(columns_.poses[column + 1] + k);
+    v.z.store(columns_.poses[column + 2] + k);
   }
 
   Transform<L> rotation(std::size_t k) const {
@@ -169,27 +182,32 @@ class Drawing {
   // The rotations of the open trials; those that are decided by them go.
   void turn() {
     const std::size_t n = columns_.n_open;
-    const bool decides = recipe_.quick != nullptr && recipe_.quick->turned_pays();
     const bool is_central = recipe_.centre_b.x == 0.0 && recipe_.centre_b.y == 0.0 && recipe_.centre_b.z == 0.0;
-    Counts counts;
     for (std::size_t k = 0; k < n; k += W) {
       Transform<L> pose = rotation(k);
-      const Vec3<L> at{L::load(columns_.poses[9] + k), L::load(columns_.poses[10] + k),
-                       L::load(columns_.poses[11] + k)};
-      if (is_central) {
-        pose.translation = at;  // what taking 0 off leaves, to the sign of a zero
-      } else {
-        pose = placed(pose, at, recipe_.centre_b);
+      // Of a centre at the origin nothing is taken off the position.
+      if (!is_central) {
+        pose = placed(pose, load(9, k), recipe_.centre_b);
+        store(9, k, pose.translation);
       }
-      const PacketMask<W> trials = PacketMask<W>::first(n - k);
-      const Compaction<W> open(decides ? counts.left(recipe_.quick->turned(pose), trials) : trials);
+      store(0, k, pose.row_x);
+      store(3, k, pose.row_y);
+      store(6, k, pose.row_z);
+    }
+    if (recipe_.quick == nullptr || !recipe_.quick->turned_pays()) return;
+    const QuickVerdict quick = *recipe_.quick;
+    Counts counts;
+    for (std::size_t k = 0; k < n; k += W) {
+      const Transform<L> pose{load(0, k), load(3, k), load(6, k), load(9, k)};
+      const PacketBits<W> row = PacketBits<W>::load(columns_.row + k);
+      const Compaction<W> open(counts.left(quick.turned(pose), PacketMask<W>::first(n - k)));
       std::size_t column = 0;
       for (const Vec3<L>* part : {&pose.row_x, &pose.row_y, &pose.row_z, &pose.translation}) {
-        for (const L& value : {part->x, part->y, part->z}) {
-          open.store(columns_.poses[column++] + counts.n_open, value);
-        }
+        open.store(columns_.poses[column++] + counts.n_open, part->x);
+        open.store(columns_.poses[column++] + counts.n_open, part->y);
+        open.store(columns_.poses[column++] + counts.n_open, part->z);
       }
-      open.store(columns_.row + counts.n_open, PacketBits<W>::load(columns_.row + k));
+      open.store(columns_.row + counts.n_open, row);
       counts.n_open += static_cast<std::size_t>(open.n());
     }
     take_home(counts);

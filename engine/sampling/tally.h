@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 
@@ -39,25 +40,29 @@ struct Tally {
   std::uint64_t n_misses() const { return n_trials - n_hits - n_undecided; }
 
   void add(std::span<const Verdict> verdicts) {
-    // Nearly all are of one kind: counted without a branch, and the rest apart.
-    std::uint64_t n_overlap = 0, n_open = 0, n_gjk = 0;
+    // Nearly all are one of two: counted as words, and the rest apart.
+    constexpr auto kApart = std::bit_cast<std::uint32_t>(Verdict::disjoint(DecidedBy::gjk));
+    constexpr auto kMeet = std::bit_cast<std::uint32_t>(Verdict::overlap(DecidedBy::gjk));
+    std::uint32_t n_apart = 0, n_meet = 0;
     for (const Verdict& verdict : verdicts) {
-      n_overlap += verdict.outcome == Outcome::overlap ? 1u : 0u;
-      n_open += verdict.outcome == Outcome::undecided ? 1u : 0u;
-      n_gjk += verdict.outcome != Outcome::undecided && verdict.by == DecidedBy::gjk ? 1u : 0u;
+      const auto word = std::bit_cast<std::uint32_t>(verdict);
+      n_apart += word == kApart ? 1u : 0u;
+      n_meet += word == kMeet ? 1u : 0u;
     }
-    n_trials += verdicts.size();
-    n_hits += n_overlap;
-    n_undecided += n_open;
-    if (n_gjk + n_open == verdicts.size()) {
-      n_decided_by[static_cast<std::size_t>(DecidedBy::gjk)] += n_gjk;
-      return;
-    }
+    add(DecidedBy::gjk, n_apart, n_meet);
+    if (n_apart + n_meet == verdicts.size()) return;
     for (const Verdict& verdict : verdicts) {
-      if (verdict.outcome != Outcome::undecided) ++n_decided_by[static_cast<std::size_t>(verdict.by)];
+      const auto word = std::bit_cast<std::uint32_t>(verdict);
+      if (word == kApart || word == kMeet) continue;
+      ++n_trials;
+      if (verdict.outcome == Outcome::undecided) {
+        ++n_undecided;
+      } else {
+        ++n_decided_by[static_cast<std::size_t>(verdict.by)];
+        if (verdict.outcome == Outcome::overlap) ++n_hits;
+      }
     }
   }
-
   void add(const Verdict& verdict) { add({&verdict, 1}); }
 
   /// So many trials at once.

@@ -17,6 +17,8 @@ namespace vex {
 /// Proven: E5 in docs/derivations.md.
 class QuickVerdict {
  public:
+  /// Decides nothing.
+  QuickVerdict() = default;
   /// R of every pose must be a rotation to within `rotation_error`: | |R|_2 - 1 | and | |R^-1|_2 - 1 | at most that,
   /// which is at most 1e-6.
   QuickVerdict(const ConvexBody& a, const ConvexBody& b, double rotation_error);
@@ -129,7 +131,7 @@ class QuickVerdict {
   }
 
   Vec3d centre_a_, centre_b_;
-  double reach_;
+  double reach_ = 0.0;
   Bounds a_, b_;
   bool turned_pays_ = false;
 };

@@ -13,6 +13,7 @@ namespace vex {
 struct BenchSettings {
   std::uint64_t seed = 1;
   int n_rounds = 11;
+  double least_turn_ms = 25.0;
   std::optional<std::size_t> n_poses;  // of each pair; none: as many as the mode has time for
   std::size_t most_vertices = 1'000'000;
   std::size_t most_peer_vertices = 1'000'000;

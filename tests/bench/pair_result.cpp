@@ -78,7 +78,7 @@ PairResult run_pair(const BenchPair& pair, const BenchSettings& settings, const 
     contenders.push_back(
         queries.back().contender(is_limited ? queries.back().n_answered_in(peer.most_seconds) : poses.size()));
   }
-  const std::vector<Timing> timings = take_turns(contenders, settings.n_rounds);
+  const std::vector<Timing> timings = take_turns(contenders, settings.n_rounds, settings.least_turn_ms);
   for (std::size_t k = 0; k < contenders.size(); ++k) {
     result.names.push_back(contenders[k].name);
     result.timings[contenders[k].name] = timings[k];

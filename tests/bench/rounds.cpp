@@ -32,15 +32,20 @@ double wall_ns() {
   return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-std::vector<Timing> take_turns(const std::vector<Contender>& contenders, int n_rounds) {
+std::vector<Timing> take_turns(const std::vector<Contender>& contenders, int n_rounds, double least_turn_ms) {
   for (const Contender& contender : contenders) contender.turn();
   std::vector<Timing> timings(contenders.size());
   for (std::size_t round = 0; round < static_cast<std::size_t>(n_rounds); ++round) {
     for (std::size_t k = 0; k < contenders.size(); ++k) {
       const std::size_t which = (round + k) % contenders.size();
       const double start = processor_ns();
-      contenders[which].turn();
-      timings[which].ns.push_back((processor_ns() - start) / static_cast<double>(contenders[which].n_trials));
+      double taken = 0.0, n = 0.0;
+      do {
+        contenders[which].turn();
+        n += static_cast<double>(contenders[which].n_trials);
+        taken = processor_ns() - start;
+      } while (taken < 1e6 * least_turn_ms);
+      timings[which].ns.push_back(taken / n);
     }
   }
   return timings;

@@ -30,8 +30,9 @@ double processor_ns();
 double wall_ns();
 
 /// The contenders' timings, in their order. One turn of each goes before the rounds and does not count: it fills caches
-/// and makes what is made at first use. Each round begins with the next contender.
-std::vector<Timing> take_turns(const std::vector<Contender>& contenders, int n_rounds);
+/// and makes what is made at first use. Each round begins with the next contender. A turn is repeated until it has
+/// taken so many milliseconds: after another's a processor needs a while to be itself again.
+std::vector<Timing> take_turns(const std::vector<Contender>& contenders, int n_rounds, double least_turn_ms);
 
 /// How many times as long as `base`: the median over the rounds, each round's two turns beside each other.
 double ratio(const Timing& timing, const Timing& base);

@@ -18,7 +18,7 @@ namespace vex {
 namespace {
 
 struct Words {
-  std::string rounds, poses, seed, most_vertices, most_peer_vertices, json, svg;
+  std::string rounds, turn_ms, poses, seed, most_vertices, most_peer_vertices, json, svg;
   bool all = false, vertices = false, threads = false, peers_best = false;
 };
 
@@ -33,6 +33,8 @@ void declare(CLI::App& app, Words& words) {
       ->type_name("FILE");
   app.add_option("--svg", words.svg, "Of --vertices: write the plot to FILE")->type_name("FILE");
   app.add_option("--rounds", words.rounds, "Rounds in which every contender takes a turn (default 11)")->type_name("N");
+  app.add_option("--turn-ms", words.turn_ms, "Repeat each turn until it has taken so long (default 25)")
+      ->type_name("MS");
   app.add_option("--poses", words.poses, "Poses a turn, trials of --threads (default: as many as take minutes in all)")
       ->type_name("N");
   app.add_option("--seed", words.seed, "Of the poses (default 1)")->type_name("N");
@@ -48,6 +50,9 @@ BenchSettings interpret(const Words& words) {
     const std::uint64_t n = parse_positive_count(words.rounds, "--rounds");
     if (n > 10000) throw UsageError("more rounds than anybody waits for (" + words.rounds + ") - at most 10000");
     settings.n_rounds = static_cast<int>(n);
+  }
+  if (!words.turn_ms.empty()) {
+    settings.least_turn_ms = static_cast<double>(parse_count(words.turn_ms, "--turn-ms"));
   }
   if (!words.poses.empty()) settings.n_poses = parse_positive_count(words.poses, "--poses");
   if (!words.seed.empty()) settings.seed = parse_count(words.seed, "--seed");

@@ -14,7 +14,7 @@ class TrialBench : public ProgramTest {
 
   /// What stands under `key` in the document of a short run.
   json rows_of(const std::string& key, Words words) const {
-    for (const char* word : {"--rounds", "1", "--poses", "200"}) words.emplace_back(word);
+    for (const char* word : {"--rounds", "1", "--turn-ms", "0", "--poses", "200"}) words.emplace_back(word);
     const json document = json_of(words);
     for (const char* head :
          {"version", "command", "seed", "processor", "compiler", "optimised", "instruction_sets", "rounds"}) {
@@ -56,7 +56,8 @@ TEST_F(TrialBench, ComparesThreadsWithProcesses) {
 }
 
 TEST_F(TrialBench, PrintsTablesBesideTheFile) {
-  const Finished finished = run({"--threads", "--rounds", "1", "--poses", "200", "--json", "all.json"});
+  const Finished finished =
+      run({"--threads", "--rounds", "1", "--turn-ms", "0", "--poses", "200", "--json", "all.json"});
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   EXPECT_NE(finished.out.find("### Threads"), std::string::npos);
   EXPECT_FALSE(json::parse(read_file("all.json")).empty());

@@ -87,7 +87,7 @@ VertexRow run_row(std::size_t n_vertices, const BenchSettings& settings) {
     queries.emplace_back(kind, hull.body, poses);
     contenders.push_back(queries.back().contender(queries.back().n_answered_in(kTurnSeconds)));
   }
-  const std::vector<Timing> timings = take_turns(contenders, settings.n_rounds);
+  const std::vector<Timing> timings = take_turns(contenders, settings.n_rounds, settings.least_turn_ms);
   for (std::size_t k = 0; k < contenders.size(); ++k) row.timings[contenders[k].name] = timings[k];
   return row;
 }
