@@ -67,8 +67,8 @@ std::string decided_by_text(const Tally& tally) {
   for (const DecidedBy by : kAllDecidedBy) {
     const std::uint64_t n = tally.n_decided_by[static_cast<std::size_t>(by)];
     if (n == 0) continue;
-    const char* const name = by == DecidedBy::outer_bound     ? "outer balls "
-                             : by == DecidedBy::inner_bound   ? "inner balls "
+    const char* const name = by == DecidedBy::outer_bound     ? "outer bounds "
+                             : by == DecidedBy::inner_bound   ? "inner bounds "
                              : by == DecidedBy::gjk           ? "GJK "
                              : by == DecidedBy::double_double ? "double-double "
                              : by == DecidedBy::exact         ? "exact "

@@ -64,7 +64,6 @@ class PacketSearch {
   static constexpr double kLeastLength = 0x1p-200;
   // What is compressed may write a packet too far.
   static constexpr std::size_t kColumn = PacketOverlap::kMostTrials + W;
-  static constexpr double kHuge = 0x1p900;  // higher than any height
   static constexpr std::size_t kCode = 12, kV1 = 13, kV2 = 16, kV3 = 19;
 
   static Transform<L> pose_of(const double* poses, std::size_t stride, std::size_t k) {
@@ -130,18 +129,18 @@ class PacketSearch {
   };
 
   // A step is two loops, so that neither runs out of registers, nor is its chain of operations longer than what a
-  // processor sees at once. The first finds the support point of each trial along its direction, whether that separates
-  // the bodies (apart_), and if not, whether the search may go on (onward_).
-  void set_found(std::size_t k, const Vec& w, const Mask& apart, const Mask& onward) {
+  // processor sees at once. The first finds the support point of each trial along its direction, and whether that
+  // separates the bodies (apart_); of the others onward_ has those whose direction was usual: whose point is to be
+  // believed.
+  void set_found(std::size_t k, const Vec& w, const Mask& apart, const Mask& usual) {
     w.x.store(w_[0] + k);
     w.y.store(w_[1] + k);
     w.z.store(w_[2] + k);
     from_bits(bits_of(apart)).store(apart_ + k);
-    from_bits(bits_of(but_not(onward, apart))).store(onward_ + k);
+    from_bits(bits_of(but_not(usual, apart))).store(onward_ + k);
   }
-  // `least` gives the height that must be exceeded for the search to go on.
-  template <class Direction, class Least>
-  void find_points(const double (*columns)[kColumn], std::size_t n, const Direction& direction, const Least& least) {
+  template <class Direction, class Found>
+  void find_points(const double (*columns)[kColumn], std::size_t n, const Direction& direction, const Found& found) {
     const Pair pair = pair_;
     for (std::size_t k = 0; k < n; k += W) {
       const Transform<L> pose = pose_of(columns[0], kColumn, k);
@@ -150,9 +149,11 @@ class PacketSearch {
       const L height = dot(dir, w), length = norm_1(dir);
       const L slack = L(pair.error) * length;
       const Mask is_usual = both(length > L(kLeastLength), Mask::first(n - k));
-      set_found(k, w, both(is_usual, height < -slack), both(is_usual, height - slack > least(k, dir)));
+      set_found(k, w, both(is_usual, height < -slack), is_usual);
+      found(k, dir, height, slack);
     }
   }
+  static constexpr auto kNothingMore = [](std::size_t, const Vec&, const L&, const L&) {};
 
   // A trial's row, times four, and its answer: open till it ends. Numbers that a loop counts up are its own variables:
   // a member would be read again after each store.
@@ -242,7 +243,7 @@ class PacketSearch {
   // What spans no wedge with the start and the first point goes to portals_, where nothing else is yet.
   template <class Direction>
   void span_wedges(const double (*columns)[kColumn], std::size_t n, const Direction& direction) {
-    find_points(columns, n, direction, [](std::size_t, const Vec&) { return L(-kHuge); });
+    find_points(columns, n, direction, kNothingMore);
     const Pair pair = pair_;
     const bool is_last = columns == portals_ || !pair.b.has_direction();
     std::size_t n_ended = n_ended_, n_wedge = n_wedge_, n_again = 0;
@@ -271,7 +272,7 @@ class PacketSearch {
       const Vec v0 = pair.start_point(pose);
       return cross(load(wedges_, kV1, k) - v0, load(wedges_, kV2, k) - v0);
     };
-    find_points(wedges_, n, direction, [](std::size_t, const Vec&) { return L(-kHuge); });
+    find_points(wedges_, n, direction, kNothingMore);
     const Pair pair = pair_;
     std::size_t n_ended = n_ended_, n_wedge = 0, n_portal = n_portal_;
     for (std::size_t k = 0; k < n; k += W) {
@@ -302,9 +303,11 @@ class PacketSearch {
       const Vec v1 = load(portals_, kV1, k);
       return cross(load(portals_, kV2, k) - v1, load(portals_, kV3, k) - v1);
     };
-    // A height beyond the portal's own, or the search is at its end.
-    find_points(portals_, n, direction,
-                [this](std::size_t k, const Vec& dir) { return dot(dir, load(portals_, kV1, k)); });
+    // Where the height is not beyond the portal's own the search is at its end.
+    find_points(portals_, n, direction, [this](std::size_t k, const Vec& dir, const L& height, const L& slack) {
+      const Mask advances = height - dot(dir, load(portals_, kV1, k)) > slack;
+      from_bits(bits_of(advances)).store(advances_ + k);
+    });
     const Pair pair = pair_;
     std::size_t n_ended = n_ended_, n_portal = 0;
     for (std::size_t k = 0; k < n; k += W) {
@@ -322,11 +325,11 @@ class PacketSearch {
       const L past_left = select(beside_12, past_1, select(beside_31, past_3, past_2));
       const L past_right = select(beside_12, past_2, select(beside_31, past_1, past_3));
       const Vec face = cross(left, right);
-      const Mask apart = load_mask(apart_ + k), onward_if_outside = load_mask(onward_ + k);
-      const Mask inside = but_not(pair.encloses(dot(w, face), past_left, -past_right, -dot(face, v0)), apart);
-      const Mask ends_inside = both(Mask::first(n - k), inside);
-      const Mask onward = but_not(onward_if_outside, inside);
-      end(n_ended, bits_of(L::load(portals_[kCode] + k)), but_not(Mask::first(n - k), onward), apart, ends_inside);
+      const Mask usual = load_mask(onward_ + k);
+      const Mask inside = both(usual, pair.encloses(dot(w, face), past_left, -past_right, -dot(face, v0)));
+      const Mask onward = but_not(both(usual, load_mask(advances_ + k)), inside);
+      end(n_ended, bits_of(L::load(portals_[kCode] + k)), but_not(Mask::first(n - k), onward), load_mask(apart_ + k),
+          inside);
       append(portals_, n_portal, Compaction<W>(onward), portals_, k, left, right, w);
     }
     n_ended_ = n_ended;
@@ -340,7 +343,7 @@ class PacketSearch {
   alignas(64) double portals_[22][kColumn] = {};
   alignas(64) double ended_[kColumn] = {};
   // Of a step: support points, and truth values as the bits of doubles.
-  alignas(64) double w_[3][kColumn] = {}, apart_[kColumn] = {}, onward_[kColumn] = {};
+  alignas(64) double w_[3][kColumn] = {}, apart_[kColumn] = {}, onward_[kColumn] = {}, advances_[kColumn] = {};
 };
 
 }  // namespace VEX_ISA

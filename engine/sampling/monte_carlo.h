@@ -85,8 +85,10 @@ struct RunRecord {
 
 /// Draws trials 0, 1, 2, ... of (seed, Stream::pose) until the stop rule ends the run, and counts.
 ///
-/// The tally depends on the bodies, seed, law, domain, backend and number of trials only; never on threads. Exceptions
-/// of a backend end the run and are thrown again here.
+/// Hits, misses and undecided trials depend on the bodies, seed, law, domain, backend and number of trials only; never
+/// on threads or instruction sets. Which stage spoke (n_decided_by) may differ by trials within rounding of contact:
+/// the searches of the sets, and those before and after a polytope has its table of directions, leave different ones to
+/// the exact stages. Exceptions of a backend end the run and are thrown again here.
 RunRecord run_hit_or_miss(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings);
 
 /// The pose of one trial, as the driver draws it: for replaying an undecided or disputed one.
