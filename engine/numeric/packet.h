@@ -121,13 +121,6 @@ struct Packet : Registers<Register, kParts<W>> {
   void store(double* to) const {
     for (std::size_t k = 0; k < kParts<W>; ++k) store_register(to + k * kRegisterLanes, this->part[k]);
   }
-
-  /// first, first + 1, ... from lane to lane.
-  static Packet numbers_from(double first) {
-    alignas(64) static constexpr double kNumbers[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-    static_assert(W <= 16);
-    return load(kNumbers) + Packet(first);
-  }
 };
 
 /// f(k) makes part k of the result.

@@ -1,11 +1,11 @@
 // The search of portal_refinement.h for many poses at once: the trials that are at the same step of it are taken
 // together, a register full at a time, so that none waits for another's branch.
 //
-// Steps of a trial: a support point against the start (v1), one beside the ray from the start through the origin (v2),
-// one across the wedge of these until the ray passes between (v3: a portal), and then one after the other in front of
-// the portal (v4). The trials at a step stand in columns, one value a column; those that a step leaves open move up in
-// place. What no step proves is left to the scalar search, with better conditioned faces and three starts, and to the
-// exact stages behind it.
+// Steps of a trial: a support point towards B, as A sees it (v1), one as B sees it or across the line of the start and
+// v1 (v2), one across the wedge of these until the ray passes between (v3: a portal), and then one after the other in
+// front of the portal (v4). The trials at a step stand in columns, one value a column; those that a step leaves open
+// move up in place. What no step proves is left to the scalar search, with better conditioned faces and three starts,
+// and to the exact stages behind it.
 //
 // Disjoint is proven as there (E1); overlapping by the four determinants of v0 ... v3, each above one bound for all
 // (E18).
@@ -167,9 +167,10 @@ class PacketSearch {
 
   // The trials of `move`, of those from k on, behind the n that stand in the columns: pose, code and points.
   template <class... Points>
-  static void append(double (*columns)[kColumn], std::size_t& n, const Compaction<W>& move,
-                     const double (*from)[kColumn], std::size_t k, const Points&... points) {
-    for (std::size_t c = 0; c <= kCode; ++c) move.store(columns[c] + n, L::load(from[c] + k));
+  static void append(double (*columns)[kColumn], std::size_t& n, const Compaction<W>& move, const double* poses,
+                     std::size_t stride, std::size_t k, const Bits& code, const Points&... points) {
+    for (std::size_t c = 0; c < kCode; ++c) move.store(columns[c] + n, L::load(poses + c * stride + k));
+    move.store(columns[kCode] + n, from_bits(code));
     std::size_t column = kV1;
     const auto put = [&](const Vec& point) {
       move.store(columns[column++] + n, point.x);
@@ -201,11 +202,7 @@ class PacketSearch {
       const Bits code = Bits::numbers_from(k) << 2;
       const Mask onward = load_mask(onward_ + k);
       end(n_ended, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), Mask(false));
-      const Compaction<W> move(onward);
-      for (std::size_t c = 0; c < kCode; ++c) move.store(wedges_[c] + n_wedge, L::load(poses + c * stride + k));
-      move.store(wedges_[kCode] + n_wedge, from_bits(code));
-      for (std::size_t c = 0; c < 3; ++c) move.store(wedges_[kV1 + c] + n_wedge, L::load(w_[c] + k));
-      n_wedge += static_cast<std::size_t>(move.n());
+      append(wedges_, n_wedge, Compaction<W>(onward), poses, stride, k, code, load(w_, 0, k));
     }
     n_ended_ = n_ended;
     n_wedge_ = n_wedge;
@@ -255,11 +252,11 @@ class PacketSearch {
       const Mask flips = side < L(0.0);
       const Mask onward = load_mask(onward_ + k);
       const Mask is_flat = is_last ? Mask(false) : absolute(side) < (L(0x1p-30) * norm_1(across)) * norm_1(w);
-      end(n_ended, bits_of(L::load(columns[kCode] + k)), but_not(Mask::first(n - k), onward), load_mask(apart_ + k),
-          Mask(false));
-      if (!is_last) append(portals_, n_again, Compaction<W>(both(onward, is_flat)), columns, k, v1);
-      append(wedges_, n_wedge, Compaction<W>(but_not(onward, is_flat)), columns, k, select<L>(flips, w, v1),
-             select<L>(flips, v1, w));
+      const Bits code = bits_of(L::load(columns[kCode] + k));
+      end(n_ended, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), Mask(false));
+      if (!is_last) append(portals_, n_again, Compaction<W>(both(onward, is_flat)), columns[0], kColumn, k, code, v1);
+      append(wedges_, n_wedge, Compaction<W>(but_not(onward, is_flat)), columns[0], kColumn, k, code,
+             select<L>(flips, w, v1), select<L>(flips, v1, w));
     }
     n_ended_ = n_ended;
     n_wedge_ = n_wedge;
@@ -286,11 +283,11 @@ class PacketSearch {
       const Mask may = load_mask(onward_ + k);
       const Mask inside = both(may, pair.encloses(dot(w, face), d23, d31, -dot(face, v0)));
       const Mask onward = but_not(may, inside);
-      end(n_ended, bits_of(L::load(wedges_[kCode] + k)), but_not(Mask::first(n - k), onward), load_mask(apart_ + k),
-          inside);
-      append(portals_, n_portal, Compaction<W>(but_not(onward, turns)), wedges_, k, v1, v2, w);
-      append(wedges_, n_wedge, Compaction<W>(both(onward, turns)), wedges_, k, select<L>(outside_23, w, v1),
-             select<L>(outside_13, w, v2));
+      const Bits code = bits_of(L::load(wedges_[kCode] + k));
+      end(n_ended, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), inside);
+      append(portals_, n_portal, Compaction<W>(but_not(onward, turns)), wedges_[0], kColumn, k, code, v1, v2, w);
+      append(wedges_, n_wedge, Compaction<W>(both(onward, turns)), wedges_[0], kColumn, k, code,
+             select<L>(outside_23, w, v1), select<L>(outside_13, w, v2));
     }
     n_ended_ = n_ended;
     n_wedge_ = n_wedge;
@@ -328,9 +325,9 @@ class PacketSearch {
       const Mask usual = load_mask(onward_ + k);
       const Mask inside = both(usual, pair.encloses(dot(w, face), past_left, -past_right, -dot(face, v0)));
       const Mask onward = but_not(both(usual, load_mask(advances_ + k)), inside);
-      end(n_ended, bits_of(L::load(portals_[kCode] + k)), but_not(Mask::first(n - k), onward), load_mask(apart_ + k),
-          inside);
-      append(portals_, n_portal, Compaction<W>(onward), portals_, k, left, right, w);
+      const Bits code = bits_of(L::load(portals_[kCode] + k));
+      end(n_ended, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), inside);
+      append(portals_, n_portal, Compaction<W>(onward), portals_[0], kColumn, k, code, left, right, w);
     }
     n_ended_ = n_ended;
     n_portal_ = n_portal;

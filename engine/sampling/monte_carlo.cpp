@@ -6,6 +6,7 @@
 #include <exception>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -206,9 +207,9 @@ class Run {
       : a_(a),
         b_(b),
         settings_(settings),
-        quick_(a, b, kDrawnRotationError),
         certain_(hits_by_construction(a, b, settings.law, settings.domain)),
         is_only_rule_(settings.stop.relative_error && !settings.stop.trials && !settings.stop.seconds) {
+    if (settings.quick_verdicts && !settings.backend.is_peer) quick_.emplace(a, b, kDrawnRotationError);
     record_.comparisons.resize(settings.cross_check.size());
     set_next_evaluation();
   }
@@ -288,8 +289,7 @@ class Run {
 
   void work() {
     try {
-      const bool has_quick = settings_.quick_verdicts && !settings_.backend.is_peer;
-      TrialRunner runner(a_, b_, settings_, has_quick ? &quick_ : nullptr);
+      TrialRunner runner(a_, b_, settings_, quick_ ? &*quick_ : nullptr);
       std::uint64_t block = 16;
       std::unique_lock lock(mutex_);
       while (true) {
@@ -354,7 +354,7 @@ class Run {
   const ConvexBody& a_;
   const ConvexBody& b_;
   const MonteCarloSettings& settings_;
-  const QuickVerdict quick_;
+  std::optional<QuickVerdict> quick_;  // where the run uses it
   const bool certain_;
   const bool is_only_rule_;  // the relative error: where it cannot be reached, nothing else ends the run
   const Clock::time_point start_ = Clock::now();
