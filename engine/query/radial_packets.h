@@ -1,0 +1,66 @@
+// The radial function of A - B for many orientations of B and a ray for each, a register full of rays at a time: what
+// the radial estimator averages.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "engine/numeric/instruction_set.h"
+#include "engine/query/packet_overlap.h"
+#include "engine/query/radial_function.h"
+#include "engine/support/convex_body.h"
+
+namespace vex {
+
+/// Rays in columns of `stride` values each: R by rows, without translation; the ray's direction d; a number of the unit
+/// interval; three directions, the normals of the first portal, best so chosen that the points where these are normal
+/// surround the ray. After the n of them there is room for a packet.
+struct RayTable {
+  static constexpr std::size_t kDirection = 9, kPick = 12, kNormals = 13, kColumns = 22;
+
+  const double* columns;
+  std::size_t stride, n;
+};
+
+/// One instance serves one thread.
+class PacketRays {
+ public:
+  static constexpr std::size_t kMostRays = 256;
+  static constexpr std::size_t kStride = kMostRays + 16;
+
+  virtual ~PacketRays();  // not inline: kernels would each have it
+
+  /// cubes[k], for up to kMostRays rays: a number whose mean over a uniform pick is r(d)^3, r being the radial function
+  /// (radial_function.h); or a NaN where the search ended without one.
+  ///
+  /// Once r lies between two bounds within kRadialGap of each other, r^3 is not searched for any longer: of a number
+  /// drawn between the bounds' cubes it is decided whether it is below r^3, and the upper cube is returned if so,
+  /// otherwise the lower. So there is no bias beyond kRadialRounding, and where the bounds meet before, as they do for
+  /// polytopes, nothing is drawn.
+  virtual void cubes(const RayTable& rays, double* cubes) = 0;
+};
+
+inline constexpr double kRadialGap = 0x1p-8;
+
+using RayKernel = PacketRays* (*)(const PacketPairForms& forms, const BodyPoints& points);
+
+/// Null where there is none: of `scalar`.
+RayKernel ray_kernel(InstructionSet set);
+
+/// None without a kernel, or for a pair that it does not take, as make_packet_overlap.
+std::unique_ptr<PacketRays> make_packet_rays(RayKernel kernel, const ConvexBody& a, const ConvexBody& b,
+                                             const BodyPoints& points);
+
+// Each is compiled for its own set (radial_kernel.cpp), without fused operations, which the overlap kernels have: so
+// these share no function with those.
+namespace sse2_unfused {
+PacketRays* new_packet_rays(const PacketPairForms& forms, const BodyPoints& points);
+}
+namespace avx2_unfused {
+PacketRays* new_packet_rays(const PacketPairForms& forms, const BodyPoints& points);
+}
+namespace avx512_unfused {
+PacketRays* new_packet_rays(const PacketPairForms& forms, const BodyPoints& points);
+}
+
+}  // namespace vex

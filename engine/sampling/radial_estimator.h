@@ -1,0 +1,43 @@
+// The radial estimator: the excluded volume as the mean of a volume that a ray cast gives for each point of the unit
+// cube. No trial misses, and the values are continuous: quasi-random points gain on random ones.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+
+#include "engine/numeric/instruction_set.h"
+#include "engine/query/radial_packets.h"
+#include "engine/sampling/radial_map.h"
+
+namespace vex {
+
+/// Of one pair and law; holds references. One instance serves one thread.
+class RadialEstimator {
+ public:
+  RadialEstimator(const ConvexBody& a, const ConvexBody& b, const OrientationLaw& law,
+                  InstructionSet set = best_instruction_set());
+
+  int dimension() const { return map_.dimension(); }
+
+  /// values[k] from the point of coordinates k * dimension() ... of the open unit cube: in length^3, with <V_ex> of the
+  /// law as its mean over the cube, to kRadialRounding (2^-26), relative. The same bits for every set but `scalar`,
+  /// whose values differ by what PacketRays draws. What packets leave open is found by `radial_function`.
+  void evaluate(std::span<const double> points, std::span<double> values);
+
+  /// Rays so far that were.
+  std::uint64_t n_one_by_one() const { return n_one_by_one_; }
+
+ private:
+  void evaluate_part(std::span<const double> points, std::span<double> values);
+
+  const ConvexBody& a_;
+  const ConvexBody& b_;
+  RadialMap map_;
+  std::unique_ptr<PacketRays> packets_;
+  std::uint64_t n_one_by_one_ = 0;
+  std::array<RadialRay<double>, PacketRays::kMostRays> rays_;
+  alignas(64) double columns_[RayTable::kColumns][PacketRays::kStride] = {};
+};
+
+}  // namespace vex

@@ -1,0 +1,181 @@
+#include "engine/query/radial_packets.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "engine/query/radial_steps.h"
+#include "engine/sampling/radial_map.h"
+#include "shapes/any_shape.h"
+#include "tests/referees/bodies.h"
+#include "tests/referees/polytopes.h"
+#include "tests/referees/random_poses.h"
+
+namespace vex {
+namespace {
+
+std::vector<InstructionSet> kernel_sets() {
+  std::vector<InstructionSet> sets;
+  for (const InstructionSet set : instruction_sets()) {
+    if (set != InstructionSet::scalar) sets.push_back(set);
+  }
+  return sets;
+}
+
+struct Rays {
+  std::vector<RadialRay<double>> rays;
+  std::vector<double> columns = std::vector<double>(RayTable::kColumns * PacketRays::kStride, std::nan(""));
+
+  void add(const RadialRay<double>& ray) {
+    std::size_t column = 0;
+    const auto put = [&](double x) { columns[column++ * PacketRays::kStride + rays.size()] = x; };
+    const auto put_all = [&](const Vec3d& v) {
+      put(v.x);
+      put(v.y);
+      put(v.z);
+    };
+    put_all(ray.rotation.row_x);
+    put_all(ray.rotation.row_y);
+    put_all(ray.rotation.row_z);
+    put_all(ray.dir);
+    put(ray.pick);
+    for (const Vec3d& normal : ray.normals) put_all(normal);
+    rays.push_back(ray);
+  }
+  RayTable table() const { return {columns.data(), PacketRays::kStride, rays.size()}; }
+};
+
+Rays random_rays(const RadialMap& map, std::size_t n, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  Rays rays;
+  while (rays.rays.size() < n) {
+    std::array<double, RadialMap::kMaxDimension> point;
+    for (double& u : point) u = random_in_unit_interval(random);
+    rays.add(map(std::span<const double>(point)));
+  }
+  return rays;
+}
+
+void expect_cubes(const ConvexBody& a, const ConvexBody& b) {
+  const RadialMap map(a, b, {});
+  // Also such numbers as leave a register half empty.
+  for (const std::size_t n : {std::size_t{1}, std::size_t{7}, PacketRays::kMostRays}) {
+    const Rays rays = random_rays(map, n, 17 + n);
+    std::vector<double> first;
+    for (const InstructionSet set : kernel_sets()) {
+      SCOPED_TRACE(name_of(set));
+      const auto packets = make_packet_rays(ray_kernel(set), a, b, map.points());
+      ASSERT_NE(packets, nullptr);
+      std::vector<double> cubes(n + 8, -1.0);
+      packets->cubes(rays.table(), cubes.data());
+      EXPECT_EQ(cubes[n], -1.0) << "and no more than were asked for";
+      cubes.resize(n);
+      std::size_t n_open = 0;
+      for (std::size_t k = 0; k < n; ++k) {
+        if (std::isnan(cubes[k])) {
+          ++n_open;
+          continue;
+        }
+        const RadialBounds truth = radial_function(a, b, map.points(), rays.rays[k].rotation, rays.rays[k].dir);
+        // Between the cubes of bounds that are within 2^-8 of each other and hold the truth.
+        EXPECT_GE(std::cbrt(cubes[k]), truth.lower * (1.0 - kRadialGap)) << k;
+        EXPECT_LE(std::cbrt(cubes[k]), truth.upper * (1.0 + 2.0 * kRadialGap)) << k;
+      }
+      EXPECT_LE(n_open, 1 + n / 16);
+      if (first.empty()) first = cubes;
+      for (std::size_t k = 0; k < n; ++k) {
+        EXPECT_EQ(std::bit_cast<std::uint64_t>(cubes[k]), std::bit_cast<std::uint64_t>(first[k])) << k;
+      }
+    }
+  }
+}
+
+class CubesOfPairs : public testing::TestWithParam<BodyPair> {};
+
+TEST_P(CubesOfPairs, AreThoseOfTheRadialFunctionAndTheSameBitsForEverySet) {
+  expect_cubes(parse_shape(GetParam().a).body, parse_shape(GetParam().b).body);
+}
+
+INSTANTIATE_TEST_SUITE_P(Pairs, CubesOfPairs, testing::ValuesIn(unordered_pairs()),
+                         [](const auto& pair) { return test_name(pair.param); });
+
+TEST(CubesOfTables, AreTheSame) {
+  const ConvexBody hull = test_point_hull(300, {3, 2, 1}, 5).body;
+  for (int k = 0; k < 4000; ++k) hull.support({1.0, 0.1 * k, 1.0});
+  ASSERT_TRUE(hull.direction_table().has_value());
+  expect_cubes(hull, hull);
+  expect_cubes(hull, parse_shape("rounded:0.2,box:1,1,1").body);
+}
+
+TEST(CubesOfTables, AreLeftOpenBeforeThereIsOne) {
+  const ConvexBody hull = test_point_hull(300, {3, 2, 1}, 6).body;
+  const RadialMap map(parse_shape("box:1,1,1").body, parse_shape("box:1,1,1").body, {});
+  const Rays rays = random_rays(map, 9, 3);
+  for (const InstructionSet set : kernel_sets()) {
+    const auto packets = make_packet_rays(ray_kernel(set), hull, hull, map.points());
+    ASSERT_NE(packets, nullptr);
+    std::vector<double> cubes(9);
+    packets->cubes(rays.table(), cubes.data());
+    for (const double cube : cubes) EXPECT_TRUE(std::isnan(cube));
+  }
+}
+
+// Of one ray, over picks that are spread evenly: the mean is the cube, though each value may be off by 3/256 of it.
+TEST(Cubes, HaveTheRightMeanOverThePicks) {
+  constexpr std::size_t kPicks = PacketRays::kMostRays;
+  for (const auto& [text_a, text_b] : {std::pair{"ellipsoid:1,2,3", "ellipsoid:3,0.5,1"},
+                                       {"capsule:1,0.25", "cone:1,1"},
+                                       {"cylinder:1,0.5", "sphere:0.3"}}) {
+    const ConvexBody a = parse_shape(text_a).body, b = parse_shape(text_b).body;
+    const RadialMap map(a, b, {});
+    const auto packets = make_packet_rays(ray_kernel(kernel_sets().back()), a, b, map.points());
+    int n_picked = 0;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+      const RadialRay<double> ray = random_rays(map, 1, seed).rays[0];
+      Rays rays;
+      for (std::size_t k = 0; k < kPicks; ++k) {
+        rays.add(ray);
+        rays.columns[RayTable::kPick * PacketRays::kStride + k] = (static_cast<double>(k) + 0.5) / kPicks;
+      }
+      std::vector<double> cubes(kPicks);
+      packets->cubes(rays.table(), cubes.data());
+      double sum = 0.0;
+      for (const double cube : cubes) sum += cube;
+      if (cubes.front() != cubes.back()) ++n_picked;
+      const RadialBounds truth = radial_function(a, b, map.points(), ray.rotation, ray.dir);
+      const double r = 0.5 * (truth.lower + truth.upper), gap = 3.0 * 1.01 * kRadialGap * r * r * r;
+      EXPECT_NEAR(sum / kPicks, r * r * r, 0.51 * gap / kPicks + 4.0 * kRadialRounding * r * r * r);
+    }
+    EXPECT_GT(n_picked, 20) << "or nothing was tested";
+  }
+}
+
+TEST(Cubes, OfNumbersThatAreNoneAreLeftOpen) {
+  const ConvexBody a = parse_shape("ellipsoid:1,2,3").body;
+  const RadialMap map(a, a, {});
+  Rays rays = random_rays(map, 32, 3);
+  for (std::size_t c = 0; c < RayTable::kColumns; ++c) {
+    if (c != RayTable::kPick) rays.columns[c * PacketRays::kStride + c] = c % 2 == 0 ? std::nan("") : HUGE_VAL;
+  }
+  for (const InstructionSet set : kernel_sets()) {
+    const auto packets = make_packet_rays(ray_kernel(set), a, a, map.points());
+    std::vector<double> cubes(32);
+    packets->cubes(rays.table(), cubes.data());
+    for (std::size_t k = 0; k < 12; ++k) EXPECT_TRUE(std::isnan(cubes[k])) << k;
+    for (std::size_t k = RayTable::kColumns; k < 32; ++k) EXPECT_FALSE(std::isnan(cubes[k])) << k;
+  }
+}
+
+TEST(MakePacketRays, HasNoneWithoutAKernelOrForABodyThatTellsNothing) {
+  const ConvexBody a = parse_shape("box:1,1,1").body;
+  EXPECT_EQ(ray_kernel(InstructionSet::scalar), nullptr);
+  EXPECT_EQ(make_packet_rays(nullptr, a, a, {}), nullptr);
+  const ConvexBody huge = parse_shape("box:1,1,1", 1e100, kQueriedSizes).body;
+  EXPECT_EQ(make_packet_rays(ray_kernel(kernel_sets().front()), a, huge, {}), nullptr);
+}
+
+}  // namespace
+}  // namespace vex
