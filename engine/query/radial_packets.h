@@ -20,6 +20,13 @@ struct RayTable {
 
   const double* columns;
   std::size_t stride, n;
+
+  Vec3d at(std::size_t column, std::size_t k) const {
+    const double* const x = columns + column * stride + k;
+    return {x[0], x[stride], x[2 * stride]};
+  }
+  Transformd rotation(std::size_t k) const { return {at(0, k), at(3, k), at(6, k), {}}; }
+  Vec3d dir(std::size_t k) const { return at(kDirection, k); }
 };
 
 /// One instance serves one thread.

@@ -2,13 +2,13 @@
 // cube. No trial misses, and the values are continuous: quasi-random points gain on random ones.
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 
 #include "engine/numeric/instruction_set.h"
-#include "engine/query/radial_packets.h"
 #include "engine/sampling/radial_map.h"
+#include "engine/sampling/ray_columns.h"
 
 namespace vex {
 
@@ -20,24 +20,23 @@ class RadialEstimator {
 
   int dimension() const { return map_.dimension(); }
 
-  /// values[k] from the point of coordinates k * dimension() ... of the open unit cube: in length^3, with <V_ex> of the
-  /// law as its mean over the cube, to kRadialRounding (2^-26), relative. The same bits for every set but `scalar`,
-  /// whose values differ by what PacketRays draws. What packets leave open is found by `radial_function`.
+  /// values[k] from the point of the open unit cube with the coordinates points[c * values.size() + k]: in length^3,
+  /// with <V_ex> of the law as its mean over the cube, to kRadialRounding (2^-26), relative. The same bits for every
+  /// set but `scalar`, whose values differ by what PacketRays picks. What packets leave open is found by
+  /// `radial_function`.
   void evaluate(std::span<const double> points, std::span<double> values);
 
   /// Rays so far that were.
   std::uint64_t n_one_by_one() const { return n_one_by_one_; }
 
  private:
-  void evaluate_part(std::span<const double> points, std::span<double> values);
-
   const ConvexBody& a_;
   const ConvexBody& b_;
   RadialMap map_;
+  MakeRays make_rays_;
   std::unique_ptr<PacketRays> packets_;
   std::uint64_t n_one_by_one_ = 0;
-  std::array<RadialRay<double>, PacketRays::kMostRays> rays_;
-  alignas(64) double columns_[RayTable::kColumns][PacketRays::kStride] = {};
+  RayColumns columns_;
 };
 
 }  // namespace vex

@@ -4,11 +4,13 @@
 
 #include <bit>
 #include <cmath>
+#include <memory>
 #include <random>
 #include <vector>
 
+#include "engine/query/radial_function.h"
 #include "engine/query/radial_steps.h"
-#include "engine/sampling/radial_map.h"
+#include "engine/sampling/ray_columns.h"
 #include "shapes/any_shape.h"
 #include "tests/referees/bodies.h"
 #include "tests/referees/polytopes.h"
@@ -26,36 +28,21 @@ std::vector<InstructionSet> kernel_sets() {
 }
 
 struct Rays {
-  std::vector<RadialRay<double>> rays;
-  std::vector<double> columns = std::vector<double>(RayTable::kColumns * PacketRays::kStride, std::nan(""));
+  std::unique_ptr<RayColumns> columns = std::make_unique<RayColumns>();
+  std::size_t n = 0;
 
-  void add(const RadialRay<double>& ray) {
-    std::size_t column = 0;
-    const auto put = [&](double x) { columns[column++ * PacketRays::kStride + rays.size()] = x; };
-    const auto put_all = [&](const Vec3d& v) {
-      put(v.x);
-      put(v.y);
-      put(v.z);
-    };
-    put_all(ray.rotation.row_x);
-    put_all(ray.rotation.row_y);
-    put_all(ray.rotation.row_z);
-    put_all(ray.dir);
-    put(ray.pick);
-    for (const Vec3d& normal : ray.normals) put_all(normal);
-    rays.push_back(ray);
-  }
-  RayTable table() const { return {columns.data(), PacketRays::kStride, rays.size()}; }
+  RayTable table() const { return columns->table(n); }
 };
 
-Rays random_rays(const RadialMap& map, std::size_t n, std::uint64_t seed) {
+/// Behind the first comes the first again, where `repeats`.
+Rays random_rays(const RadialMap& map, std::size_t n, std::uint64_t seed, bool repeats = false) {
   std::mt19937_64 random(seed);
   Rays rays;
-  while (rays.rays.size() < n) {
-    std::array<double, RadialMap::kMaxDimension> point;
-    for (double& u : point) u = random_in_unit_interval(random);
-    rays.add(map(std::span<const double>(point)));
+  rays.n = n;
+  for (auto& column : rays.columns->coordinates) {
+    for (std::size_t k = 0; k < n; ++k) column[k] = repeats && k > 0 ? column[0] : random_in_unit_interval(random);
   }
+  ray_maker(InstructionSet::scalar)(map, n, *rays.columns);
   return rays;
 }
 
@@ -79,7 +66,7 @@ void expect_cubes(const ConvexBody& a, const ConvexBody& b) {
           ++n_open;
           continue;
         }
-        const RadialBounds truth = radial_function(a, b, map.points(), rays.rays[k].rotation, rays.rays[k].dir);
+        const RadialBounds truth = radial_function(a, b, map.points(), rays.table().rotation(k), rays.table().dir(k));
         // Between the cubes of bounds that are within 2^-8 of each other and hold the truth.
         EXPECT_GE(std::cbrt(cubes[k]), truth.lower * (1.0 - kRadialGap)) << k;
         EXPECT_LE(std::cbrt(cubes[k]), truth.upper * (1.0 + 2.0 * kRadialGap)) << k;
@@ -134,18 +121,16 @@ TEST(Cubes, HaveTheRightMeanOverThePicks) {
     const auto packets = make_packet_rays(ray_kernel(kernel_sets().back()), a, b, map.points());
     int n_picked = 0;
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
-      const RadialRay<double> ray = random_rays(map, 1, seed).rays[0];
-      Rays rays;
+      const Rays rays = random_rays(map, kPicks, seed, true);
       for (std::size_t k = 0; k < kPicks; ++k) {
-        rays.add(ray);
-        rays.columns[RayTable::kPick * PacketRays::kStride + k] = (static_cast<double>(k) + 0.5) / kPicks;
+        rays.columns->rays[RayTable::kPick][k] = (static_cast<double>(k) + 0.5) / kPicks;
       }
       std::vector<double> cubes(kPicks);
       packets->cubes(rays.table(), cubes.data());
       double sum = 0.0;
       for (const double cube : cubes) sum += cube;
       if (cubes.front() != cubes.back()) ++n_picked;
-      const RadialBounds truth = radial_function(a, b, map.points(), ray.rotation, ray.dir);
+      const RadialBounds truth = radial_function(a, b, map.points(), rays.table().rotation(0), rays.table().dir(0));
       const double r = 0.5 * (truth.lower + truth.upper), gap = 3.0 * 1.01 * kRadialGap * r * r * r;
       EXPECT_NEAR(sum / kPicks, r * r * r, 0.51 * gap / kPicks + 4.0 * kRadialRounding * r * r * r);
     }
@@ -156,9 +141,9 @@ TEST(Cubes, HaveTheRightMeanOverThePicks) {
 TEST(Cubes, OfNumbersThatAreNoneAreLeftOpen) {
   const ConvexBody a = parse_shape("ellipsoid:1,2,3").body;
   const RadialMap map(a, a, {});
-  Rays rays = random_rays(map, 32, 3);
+  const Rays rays = random_rays(map, 32, 3);
   for (std::size_t c = 0; c < RayTable::kColumns; ++c) {
-    if (c != RayTable::kPick) rays.columns[c * PacketRays::kStride + c] = c % 2 == 0 ? std::nan("") : HUGE_VAL;
+    if (c != RayTable::kPick) rays.columns->rays[c][c] = c % 2 == 0 ? std::nan("") : HUGE_VAL;
   }
   for (const InstructionSet set : kernel_sets()) {
     const auto packets = make_packet_rays(ray_kernel(set), a, a, map.points());

@@ -23,11 +23,12 @@ Mean mean_of(RadialEstimator& estimator, int log2_n_points, std::uint64_t seed) 
   constexpr int kScramblings = 32;
   const auto dimension = static_cast<std::size_t>(estimator.dimension());
   const SobolPoints net(estimator.dimension(), log2_n_points);
-  std::vector<double> points(dimension * net.n_points()), values(net.n_points());
+  std::vector<double> points(dimension * net.n_points()), point(dimension), values(net.n_points());
   double sum = 0.0, sum_sq = 0.0;
   for (std::uint64_t k = 0; k < kScramblings; ++k) {
     for (std::size_t i = 0; i < net.n_points(); ++i) {
-      net.scrambled(seed, k, i, std::span<double>(points).subspan(dimension * i, dimension));
+      net.scrambled(seed, k, i, point);
+      for (std::size_t c = 0; c < dimension; ++c) points[c * net.n_points() + i] = point[c];
     }
     estimator.evaluate(points, values);
     double of_net = 0.0;
