@@ -43,10 +43,10 @@ struct Triangular {
   L determinant() const { return (xx * yy) * zz; }
 };
 
-/// Cholesky's factor. A pivot that rounding, or a flat body, leaves without a size is kept at 2^-40 of the trace.
+/// Cholesky's factor. A pivot that rounding, or a flat body, leaves without a size is kept at 2^-50 of the trace, which rounding does not reach.
 template <class L>
 Triangular<L> factor_of(const Symmetric<L>& q) {
-  const L least = L(0x1p-40) * ((q.xx + q.yy) + q.zz);
+  const L least = L(0x1p-50) * ((q.xx + q.yy) + q.zz);
   Triangular<L> f;
   f.xx = square_root(larger(q.xx, least));
   f.yx = q.xy / f.xx;
