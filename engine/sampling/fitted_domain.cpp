@@ -24,6 +24,9 @@ std::size_t axes_of_their_own(const IntervalsOf<double>& own, std::array<std::si
   return is_strip ? 2 : 1;
 }
 
+// One scan finds h(n) and h(-n), for which a table is asked twice: up to here it takes less time.
+constexpr std::size_t kMostScannedBothWays = 96;
+
 }  // namespace
 
 FittedDomain::FittedDomain(const ConvexBody& a, const ConvexBody& b) : a_(a), b_(b) {
@@ -83,9 +86,20 @@ KernelHeights::KernelHeights(const ConvexBody& body) : body_(&body) {
   if (!body.rounds_as_kernels() || !(body.reach() > kLeastPacketReach && body.reach() < kLargestPacketReach)) return;
   form_ = core_form(body);
   if (!form_) return;
+  if (form_->kind == CoreForm::Kind::table) take_vertices(body.exact_form()->points);
   const auto is_opposite = [](const Vec3d& x, const Vec3d& y) { return x.x == -y.x && x.y == -y.y && x.z == -y.z; };
   is_symmetric_ = form_->kind == CoreForm::Kind::ellipsoid ||
                   (form_->kind == CoreForm::Kind::box && is_opposite(form_->lower, form_->upper));
+}
+
+void KernelHeights::take_vertices(const std::vector<Vec3d>& vertices) {
+  if (vertices.size() > kMostScannedBothWays) return;
+  form_->kind = CoreForm::Kind::vertices;
+  for (const Vec3d& p : vertices) {
+    form_->x.push_back(p.x);
+    form_->y.push_back(p.y);
+    form_->z.push_back(p.z);
+  }
 }
 
 void KernelHeights::look_for_table() {

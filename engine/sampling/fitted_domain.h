@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "engine/numeric/transform.h"
 #include "engine/query/core_form.h"
@@ -59,6 +60,8 @@ class KernelHeights {
   void of_body(const ConvexBody::Columns& dirs, std::size_t n, double* along, double* against) const;
 
  private:
+  void take_vertices(const std::vector<Vec3d>& vertices);
+
   const ConvexBody* body_;
   std::optional<CoreForm> form_;
   bool is_symmetric_ = false;

@@ -24,9 +24,11 @@ class HeightsKernel {
     const double ball_radius = heights.ball_radius();
     const bool is_symmetric = heights.is_symmetric();
     switch (core->kind) {
-      case CoreForm::Kind::box: return of_points(BoxCore(*core), ball_radius, is_symmetric, dirs, n, along, against);
+      case CoreForm::Kind::box:
+        if (is_symmetric) return of_points(SymmetricBox{core->upper}, ball_radius, true, dirs, n, along, against);
+        return of_points(BoxCore(*core), ball_radius, false, dirs, n, along, against);
       case CoreForm::Kind::ellipsoid:
-        return of_points(EllipsoidCore(*core), ball_radius, is_symmetric, dirs, n, along, against);
+        return of_points(EllipsoidCore(*core), ball_radius, true, dirs, n, along, against);
       case CoreForm::Kind::table: return of_points(TableCore(*core), 0.0, false, dirs, n, along, against);
       case CoreForm::Kind::vertices: return of_vertices(VerticesCore(*core), dirs, n, along, against);
       case CoreForm::Kind::pieces: break;
@@ -34,6 +36,14 @@ class HeightsKernel {
   }
 
  private:
+  // A BoxCore whose corners are found with half the work.
+  struct SymmetricBox {
+    Vec3<L> support(const Vec3<L>& dir) const {
+      return {copy_sign(L(upper.x), dir.x), copy_sign(L(upper.y), dir.y), copy_sign(L(upper.z), dir.z)};
+    }
+    Vec3d upper;
+  };
+
   static Vec3<L> load(const ConvexBody::Columns& dirs, std::size_t k) {
     return {L::load(dirs.x + k), L::load(dirs.y + k), L::load(dirs.z + k)};
   }
@@ -59,11 +69,12 @@ class HeightsKernel {
   // The largest of all products, and of their negatives: which vertices have them is not asked.
   static void of_vertices(const VerticesCore core, const ConvexBody::Columns dirs, std::size_t n, double* along,
                           double* against) {
-    for (std::size_t k = 0; k < n; k += kRegisterLanes) {
-      const Vec3<L> dir = load(dirs, k);
-      L most = dot(Vec3<L>{L(core.x[0]), L(core.y[0]), L(core.z[0])}, dir), least = most;
+    using Two = Packet<2 * kRegisterLanes>;  // that read each vertex once
+    for (std::size_t k = 0; k < n; k += 2 * kRegisterLanes) {
+      const Vec3<Two> dir{Two::load(dirs.x + k), Two::load(dirs.y + k), Two::load(dirs.z + k)};
+      Two most = dot(Vec3<Two>{Two(core.x[0]), Two(core.y[0]), Two(core.z[0])}, dir), least = most;
       for (std::size_t i = 1; i < core.n; ++i) {
-        const L value = dot(Vec3<L>{L(core.x[i]), L(core.y[i]), L(core.z[i])}, dir);
+        const Two value = dot(Vec3<Two>{Two(core.x[i]), Two(core.y[i]), Two(core.z[i])}, dir);
         most = larger(value, most);
         least = smaller(value, least);
       }

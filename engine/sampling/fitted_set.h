@@ -14,10 +14,12 @@ template <class L>
 struct ParallelepipedOf {
   std::array<Vec3<L>, 3> dual;  // n_i . dual_j = 1 for i = j, otherwise 0
   std::array<L, 3> lower{}, width{};
-  L volume{0.0};  // length^3
+  L volume{0.0};            // length^3
+  bool is_upright = false;  // the normals are x, y and z: only ones and zeros to multiply with
 
   /// For a point of the unit cube.
   Vec3<L> position(const L& u, const L& v, const L& w) const {
+    if (is_upright) return {lower[0] + u * width[0], lower[1] + v * width[1], lower[2] + w * width[2]};
     return ((lower[0] + u * width[0]) * dual[0] + (lower[1] + v * width[1]) * dual[1]) +
            (lower[2] + w * width[2]) * dual[2];
   }
@@ -88,8 +90,17 @@ class FittedSets {
   }
 
   void consider_axes_of_a(const IntervalsOf<L>& intervals) {
-    consider({broadcast<L>(frame_axis(0)), broadcast<L>(frame_axis(1)), broadcast<L>(frame_axis(2))}, intervals,
-             MaskOf<L>(true));
+    ParallelepipedOf<L> set;
+    set.is_upright = true;
+    L longest(0.0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      set.dual[k] = broadcast<L>(frame_axis(k));
+      longest = longest + farther_end(intervals[k]);
+    }
+    const L margin = margin_of(longest);
+    set.volume = L(1.0);
+    for (std::size_t k = 0; k < 3; ++k) widen(set, k, intervals[k], margin);
+    take_if_better(set, MaskOf<L>(true));
   }
   void consider_axes_of_b(const std::array<Vec, 3>& axes_b, const IntervalsOf<L>& intervals) {
     consider(axes_b, intervals, MaskOf<L>(true));
@@ -106,19 +117,28 @@ class FittedSets {
   void consider(const std::array<Vec, 3>& normals, const IntervalsOf<L>& intervals, const MaskOf<L>& may) {
     const L one_by_determinant = L(1.0) / dot(normals[0], cross(normals[1], normals[2]));
     ParallelepipedOf<L> set;
-    L longest(0.0);  // what a position is summed from, none of its terms longer
+    L longest(0.0);
     for (std::size_t k = 0; k < 3; ++k) {
       set.dual[k] = one_by_determinant * cross(normals[(k + 1) % 3], normals[(k + 2) % 3]);
-      longest = longest + larger(absolute(intervals[k].lower), absolute(intervals[k].upper)) * norm_1(set.dual[k]);
+      longest = longest + farther_end(intervals[k]) * norm_1(set.dual[k]);
     }
-    const L margin = L(pair_.margin) + L(kPositionError) * longest;
+    const L margin = margin_of(longest);
     set.volume = absolute(one_by_determinant);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const L along_normal = margin * norm_1(normals[k]);
-      set.lower[k] = intervals[k].lower - along_normal;
-      set.width[k] = (intervals[k].upper - intervals[k].lower) + L(2.0) * along_normal;
-      set.volume = set.volume * set.width[k];
-    }
+    for (std::size_t k = 0; k < 3; ++k) widen(set, k, intervals[k], margin * norm_1(normals[k]));
+    take_if_better(set, may);
+  }
+
+  static L farther_end(const IntervalOf<L>& interval) {
+    return larger(absolute(interval.lower), absolute(interval.upper));
+  }
+  // For positions that are summed from terms whose lengths add up to no more than this.
+  L margin_of(const L& longest) const { return L(pair_.margin) + L(kPositionError) * longest; }
+  static void widen(ParallelepipedOf<L>& set, std::size_t k, const IntervalOf<L>& interval, const L& margin) {
+    set.lower[k] = interval.lower - margin;
+    set.width[k] = (interval.upper - interval.lower) + L(2.0) * margin;
+    set.volume = set.volume * set.width[k];
+  }
+  void take_if_better(const ParallelepipedOf<L>& set, const MaskOf<L>& may) {
     const MaskOf<L> is_better = both(may, either(set.volume < best_volume_, negation(best_volume_ > L(0.0))));
     best_volume_ = select(is_better, set.volume, best_volume_);
     take_(is_better, set);
