@@ -33,7 +33,8 @@ concept HasDirectionTable = requires(const S& body) {
 };
 /// A body says so whose `support` rounds as a mapping of its core that kernels have (packet_core.h), with its ball
 /// added by `ball_support`: a box's corner by the signs of the direction, an ellipsoid's D (D d / |D d|), a vertex
-/// whose computed product with the direction is the largest. A kernel then finds the bits of d . s(d).
+/// whose computed product with the direction is the largest. A kernel then finds the bits of d . s(d). Who derives from
+/// such a body and gives it another mapping takes the word back.
 template <class S>
 concept RoundsAsKernels = requires {
   requires S::kRoundsAsKernels;
