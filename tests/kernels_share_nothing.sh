@@ -1,6 +1,7 @@
 #!/bin/sh
 # Of objects that are compiled for an instruction set: no inline function but those of its own namespace. The linker
-# keeps one of several equal inline functions, and it might be the one that only some machines can run.
+# keeps one of several equal inline functions, and it might be the one that only some machines can run. Nor one that two
+# of the objects have, unless its name tells that all round alike: one kernel may fuse operations, another may not.
 #   tests/kernels_share_nothing.sh NAMESPACE OBJECTS...
 set -eu
 namespace=$1
@@ -13,4 +14,9 @@ for object in "$@"; do
     exit 1
   fi
 done
-echo "$# objects of $namespace: no inline function but their own"
+twice=$(nm -C "$@" | sed -n 's/^[0-9a-f]* W //p' | sort | uniq -d | grep -v '::unfused::' || :)
+if [ -n "$twice" ]; then
+  printf 'inline functions of more than one of %s:\n%s\n' "$*" "$twice" >&2
+  exit 1
+fi
+echo "$# objects of $namespace: no inline function but their own, each of one"

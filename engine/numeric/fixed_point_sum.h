@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "engine/numeric/expect.h"
 #include "engine/numeric/lane.h"
@@ -35,6 +36,34 @@ class FixedPointSum {
     }
   }
 
+  /// Each of them: as one after the other, in a fraction of the time.
+  void add(std::span<const double> numbers) {
+    // Mantissas of numbers above 2^-64 add up in a window of 128 bits from bit kWindow on: 117 bits each at the most.
+    constexpr int kWindow = 448 + 1 - 64 - 53;
+    constexpr std::size_t kMost = 1024;
+    while (!numbers.empty()) {
+      const std::size_t n = numbers.size() < kMost ? numbers.size() : kMost;
+      Word128 window = 0;
+      for (const double x : numbers.first(n)) {
+        VEX_EXPECT(x >= 0.0 && x <= 1.0);
+        const std::uint64_t bits = bits_of(x);
+        const int place = static_cast<int>(bits >> 52 & 0x7ffu) - 1075 + 448 - kWindow;
+        if (place < 0) [[unlikely]] {
+          add(x);
+          continue;
+        }
+        window += static_cast<Word128>((bits & 0x000fffffffffffffu) | 0x0010000000000000u) << place;
+      }
+      const auto low = static_cast<std::uint64_t>(window), high = static_cast<std::uint64_t>(window >> 64);
+      constexpr int kOffset = kWindow % 64;
+      static_assert(kWindow / 64 == 5 && kOffset > 0);
+      add_word(5, low << kOffset);
+      add_word(6, high << kOffset | low >> (64 - kOffset));
+      add_word(7, high >> (64 - kOffset));
+      numbers = numbers.subspan(n);
+    }
+  }
+
   FixedPointSum& operator+=(const FixedPointSum& other) {
     for (std::size_t k = 0; k < words_.size(); ++k) add_word(k, other.words_[k]);
     return *this;
@@ -50,6 +79,8 @@ class FixedPointSum {
   friend bool operator==(const FixedPointSum&, const FixedPointSum&) = default;
 
  private:
+  __extension__ typedef unsigned __int128 Word128;
+
   void add_word(std::size_t k, std::uint64_t word) {
     words_[k] += word;
     if (words_[k] >= word) return;  // nothing to carry

@@ -4,8 +4,15 @@
 #include "engine/numeric/packet.h"
 #include "engine/query/core_form.h"
 
+// Kernels that may fuse operations and those that may not take their functions from here, and the linker would keep one
+// of two that have one name: the build names how they round.
+#ifndef VEX_ROUNDING
+#define VEX_ROUNDING unfused
+#endif
+
 namespace vex {
 namespace VEX_ISA {
+inline namespace VEX_ROUNDING {
 
 // Long ones are called: inlined, they were as fast, and each pair of cores had eight of them.
 #define VEX_OUT_OF_LINE __attribute__((noinline))
@@ -285,5 +292,6 @@ struct PiecesCore : BoundsDirection {
 
 #undef VEX_OUT_OF_LINE
 
+}  // namespace VEX_ROUNDING
 }  // namespace VEX_ISA
 }  // namespace vex

@@ -45,7 +45,7 @@ PacketRays::~PacketRays() = default;
 
 RayKernel ray_kernel(InstructionSet set) {
 #define VEX_KERNEL_SET(name) \
-  if (set == InstructionSet::name) return name##_unfused::new_packet_rays;
+  if (set == InstructionSet::name) return name::new_packet_rays;
 #include "engine/numeric/kernel_sets.inc"
   return nullptr;
 }

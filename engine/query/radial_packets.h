@@ -58,15 +58,14 @@ RayKernel ray_kernel(InstructionSet set);
 std::unique_ptr<PacketRays> make_packet_rays(RayKernel kernel, const ConvexBody& a, const ConvexBody& b,
                                              const BodyPoints& points);
 
-// Each is compiled for its own set (radial_kernel.cpp), without fused operations, which the overlap kernels have: so
-// these share no function with those.
-namespace sse2_unfused {
+// Each is compiled for its own set (radial_kernel.cpp).
+namespace sse2 {
 PacketRays* new_packet_rays(const PacketPairForms& forms, const BodyPoints& points);
 }
-namespace avx2_unfused {
+namespace avx2 {
 PacketRays* new_packet_rays(const PacketPairForms& forms, const BodyPoints& points);
 }
-namespace avx512_unfused {
+namespace avx512 {
 PacketRays* new_packet_rays(const PacketPairForms& forms, const BodyPoints& points);
 }
 

@@ -2,27 +2,16 @@
 // hold every translation at which B can meet A.
 #pragma once
 
-#include <array>
+#include <optional>
 #include <vector>
 
 #include "engine/numeric/transform.h"
+#include "engine/query/core_form.h"
 #include "engine/sampling/domain.h"
+#include "engine/sampling/fitted_set.h"
 #include "engine/support/convex_body.h"
 
 namespace vex {
-
-/// The translations t with lower_i <= n_i . t <= lower_i + width_i for three normals n_i.
-struct Parallelepiped {
-  std::array<Vec3d, 3> dual;  // n_i . dual_j = 1 for i = j, otherwise 0
-  std::array<double, 3> lower{}, width{};
-  double volume = 0.0;  // length^3
-
-  /// For a point of the unit cube.
-  Vec3d position(double u, double v, double w) const {
-    return ((lower[0] + u * width[0]) * dual[0] + (lower[1] + v * width[1]) * dual[1]) +
-           (lower[2] + w * width[2]) * dual[2];
-  }
-};
 
 /// Made for one pair of bodies, asked for many orientations. Holds references.
 ///
@@ -40,23 +29,42 @@ class FittedDomain {
   /// For B turned by R, a rotation to within kDrawnRotationError; the translation is not looked at.
   Parallelepiped at(const Transformd& rotation) const;
 
+  const FittedPair& pair() const { return pair_; }
+
   /// Half the width along x, y and z of a box that no parallelepiped's volume exceeds.
   const Vec3d& largest_half_extent() const { return largest_half_extent_; }
 
  private:
-  struct Interval {
-    double lower, upper;
-  };
-  using Intervals = std::array<Interval, 3>;
-
-  Interval along(const Vec3d& normal, const Transformd& rotation) const;
-
   const ConvexBody& a_;
   const ConvexBody& b_;
-  double margin_;            // what rounding, and R not being quite a rotation, can change of n . t, |n| = 1 (E13)
-  Intervals own_a_, own_b_;  // of each body along its own axes
-  std::vector<std::size_t> axes_a_, axes_b_;
+  FittedPair pair_;
   Vec3d largest_half_extent_;
+};
+
+/// The heights of a body as kernels find them: bit for bit those of its own support mapping, which answers where no
+/// kernel has it (ConvexBody::rounds_as_kernels), and as long as the body has no table of directions. Holds a
+/// reference.
+class KernelHeights {
+ public:
+  explicit KernelHeights(const ConvexBody& body);
+
+  /// Whether the body has its table by now: to be called from time to time.
+  void look_for_table();
+
+  /// Null where `of_body` has to be asked.
+  const CoreForm* core() const;
+  double ball_radius() const { return body_->ball_radius(); }
+  /// h(-n) has the bits of h(n).
+  bool is_symmetric() const { return is_symmetric_; }
+
+  void of_body(const ConvexBody::Columns& dirs, std::size_t n, double* along, double* against) const;
+
+ private:
+  void take_vertices(const std::vector<Vec3d>& vertices);
+
+  const ConvexBody* body_;
+  std::optional<CoreForm> form_;
+  bool is_symmetric_ = false;
 };
 
 /// The domain of this kind; its volume is what no trial's exceeds.

@@ -61,12 +61,11 @@ class TrialRunner {
         sampler_(a, b, settings.seed, settings.law, settings.domain),
         is_fitted_(settings.domain.kind == Domain::Kind::fitted),
         quick_(quick),
-        recipe_{settings.seed, &settings.law, &settings.domain, b.centre(), quick},
+        recipe_{settings.seed, &settings.law, &settings.domain, b.centre(), quick, nullptr},
         backend_(settings.backend.make(a, b)) {
     // Whoever asks for each trial's pose and verdict gets them one by one.
-    if (!is_fitted_ && settings.cross_check.empty() && !settings.verify) {
-      draw_poses_ = pose_kernel(settings.instruction_set);
-    }
+    if (settings.cross_check.empty() && !settings.verify) draw_poses_ = pose_kernel(settings.instruction_set);
+    if (is_fitted_ && draw_poses_ != nullptr) recipe_.fitted = &fitted_.emplace(a, b, *sampler_.fitted());
     for (const BackendKind& kind : settings.cross_check) checks_.push_back(kind.make(a, b));
     checked_verdicts_.resize(checks_.size());
     shares_.fill(1.0);
@@ -91,14 +90,36 @@ class TrialRunner {
 
   // Poses by a kernel; what the quick verdict decides is only counted.
   void run_columns(std::uint64_t first, std::size_t n, BlockRecord& record) {
+    if (fitted_) fitted_->look_for_tables();
     draw_poses_(recipe_, first, n, columns_);
     record.tally.add(DecidedBy::outer_bound, columns_.n_disjoint, 0);
     record.tally.add(DecidedBy::inner_bound, 0, columns_.n_overlap);
     const std::size_t n_open = columns_.n_open;
     backend_->decide_table({columns_.poses[0], PoseColumns::kStride, n_open}, {verdicts_.data(), n_open});
     record.tally.add(std::span<const Verdict>(verdicts_).first(n_open));
+    if (fitted_) add_shares(record.tally);
     if (record.tally.n_undecided == record.undecided.n_all) return;
     for (std::size_t k = 0; k < n_open; ++k) note_undecided(first + columns_.row[k], verdicts_[k], record);
+  }
+
+  void add_shares(Tally& tally) {
+    const std::span<const double> open(columns_.share, columns_.n_open);
+    const std::span<const double> overlap(columns_.share_overlap, columns_.n_overlap);
+    tally.all.add(open);
+    tally.all.add(overlap);
+    tally.all.add({columns_.share_disjoint, columns_.n_disjoint});
+    std::size_t n_hits = 0, n_undecided = 0;
+    for (std::size_t k = 0; k < open.size(); ++k) {
+      shares_[n_hits] = open[k];
+      n_hits += verdicts_[k].outcome == Outcome::overlap ? 1u : 0u;
+      n_undecided += verdicts_[k].outcome == Outcome::undecided ? 1u : 0u;
+    }
+    tally.hits.add(std::span<const double>(shares_).first(n_hits));
+    tally.hits.add(overlap);
+    if (n_undecided == 0) return;
+    for (std::size_t k = 0; k < open.size(); ++k) {
+      if (verdicts_[k].outcome == Outcome::undecided) tally.undecided.add(open[k]);
+    }
   }
 
   void run_batch(std::uint64_t first, std::size_t n, BlockRecord& record) {
@@ -187,6 +208,7 @@ class TrialRunner {
   PoseSampler sampler_;
   bool is_fitted_;
   const QuickVerdict* quick_;
+  std::optional<FittedRecipe> fitted_;  // where a kernel draws from such a domain
   PoseRecipe recipe_;
   DrawPoses draw_poses_ = nullptr;
   PoseColumns columns_;

@@ -7,18 +7,35 @@
 #include "engine/numeric/instruction_set.h"
 #include "engine/query/packet_overlap.h"
 #include "engine/sampling/domain.h"
+#include "engine/sampling/fitted_domain.h"
 #include "engine/sampling/orientation_law.h"
 #include "engine/scene/quick_verdict.h"
 
 namespace vex {
 
-/// What a run's poses are made of. Refers to its parts; the domain is no fitted one.
+/// Of a fitted domain; one thread's.
+struct FittedRecipe {
+  FittedRecipe(const ConvexBody& a, const ConvexBody& b, const FittedDomain& domain)
+      : pair(&domain.pair()), heights_a(a), heights_b(b) {}
+
+  /// To be called now and then.
+  void look_for_tables() {
+    heights_a.look_for_table();
+    heights_b.look_for_table();
+  }
+
+  const FittedPair* pair;
+  KernelHeights heights_a, heights_b;
+};
+
+/// What a run's poses are made of. Refers to its parts.
 struct PoseRecipe {
   std::uint64_t seed;
   const OrientationLaw* law;
   const Domain* domain;
   Vec3d centre_b;
-  const QuickVerdict* quick;  // or none
+  const QuickVerdict* quick;             // or none
+  const FittedRecipe* fitted = nullptr;  // where the domain is such
 };
 
 /// Of up to kMostTrials trials those that the quick verdict leaves open, in their order, and how many it decided.
@@ -29,10 +46,15 @@ struct PoseColumns {
   alignas(64) double poses[kPoseColumns][kStride] = {};
   std::uint64_t row[kStride] = {};  // of the open ones: trial `first + row`
   std::size_t n_open = 0, n_disjoint = 0, n_overlap = 0;
+  // Of a fitted domain, PosedTrial::domain_share: of the open ones, and of those decided, in their order.
+  double share[kStride] = {}, share_disjoint[kStride] = {}, share_overlap[kStride] = {};
 
   // The kernel's own: of the unit cube, and of angles.
   alignas(64) double coordinates[8][kStride] = {};
   alignas(64) double sine[2][kStride] = {}, cosine[2][kStride] = {};
+  // Of a fitted domain, for some trials at a time: normals in both frames, and heights (fitted_kernel.h).
+  static constexpr std::size_t kFittedColumns = 42, kMostFitted = 64, kFittedStride = kMostFitted + 16;
+  alignas(64) double fitted[kFittedColumns][kFittedStride] = {};
 };
 
 /// Draws the trials first ... first + n - 1.

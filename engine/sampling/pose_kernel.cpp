@@ -1,6 +1,7 @@
 // Compiled once for each instruction set, with VEX_ISA its namespace, and never with fused operations: a pose is the
 // same bits everywhere.
 #include "engine/numeric/packet.h"
+#include "engine/sampling/fitted_kernel.h"
 #include "engine/sampling/pose_columns.h"
 #include "engine/sampling/pose_map.h"
 #include "engine/sampling/random_stream.h"
@@ -69,6 +70,10 @@ class Drawing {
   void draw(std::size_t n) {
     columns_.n_disjoint = columns_.n_overlap = 0;
     columns_.n_open = n;
+    if (recipe_.fitted != nullptr) {
+      draw_fitted();
+      return;
+    }
     draw_coordinates(0, nullptr);
     draw_coordinates(1, nullptr);
     if (recipe_.domain->kind == Domain::Kind::ball) {
@@ -78,10 +83,7 @@ class Drawing {
     place();
     const int dimension = recipe_.law->dimension();
     for (int block = 2; 2 * block < 3 + dimension; ++block) draw_coordinates(block, columns_.row);
-    if (recipe_.law->kind() == OrientationLaw::Kind::isotropic) {
-      sines_and_cosines(4, 0);
-      sines_and_cosines(5, 1);
-    }
+    draw_angles();
     turn();
   }
 
@@ -106,6 +108,49 @@ class Drawing {
         to_unit_interval(words[j].w2, words[j].w3).store(odd + k + j * kRegisterLanes);
       }
     }
+  }
+
+  // Where a trial is put depends on how it is turned.
+  void draw_fitted() {
+    const std::size_t n = columns_.n_open;
+    for (int block = 0; 2 * block < 3 + recipe_.law->dimension(); ++block) draw_coordinates(block, nullptr);
+    draw_angles();
+    for (std::size_t k = 0; k < n; k += W) {
+      const Transform<L> turned = rotation(k);
+      store(0, k, turned.row_x);
+      store(3, k, turned.row_y);
+      store(6, k, turned.row_z);
+      PacketBits<W>::numbers_from(k).store(columns_.row + k);
+    }
+    Fitting fitting(*recipe_.fitted, columns_);
+    for (std::size_t k = 0; k < n; k += PoseColumns::kMostFitted) {
+      fitting.fit(k, n - k < PoseColumns::kMostFitted ? n - k : PoseColumns::kMostFitted);
+    }
+    const L largest(recipe_.domain->volume);
+    for (std::size_t k = 0; k < n; k += W) {
+      smaller(L::load(columns_.share + k) / largest, L(1.0)).store(columns_.share + k);
+    }
+    if (recipe_.quick == nullptr) return;
+    const QuickVerdict quick = *recipe_.quick;
+    Counts counts;
+    for (std::size_t k = 0; k < n; k += W) {
+      const Transform<L> pose = pose_at(k);
+      const L share = L::load(columns_.share + k);
+      const QuickVerdict::Answer<L> answer = quick(pose, pose(broadcast<L>(recipe_.centre_b)));
+      const PacketMask<W> trials = PacketMask<W>::first(n - k);
+      Compaction<W>(counts.apart(answer, trials)).store(columns_.share_disjoint + counts.n_disjoint, share);
+      Compaction<W>(counts.meet(answer, trials)).store(columns_.share_overlap + counts.n_overlap, share);
+      const Compaction<W> open(counts.left(answer, trials));
+      open.store(columns_.share + counts.n_open, share);
+      move_up(open, counts, k, pose);
+    }
+    take_home(counts);
+  }
+
+  void draw_angles() {
+    if (recipe_.law->kind() != OrientationLaw::Kind::isotropic) return;
+    sines_and_cosines(4, 0);
+    sines_and_cosines(5, 1);
   }
 
   // Of the angle that is this coordinate, in turns.
@@ -198,17 +243,8 @@ class Drawing {
     const QuickVerdict quick = *recipe_.quick;
     Counts counts;
     for (std::size_t k = 0; k < n; k += W) {
-      const Transform<L> pose{load(0, k), load(3, k), load(6, k), load(9, k)};
-      const PacketBits<W> row = PacketBits<W>::load(columns_.row + k);
-      const Compaction<W> open(counts.left(quick.turned(pose), PacketMask<W>::first(n - k)));
-      std::size_t column = 0;
-      for (const Vec3<L>* part : {&pose.row_x, &pose.row_y, &pose.row_z, &pose.translation}) {
-        open.store(columns_.poses[column++] + counts.n_open, part->x);
-        open.store(columns_.poses[column++] + counts.n_open, part->y);
-        open.store(columns_.poses[column++] + counts.n_open, part->z);
-      }
-      open.store(columns_.row + counts.n_open, row);
-      counts.n_open += static_cast<std::size_t>(open.n());
+      const Transform<L> pose = pose_at(k);
+      move_up(Compaction<W>(counts.left(quick.turned(pose), PacketMask<W>::first(n - k))), counts, k, pose);
     }
     take_home(counts);
   }
@@ -219,13 +255,30 @@ class Drawing {
 
     // Of these trials those that the answer leaves open.
     PacketMask<W> left(const QuickVerdict::Answer<L>& answer, const PacketMask<W>& trials) {
-      const PacketMask<W> disjoint = both(trials, answer.disjoint);
-      const PacketMask<W> overlap = but_not(both(trials, answer.overlap), answer.disjoint);
-      n_disjoint += static_cast<std::size_t>(__builtin_popcount(lanes_on(disjoint)));
-      n_overlap += static_cast<std::size_t>(__builtin_popcount(lanes_on(overlap)));
+      n_disjoint += static_cast<std::size_t>(__builtin_popcount(lanes_on(apart(answer, trials))));
+      n_overlap += static_cast<std::size_t>(__builtin_popcount(lanes_on(meet(answer, trials))));
       return but_not(trials, either(answer.disjoint, answer.overlap));
     }
+    static PacketMask<W> apart(const QuickVerdict::Answer<L>& answer, const PacketMask<W>& trials) {
+      return both(trials, answer.disjoint);
+    }
+    static PacketMask<W> meet(const QuickVerdict::Answer<L>& answer, const PacketMask<W>& trials) {
+      return but_not(both(trials, answer.overlap), answer.disjoint);
+    }
   };
+  Transform<L> pose_at(std::size_t k) const { return {load(0, k), load(3, k), load(6, k), load(9, k)}; }
+  // The trials of `open` behind those that are open already: from k on they have been read.
+  void move_up(const Compaction<W>& open, Counts& counts, std::size_t k, const Transform<L>& pose) {
+    const PacketBits<W> row = PacketBits<W>::load(columns_.row + k);
+    std::size_t column = 0;
+    for (const Vec3<L>* part : {&pose.row_x, &pose.row_y, &pose.row_z, &pose.translation}) {
+      open.store(columns_.poses[column++] + counts.n_open, part->x);
+      open.store(columns_.poses[column++] + counts.n_open, part->y);
+      open.store(columns_.poses[column++] + counts.n_open, part->z);
+    }
+    open.store(columns_.row + counts.n_open, row);
+    counts.n_open += static_cast<std::size_t>(open.n());
+  }
   void take_home(const Counts& counts) {
     columns_.n_open = counts.n_open;
     columns_.n_disjoint += counts.n_disjoint;

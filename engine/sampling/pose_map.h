@@ -79,6 +79,8 @@ class PoseSampler {
               const Domain& domain);
 
   PosedTrial operator()(std::uint64_t index) const;
+  /// Null where the domain is none.
+  const FittedDomain* fitted() const { return fitted_ ? &*fitted_ : nullptr; }
 
  private:
   std::uint64_t seed_;

@@ -12,7 +12,7 @@ void make_rays_one_by_one(const RadialMap& map, std::size_t n, RayColumns& colum
 
 MakeRays ray_maker(InstructionSet set) {
 #define VEX_KERNEL_SET(name) \
-  if (set == InstructionSet::name) return name##_unfused::make_rays;
+  if (set == InstructionSet::name) return name::make_rays;
 #include "engine/numeric/kernel_sets.inc"
   return make_rays_one_by_one;
 }

@@ -25,13 +25,13 @@ using MakeRays = void (*)(const RadialMap& map, std::size_t n, RayColumns& colum
 /// One point after the other where there is no kernel: for `scalar`.
 MakeRays ray_maker(InstructionSet set);
 
-namespace sse2_unfused {
+namespace sse2 {
 void make_rays(const RadialMap& map, std::size_t n, RayColumns& columns);
 }
-namespace avx2_unfused {
+namespace avx2 {
 void make_rays(const RadialMap& map, std::size_t n, RayColumns& columns);
 }
-namespace avx512_unfused {
+namespace avx512 {
 void make_rays(const RadialMap& map, std::size_t n, RayColumns& columns);
 }
 

@@ -1,6 +1,7 @@
 // What a run counts. Whole numbers only, fixed-point sums among them: the same for any number of threads.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -19,6 +20,16 @@ struct ShareSums {
   void add(double share) {
     first.add(share);
     second.add(share * share);
+  }
+  void add(std::span<const double> shares) {
+    first.add(shares);
+    std::array<double, 256> squares;
+    while (!shares.empty()) {
+      const std::size_t n = std::min(shares.size(), squares.size());
+      for (std::size_t k = 0; k < n; ++k) squares[k] = shares[k] * shares[k];
+      second.add(std::span<const double>(squares).first(n));
+      shares = shares.subspan(n);
+    }
   }
   ShareSums& operator+=(const ShareSums& other) {
     first += other.first;

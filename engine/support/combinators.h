@@ -69,6 +69,10 @@ class Inflated {
     return body_.support(dir) + ball_support(L(radius_), dir);
   }
 
+  /// Not of a body with a ball, whose radii kernels add up; nor of a polytope, of whose vertices that tie a kernel may
+  /// take another: of different points the sums with the ball's round differently.
+  static constexpr bool kRoundsAsKernels = RoundsAsKernels<Body> && !HasBallPart<Body> && !HasDirectionTable<Body>;
+
   /// The ball's point is off by at most 8 u r, and the sum's rounding by u of its size (E2).
   double support_error() const {
     const Vec3d c = body_.centre();

@@ -31,6 +31,14 @@ template <class S>
 concept HasDirectionTable = requires(const S& body) {
   { body.direction_table() } -> std::same_as<std::optional<DirectionTable>>;
 };
+/// A body says so whose `support` rounds as a mapping of its core that kernels have (packet_core.h), with its ball
+/// added by `ball_support`: a box's corner by the signs of the direction, an ellipsoid's D (D d / |D d|), a vertex
+/// whose computed product with the direction is the largest. A kernel then finds the bits of d . s(d). Who derives from
+/// such a body and gives it another mapping takes the word back.
+template <class S>
+concept RoundsAsKernels = requires {
+  requires S::kRoundsAsKernels;
+};
 
 /// Holds any support mapping; itself one. Cheap to copy: copies share the shape, which never changes.
 ///
@@ -45,7 +53,8 @@ class ConvexBody {
         circumradius_(shape.circumradius()),
         inradius_(shape.inradius()),
         support_error_(shape.support_error()),
-        core_support_error_(support_error_) {
+        core_support_error_(support_error_),
+        rounds_as_kernels_(RoundsAsKernels<Shape>) {
     if constexpr (HasBallPart<Shape>) {
       core_support_error_ = shape.core_support_error();
       ball_radius_ = shape.ball_radius();
@@ -55,6 +64,16 @@ class ConvexBody {
 
   Vec3d support(const Vec3d& dir) const { return model_->support(dir); }
   double support_error() const { return support_error_; }
+
+  /// Directions that stand in columns.
+  struct Columns {
+    const double *x, *y, *z;
+  };
+  /// d . s(d), and for -d, of n directions: the body asked 2 n times by one indirect call.
+  void heights(const Columns& dirs, std::size_t n, double* along, double* against) const {
+    model_->heights(dirs, n, along, against);
+  }
+  bool rounds_as_kernels() const { return rounds_as_kernels_; }
 
   /// The body is its core with a ball of this radius, 0 or more, about each point.
   double ball_radius() const { return ball_radius_; }
@@ -86,6 +105,7 @@ class ConvexBody {
   struct Model {
     virtual ~Model() = default;
     virtual Vec3d support(const Vec3d& dir) const = 0;
+    virtual void heights(const Columns& dirs, std::size_t n, double* along, double* against) const = 0;
     virtual Vec3d core_support(const Vec3d& dir) const = 0;
     virtual std::optional<ExactForm> exact_form() const = 0;
     virtual bool may_have_direction_table() const = 0;
@@ -95,6 +115,13 @@ class ConvexBody {
   struct ModelOf final : Model {
     explicit ModelOf(Shape s) : shape(std::move(s)) {}
     Vec3d support(const Vec3d& dir) const override { return shape.support(dir); }
+    void heights(const Columns& dirs, std::size_t n, double* along, double* against) const override {
+      for (std::size_t k = 0; k < n; ++k) {
+        const Vec3d dir{dirs.x[k], dirs.y[k], dirs.z[k]};
+        along[k] = dot(dir, shape.support(dir));
+        against[k] = dot(-dir, shape.support(-dir));
+      }
+    }
     Vec3d core_support(const Vec3d& dir) const override {
       if constexpr (HasBallPart<Shape>) {
         return shape.core_support(dir);
@@ -126,6 +153,7 @@ class ConvexBody {
   double support_error_;
   double core_support_error_;
   double ball_radius_ = 0.0;
+  bool rounds_as_kernels_;
   std::shared_ptr<const Model> model_;
 };
 

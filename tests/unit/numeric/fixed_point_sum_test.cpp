@@ -56,6 +56,27 @@ TEST(FixedPointSum, IsTheExactSumToTwoRoundoffs) {
   }
 }
 
+TEST(FixedPointSum, OfManyAtOnceIsTheSumOneByOne) {
+  for (const int lowest : {-1, -10, -62, -70, -390, -1070}) {
+    for (const int n : {0, 1, 7, 1023, 1024, 1025, 5000}) {
+      std::vector<double> numbers = numbers_down_to(lowest, n, 3);
+      for (std::size_t k = 0; k < numbers.size(); k += 5) numbers[k] = k % 2 == 0 ? 1.0 : 0.0;
+      FixedPointSum at_once = sum_of({0.75, 0x1p-440});
+      at_once.add(numbers);
+      FixedPointSum one_by_one = sum_of({0.75, 0x1p-440});
+      one_by_one += sum_of(numbers);
+      EXPECT_EQ(at_once, one_by_one) << n << " numbers down to 2^" << lowest;
+    }
+  }
+  // All of the window's bits, and what it carries.
+  std::vector<double> ones(4096, 1.0 - 0x1p-53);
+  ones.insert(ones.end(), 4096, 1.0);
+  ones.insert(ones.end(), 4096, 0x1p-64);
+  FixedPointSum at_once;
+  at_once.add(ones);
+  EXPECT_EQ(at_once, sum_of(ones));
+}
+
 TEST(FixedPointSum, HoldsEveryNumberByItself) {
   for (const double x : numbers_down_to(-395, 3000, 2)) ASSERT_EQ(sum_of({x}).value(), x);
   for (int exponent = 0; exponent >= -448; --exponent) {

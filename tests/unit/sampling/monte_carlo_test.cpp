@@ -10,6 +10,7 @@
 #include "engine/sampling/fitted_domain.h"
 #include "engine/scene/quick_verdict.h"
 #include "shapes/box.h"
+#include "shapes/cylinder.h"
 #include "shapes/ellipsoid.h"
 #include "shapes/sphere.h"
 
@@ -296,19 +297,51 @@ MonteCarloSettings fitted_settings_for(const ConvexBody& a, const ConvexBody& b,
   return settings;
 }
 
-TEST(MonteCarloFitted, SameTallyWithItsSumsForAnyNumberOfThreads) {
-  const ConvexBody a = Box(1, 2, 0.01), b = Ellipsoid(1, 0.1, 2);
-  for (const OrientationLaw& law : {OrientationLaw::isotropic(), OrientationLaw::cone(30), OrientationLaw::onsager(3),
-                                    OrientationLaw::fixed(1, 2, 3, 4)}) {
-    MonteCarloSettings settings = fitted_settings_for(a, b, 30011);
-    settings.law = law;
-    const RunRecord one = run_hit_or_miss(a, b, settings);
-    EXPECT_EQ(one.tally.n_trials, 30011u);
-    EXPECT_GT(one.tally.n_hits, 1000u) << law.name();
-    EXPECT_GT(one.tally.all.first.value(), one.tally.hits.first.value());
-    for (const int n : {2, 7}) {
-      settings.n_threads = n;
-      EXPECT_EQ(run_hit_or_miss(a, b, settings).tally, one.tally) << n << " threads, " << law.name();
+TEST(MonteCarloFitted, SameTallyWithItsSumsForAnyNumberOfThreadsAndInstructionSet) {
+  const ConvexBody a = Box(1, 2, 0.01), b = Ellipsoid(1, 0.1, 2), c = Cylinder(0.5, 0.3);
+  const ConvexBody* const pairs[][2] = {{&a, &b}, {&b, &c}, {&c, &a}};
+  for (const auto& [first, second] : pairs) {
+    for (const OrientationLaw& law : {OrientationLaw::isotropic(), OrientationLaw::cone(30), OrientationLaw::onsager(3),
+                                      OrientationLaw::fixed(1, 2, 3, 4)}) {
+      MonteCarloSettings settings = fitted_settings_for(*first, *second, 30011);
+      settings.law = law;
+      settings.instruction_set = InstructionSet::scalar;
+      const RunRecord one = run_hit_or_miss(*first, *second, settings);
+      EXPECT_EQ(one.tally.n_trials, 30011u);
+      EXPECT_GT(one.tally.n_hits, 1000u) << law.name();
+      EXPECT_GT(one.tally.all.first.value(), one.tally.hits.first.value());
+      for (const InstructionSet set : instruction_sets()) {
+        settings.instruction_set = set;
+        for (const int n : {1, 2, 3, 7}) {
+          settings.n_threads = n;
+          EXPECT_EQ(run_hit_or_miss(*first, *second, settings).tally, one.tally)
+              << name_of(set) << ", " << n << " threads, " << law.name();
+        }
+      }
+    }
+  }
+}
+
+TEST(MonteCarloFitted, SumsSharesOfUndecidedTrials) {
+  const ConvexBody a = Box(1, 1, 0.1);
+  MonteCarloSettings settings = fitted_settings_for(a, a, 5000);
+  settings.quick_verdicts = false;
+  settings.backend = scripted("unsure", [](const Transformd& pose) {
+    if (pose.translation.x > 0.2) return Verdict::undecided(DecidedBy::peer, UndecidedReason::iteration_cap);
+    return pose.translation.y > 0.0 ? Verdict::overlap(DecidedBy::peer) : Verdict::disjoint(DecidedBy::peer);
+  });
+  settings.instruction_set = InstructionSet::scalar;
+  const RunRecord one = run_hit_or_miss(a, a, settings);
+  EXPECT_GT(one.tally.n_undecided, 500u);
+  EXPECT_GT(one.tally.undecided.first.value(), 0.0);
+  for (const InstructionSet set : instruction_sets()) {
+    settings.instruction_set = set;
+    const RunRecord record = run_hit_or_miss(a, a, settings);
+    EXPECT_EQ(record.tally, one.tally) << name_of(set);
+    EXPECT_EQ(record.undecided.n_all, one.undecided.n_all);
+    ASSERT_EQ(record.undecided.kept.size(), one.undecided.kept.size());
+    for (std::size_t k = 0; k < one.undecided.kept.size(); ++k) {
+      EXPECT_EQ(record.undecided.kept[k].index, one.undecided.kept[k].index);
     }
   }
 }
