@@ -61,7 +61,7 @@ class Parts {
   const double* end() const { return parts_.data() + n_; }
 
  private:
-  std::array<double, 3> parts_;
+  std::array<double, 3> parts_{};
   std::size_t n_ = 0;
 };
 using PartsVec3 = std::array<Parts, 3>;
