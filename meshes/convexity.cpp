@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "engine/numeric/rounding.h"
 #include "meshes/determinant.h"
@@ -20,15 +21,35 @@ double depth_at(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d, 
   return det / (area_at_a + area_at_b);  // det > 0: the four points are not coplanar
 }
 
-/// -1, 0 or 1: the sign of det(a, b, c) beyond rounding; 0 where it is not sure. Most are sure in double: its error is
-/// at most gamma(8) times the product of the lengths.
-int sure_sign(const DoubleDoubleVec3& a, const DoubleDoubleVec3& b, const DoubleDoubleVec3& c) {
-  const Vec3d a_double = a.value(), b_double = b.value(), c_double = c.value();
-  const double rough = dot(a_double, cross(b_double, c_double));
-  if (std::fabs(rough) > gamma(16) * (norm_1(a_double) * norm_1(b_double) * norm_1(c_double))) {
+/// The vertices of a surface as its centroid sees them: exactly, and rounded.
+class SeenFromCentroid {
+ public:
+  SeenFromCentroid(const Triangles& triangles, const LocalPoint& centroid)
+      : triangles_(triangles), centroid_(centroid) {
+    rounded_.reserve(triangles.vertices.size());
+    for (const Vec3d& v : triangles.vertices) {
+      rounded_.push_back(centroid.to(v).value());
+    }
+  }
+
+  const Vec3d& rounded(std::uint32_t vertex) const { return rounded_[vertex]; }
+  DoubleDoubleVec3 exactly(std::uint32_t vertex) const { return centroid_.to(triangles_.point(vertex)); }
+
+ private:
+  const Triangles& triangles_;
+  const LocalPoint& centroid_;
+  std::vector<Vec3d> rounded_;
+};
+
+/// 1, -1 or 0 where the sign of det(a, b, c) may be hidden by rounding. Most are sure in double: its error is at most
+/// gamma(8) times the product of the lengths. `exactly` is called for the others: the three in double-double.
+template <class Exactly>
+int sure_sign(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Exactly& exactly) {
+  const double rough = dot(a, cross(b, c));
+  if (std::fabs(rough) > gamma(16) * (norm_1(a) * norm_1(b) * norm_1(c))) {
     return rough > 0.0 ? 1 : -1;
   }
-  const BoundedDeterminant det = determinant(a, b, c);
+  const BoundedDeterminant det = exactly();
   return det.surely_positive() ? 1 : (det.surely_negative() ? -1 : 0);
 }
 
@@ -36,19 +57,20 @@ int sure_sign(const DoubleDoubleVec3& a, const DoubleDoubleVec3& b, const Double
 /// where it may pass through an edge, a vertex or a triangle seen edge-on. (Solid angles would do without a ray, but of
 /// a thin body nearly all are seen at a grazing angle, and their sum loses everything: a needle of 10^10 to 1 wound
 /// twice.)
-std::optional<long> windings_along(const Triangles& triangles, const LocalPoint& centroid,
-                                   const DoubleDoubleVec3& ray) {
+std::optional<long> windings_along(const Triangles& triangles, const SeenFromCentroid& seen, const Vec3d& ray) {
+  const DoubleDoubleVec3 exact_ray{ray.x, ray.y, ray.z};
+  const auto side_of = [&](std::uint32_t a, std::uint32_t b) {
+    return sure_sign(seen.rounded(a), seen.rounded(b), ray,
+                     [&] { return determinant(seen.exactly(a), seen.exactly(b), exact_ray); });
+  };
   long n = 0;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const DoubleDoubleVec3 a = centroid.to(triangles.corner(t, 0));
-    const DoubleDoubleVec3 b = centroid.to(triangles.corner(t, 1));
-    const int side_ab = sure_sign(a, b, ray);
-    const DoubleDoubleVec3 c = centroid.to(triangles.corner(t, 2));
-    const int side_bc = sure_sign(b, c, ray);
+  for (const auto& [a, b, c] : triangles.corners) {
+    const int side_ab = side_of(a, b);
+    const int side_bc = side_of(b, c);
     if (side_ab * side_bc < 0) {
       continue;
     }
-    const int side_ca = sure_sign(c, a, ray);
+    const int side_ca = side_of(c, a);
     if (side_ab * side_ca < 0 || side_bc * side_ca < 0) {
       continue;
     }
@@ -56,7 +78,9 @@ std::optional<long> windings_along(const Triangles& triangles, const LocalPoint&
       return std::nullopt;
     }
     // All three sides agree: the ray or its opposite meets the triangle, the ray where the triangle's own sign agrees.
-    const int facing = sure_sign(a, b, c);
+    const int facing = sure_sign(seen.rounded(a), seen.rounded(b), seen.rounded(c), [&, a = a, b = b, c = c] {
+      return determinant(seen.exactly(a), seen.exactly(b), seen.exactly(c));
+    });
     if (facing == 0) {
       return std::nullopt;
     }
@@ -69,16 +93,13 @@ std::optional<long> windings_along(const Triangles& triangles, const LocalPoint&
 
 /// By a ray through a point inside one triangle or another, until one meets nothing in doubt; 0, which is no convex
 /// surface's, where none does.
-long winding_number(const Triangles& triangles, const LocalPoint& centroid) {
+long winding_number(const Triangles& triangles, const SeenFromCentroid& seen) {
   constexpr std::size_t kMostRays = 64;
   const std::size_t stride = triangles.size() / kMostRays + 1;
   for (std::size_t t = 0; t < triangles.size(); t += stride) {
-    const Vec3d a = centroid.to(triangles.corner(t, 0)).value();
-    const Vec3d b = centroid.to(triangles.corner(t, 1)).value();
-    const Vec3d c = centroid.to(triangles.corner(t, 2)).value();
-    const Vec3d inside = (0.4013 * a + 0.3271 * b) + 0.2716 * c;
-    const DoubleDoubleVec3 ray{inside.x, inside.y, inside.z};
-    if (const std::optional<long> n = windings_along(triangles, centroid, ray)) {
+    const auto& [a, b, c] = triangles.corners[t];
+    const Vec3d inside = (0.4013 * seen.rounded(a) + 0.3271 * seen.rounded(b)) + 0.2716 * seen.rounded(c);
+    if (const std::optional<long> n = windings_along(triangles, seen, inside)) {
       return *n;
     }
   }
@@ -97,6 +118,9 @@ ConvexityCensus convexity_census(const Triangles& triangles, const LocalPoint& c
     const Vec3d b = triangles.point(triangles.head(h));
     const Vec3d c = triangles.point(triangles.opposite(h));
     const Vec3d d = triangles.point(triangles.opposite(triangles.mates[h]));
+    if (sure_determinant_sign(b - a, c - a, d - a) < 0) {
+      continue;
+    }
     const BoundedDeterminant det = orientation(a, b, c, d);
     if (det.surely_positive()) {
       const double depth = depth_at(a, b, c, d, det.value.value());
@@ -106,11 +130,13 @@ ConvexityCensus convexity_census(const Triangles& triangles, const LocalPoint& c
       }
     }
   }
+  const SeenFromCentroid seen(triangles, centroid);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const DoubleDoubleVec3 a = centroid.to(triangles.corner(t, 0));
-    const DoubleDoubleVec3 b = centroid.to(triangles.corner(t, 1));
-    const DoubleDoubleVec3 c = centroid.to(triangles.corner(t, 2));
-    const BoundedDeterminant det = determinant(a, b, c);
+    const auto& [a, b, c] = triangles.corners[t];
+    if (sure_determinant_sign(seen.rounded(a), seen.rounded(b), seen.rounded(c)) > 0) {
+      continue;
+    }
+    const BoundedDeterminant det = determinant(seen.exactly(a), seen.exactly(b), seen.exactly(c));
     if (!det.surely_positive() && census.n_blind_triangles++ == 0) {
       census.first_blind_triangle = static_cast<std::uint32_t>(t);
     }
@@ -120,7 +146,7 @@ ConvexityCensus convexity_census(const Triangles& triangles, const LocalPoint& c
                                  2.0;
     }
   }
-  census.winding_number = winding_number(triangles, centroid);
+  census.winding_number = winding_number(triangles, seen);
   return census;
 }
 

@@ -13,12 +13,6 @@ namespace {
 // value() rounding the result.
 constexpr double kErrorPerPermanent = 40.0 * kUnitRoundoff * kUnitRoundoff;
 
-double permanent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  return std::fabs(a.x) * (std::fabs(b.y * c.z) + std::fabs(b.z * c.y)) +
-         std::fabs(a.y) * (std::fabs(b.z * c.x) + std::fabs(b.x * c.z)) +
-         std::fabs(a.z) * (std::fabs(b.x * c.y) + std::fabs(b.y * c.x));
-}
-
 }  // namespace
 
 double norm(const DoubleDoubleVec3& v) { return std::sqrt(dot(v, v).value()); }

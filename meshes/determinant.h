@@ -7,8 +7,10 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "engine/numeric/double_double.h"
+#include "engine/numeric/rounding.h"
 #include "engine/numeric/vec3.h"
 
 namespace vex {
@@ -43,6 +45,34 @@ inline DoubleDouble dot(const DoubleDoubleVec3& a, const DoubleDoubleVec3& b) {
 
 /// sqrt(v . v), in double: a relative error of at most a few u.
 double norm(const DoubleDoubleVec3& v);
+
+/// The permanent of a, b, c: the determinant's sum, of magnitudes.
+inline double permanent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  return std::fabs(a.x) * (std::fabs(b.y * c.z) + std::fabs(b.z * c.y)) +
+         std::fabs(a.y) * (std::fabs(b.z * c.x) + std::fabs(b.x * c.z)) +
+         std::fabs(a.z) * (std::fabs(b.x * c.y) + std::fabs(b.y * c.x));
+}
+
+/// det(a, b, c) in double, its three products summed in the order of the permanent.
+inline double rough_determinant(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  return a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
+}
+
+/// Below it a product of the permanent's may have come near to underflow.
+inline constexpr double kLeastSurePermanent = 0x1p-960;
+
+/// The sign of det(a, b, c) where double alone is sure of it, although each coordinate may be off by up to 2 u of
+/// itself; 0 where it is not. With the determinant's own five roundings the error is at most gamma(11) times the
+/// permanent, whose own roundings are within gamma(16). A sign that is sure is one by ten u of the permanent and more:
+/// double-double, which errs by u^2, sees it too.
+inline int sure_determinant_sign(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  const double det = rough_determinant(a, b, c);
+  const double magnitude = permanent(a, b, c);
+  if (magnitude > kLeastSurePermanent && std::fabs(det) > gamma(24) * magnitude + 0x1p-1020) {
+    return det > 0.0 ? 1 : -1;
+  }
+  return 0;
+}
 
 /// A determinant and how far from the true one it can be.
 struct BoundedDeterminant {

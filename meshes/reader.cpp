@@ -84,6 +84,18 @@ class RegularFileStream : public Assimp::IOStream {
   int n_empty_reads_ = 0;
 };
 
+struct HeldText {
+  std::string held;
+};
+
+/// A stream that keeps the text it is of.
+class TextStream : private HeldText, public Assimp::MemoryIOStream {
+ public:
+  explicit TextStream(std::string text)
+      : HeldText{std::move(text)},
+        MemoryIOStream(reinterpret_cast<const std::uint8_t*>(held.data()), held.size(), false) {}
+};
+
 /// Shows assimp one file, and for .gltf the .bin buffers in its folder or below: a material library or a texture that a
 /// mesh names is never opened, wherever it points.
 class GeometryFiles : public Assimp::IOSystem {
@@ -104,11 +116,9 @@ class GeometryFiles : public Assimp::IOSystem {
     if (!file) {
       return nullptr;
     }
-    if (const std::optional<ShownText> shown = text_for_assimp(lower_extension(path), file.get(), size)) {
+    if (std::optional<ShownText> shown = text_for_assimp(lower_extension(path), file.get(), size)) {
       face_was_added_ = face_was_added_ || shown->face_was_added;
-      auto* const bytes = new std::uint8_t[shown->text.size()];  // the stream deletes it
-      std::copy(shown->text.begin(), shown->text.end(), bytes);
-      return new Assimp::MemoryIOStream(bytes, shown->text.size(), true);
+      return new TextStream(std::move(shown->text));
     }
     return new RegularFileStream(std::move(file), size);
   }

@@ -1,8 +1,8 @@
 #include "meshes/reader_quirks.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
+#include <vector>
 
 namespace vex {
 namespace {
@@ -10,36 +10,52 @@ namespace {
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f'; }
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-template <class Visit>  // visit(character)
-void for_each_character(std::FILE* file, const Visit& visit) {
-  std::array<char, 1U << 16U> chunk{};
-  while (const std::size_t n = std::fread(chunk.data(), 1, chunk.size(), file)) {
-    std::for_each_n(chunk.begin(), n, visit);
-  }
-}
-
-std::string with_leading_zeros(std::FILE* file) {
-  std::string text;
-  char previous = ' ';
-  bool at_point = false;  // the last character is a point that starts a word
-  for_each_character(file, [&](char c) {
-    if (at_point && c >= '0' && c <= '9') {
-      text.insert(text.size() - 1, 1, '0');
+/// All there is from here on; `size` is what the file had when it was opened.
+std::string rest_of(std::FILE* file, std::uintmax_t size) {
+  std::string text(static_cast<std::size_t>(size) + 1, '\0');  // the last character only meets the end
+  std::size_t n = 0;
+  while (const std::size_t n_more = std::fread(text.data() + n, 1, text.size() - n, file)) {
+    n += n_more;
+    if (n == text.size()) {
+      text.resize(2 * n);
     }
-    at_point = c == '.' && (previous == ' ' || previous == '\t');
-    text.push_back(c);
-    previous = c;
-  });
+  }
+  text.resize(n);
   return text;
 }
 
-std::string in_lower_case(std::FILE* file) {
-  std::string text;
-  for_each_character(file, [&](char c) {
-    if (!text.empty() || !is_blank(c)) {
-      text.push_back(lower(c));
+/// The places of points that start a number: assimp reads none from ".5".
+std::vector<std::size_t> bare_points(const std::string& text) {
+  std::vector<std::size_t> places;
+  for (std::size_t at = text.find('.'); at != std::string::npos; at = text.find('.', at + 1)) {
+    const bool starts_a_word = at == 0 || text[at - 1] == ' ' || text[at - 1] == '\t';
+    if (starts_a_word && at + 1 < text.size() && text[at + 1] >= '0' && text[at + 1] <= '9') {
+      places.push_back(at);
     }
-  });
+  }
+  return places;
+}
+
+std::string with_leading_zeros(std::string text) {
+  const std::vector<std::size_t> places = bare_points(text);
+  if (places.empty()) {
+    return text;
+  }
+  std::string longer;
+  longer.reserve(text.size() + places.size());
+  std::size_t next = 0;
+  for (const std::size_t place : places) {
+    longer.append(text, next, place - next);
+    longer.push_back('0');
+    next = place;
+  }
+  longer.append(text, next);
+  return longer;
+}
+
+std::string in_lower_case(std::string text) {
+  text.erase(text.begin(), std::ranges::find_if_not(text, is_blank));
+  std::ranges::transform(text, text.begin(), lower);
   return text;
 }
 
@@ -108,15 +124,14 @@ std::optional<std::size_t> place_of_zero_faces(const std::string& beginning) {
 
 std::optional<ShownText> text_for_assimp(const std::string& extension, std::FILE* file, std::uintmax_t size) {
   if (extension == ".obj") {
-    return ShownText{with_leading_zeros(file)};
+    return ShownText{with_leading_zeros(rest_of(file, size))};
   }
   if (extension == ".stl" && is_stl_text(beginning_of(file), size)) {
-    return ShownText{in_lower_case(file)};
+    return ShownText{in_lower_case(rest_of(file, size))};
   }
   if (extension == ".off") {
     if (const std::optional<std::size_t> place = place_of_zero_faces(beginning_of(file))) {
-      ShownText shown{{}, true};
-      for_each_character(file, [&](char c) { shown.text.push_back(c); });
+      ShownText shown{rest_of(file, size), true};
       if (*place < shown.text.size()) {  // the file may have been changed meanwhile
         shown.text[*place] = '1';
       }
