@@ -1,7 +1,7 @@
 // The bodies that a command line names: mesh files and named shapes, rounded and scaled as asked for.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 

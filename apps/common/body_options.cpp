@@ -6,22 +6,25 @@
 
 namespace vex {
 
-void declare_body_options(CLI::App& app, BodyWords& words) {
+void declare_body_options(OptionParser& options, BodyWords& words) {
   const std::string bodies = "Bodies";
-  app.add_flag("--unit-volume", words.unit_volume, "Scale every body to V = 1 about the origin")->group(bodies);
-  app.add_option("--scale", words.scale, "Scale every body about the origin (after --unit-volume)")
-      ->type_name("X")
-      ->group(bodies);
-  app.add_flag("--hull", words.hull,
-               "Take the convex hull of whatever a mesh file holds: not convex, several parts, or points alone")
-      ->group(bodies);
-  app.add_option("--convex-tolerance", words.convex_tolerance,
-                 "How far from convex a mesh may be, relative to its size (default 1e-6)")
-      ->type_name("X")
-      ->group(bodies);
-  app.add_flag("--dump-vertices", words.dump_vertices,
-               "List a polytope's vertices in hexadecimal: they are the body, exactly")
-      ->group(bodies);
+  options.add_flag("--unit-volume", words.unit_volume, "Scale every body to V = 1 about the origin").group(bodies);
+  options.add_option("--scale", words.scale, "Scale every body about the origin (after --unit-volume)")
+      .type_name("X")
+      .group(bodies);
+  options
+      .add_flag("--hull", words.hull,
+                "Take the convex hull of whatever a mesh file holds: not convex, several parts, or points alone")
+      .group(bodies);
+  options
+      .add_option("--convex-tolerance", words.convex_tolerance,
+                  "How far from convex a mesh may be, relative to its size (default 1e-6)")
+      .type_name("X")
+      .group(bodies);
+  options
+      .add_flag("--dump-vertices", words.dump_vertices,
+                "List a polytope's vertices in hexadecimal: they are the body, exactly")
+      .group(bodies);
 }
 
 BodyOptions interpret_bodies(const BodyWords& words) {

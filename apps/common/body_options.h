@@ -1,10 +1,10 @@
 // The options that every program with bodies on its command line has.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "apps/common/bodies.h"
+#include "apps/common/option_parser.h"
 
 namespace vex {
 
@@ -15,7 +15,7 @@ struct BodyWords {
 };
 
 /// --unit-volume, --scale, --hull, --convex-tolerance and --dump-vertices.
-void declare_body_options(CLI::App& app, BodyWords& words);
+void declare_body_options(OptionParser& options, BodyWords& words);
 
 /// Throws UsageError where a word means nothing.
 BodyOptions interpret_bodies(const BodyWords& words);

@@ -1,6 +1,7 @@
 #include "apps/common/common_options.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "apps/common/numbers.h"
 #include "apps/common/run_program.h"
@@ -8,28 +9,30 @@
 
 namespace vex {
 
-void declare_seed_and_threads(CLI::App& app, CommonWords& words, const std::string& group) {
-  app.add_option("--seed", words.seed, "The same seed gives the same hits on any number of threads (default 1)")
-      ->type_name("N")
-      ->group(group);
-  app.add_option("--threads", words.threads, "Threads (default: all cores)")->type_name("N")->group(group);
+void declare_seed_and_threads(OptionParser& options, CommonWords& words, const std::string& group) {
+  options.add_option("--seed", words.seed, "The same seed gives the same hits on any number of threads (default 1)")
+      .type_name("N")
+      .group(group);
+  options.add_option("--threads", words.threads, "Threads (default: all cores)").type_name("N").group(group);
 }
 
-void declare_json_and_quiet(CLI::App& app, CommonWords& words, const std::string& quiet) {
+void declare_json_and_quiet(OptionParser& options, CommonWords& words, const std::string& quiet) {
   const std::string output = "Output";
-  app.add_option("--json", words.json,
-                 "Write one JSON document; - is standard output, where then nothing else is printed")
-      ->type_name("FILE")
-      ->group(output);
-  app.add_flag("--quiet", words.quiet, quiet)->group(output);
+  options
+      .add_option("--json", words.json,
+                  "Write one JSON document; - is standard output, where then nothing else is printed")
+      .type_name("FILE")
+      .group(output);
+  options.add_flag("--quiet", words.quiet, quiet).group(output);
 }
 
-void declare_output(CLI::App& app, CommonWords& words) {
-  declare_json_and_quiet(app, words, "Print no report and draw no progress bar");
-  app.add_option("--max-z", words.max_z,
-                 "Exit with 4 where Monte Carlo and exact value differ by more standard errors (default 6)")
-      ->type_name("Z")
-      ->group("Output");
+void declare_output(OptionParser& options, CommonWords& words) {
+  declare_json_and_quiet(options, words, "Print no report and draw no progress bar");
+  options
+      .add_option("--max-z", words.max_z,
+                  "Exit with 4 where Monte Carlo and exact value differ by more standard errors (default 6)")
+      .type_name("Z")
+      .group("Output");
 }
 
 CommonOptions interpret_common(const CommonWords& words) {
@@ -47,6 +50,10 @@ nlohmann::ordered_json document_head(const std::string& command, const CommonOpt
   return {{"version", version()}, {"stream_version", kStreamVersion}, {"command", command},
           {"seed", options.seed}, {"threads", options.n_threads},     {"complete", complete},
           {"seconds", seconds}};
+}
+
+std::string document_text(const nlohmann::ordered_json& document) {
+  return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 nlohmann::ordered_json number_or_null(const std::optional<double>& value) {

@@ -3,6 +3,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -10,6 +12,7 @@
 #include <memory>
 #include <new>
 #include <system_error>
+#include <vector>
 
 #include "apps/common/help_formatter.h"
 #include "apps/common/interrupt.h"
@@ -122,7 +125,8 @@ std::string command_line(int argc, char** argv) {
   return line;
 }
 
-int run_program(CLI::App& app, int argc, char** argv, const std::function<int()>& action) {
+int run_program(OptionParser& options, int argc, char** argv, const std::function<int()>& action) {
+  CLI::App& app = options.app();
   app.formatter(std::make_shared<HelpFormatter>());
   app.set_version_flag("--version", app.get_name() + " " + version(), "Print the version and exit");
   app.set_help_flag("-h,--help", "Print this help and exit");

@@ -1,9 +1,10 @@
 // What every program's main does: parse, act, and turn failures into the documented exit codes.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+
+#include "apps/common/option_parser.h"
 
 namespace vex {
 
@@ -19,9 +20,9 @@ enum ExitCode : int {
 /// The project's version, as CMake has it.
 std::string version();
 
-/// Parses the command line into `app`, then runs `action`, whose result is the exit code. Every failure becomes one
-/// line on standard error, "vex_mesh: problem (where, which value) - what to do".
-int run_program(CLI::App& app, int argc, char** argv, const std::function<int()>& action);
+/// Parses the command line, then runs `action`, whose result is the exit code. Every failure becomes one line on
+/// standard error, "vex_mesh: problem (where, which value) - what to do".
+int run_program(OptionParser& options, int argc, char** argv, const std::function<int()>& action);
 
 /// Throws UsageError: `what` is in the documentation, but comes in a later version.
 [[noreturn]] void not_built_yet(const std::string& what);

@@ -129,7 +129,7 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
   compare(run);
 
   if (!options.quiet && !(json && json->is_standard_output())) std::cout << report_text(run);
-  if (json) json->write(report_json(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  if (json) json->write(report_json(run));
 
   if (run.record.stopped_by == StopReason::interrupted) return kSignalBase + interrupting_signal().load();
   // A peer's verdict that has no proof is the peer's fault, and reported as such.
@@ -141,10 +141,10 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
 }  // namespace vex
 
 int main(int argc, char** argv) {
-  CLI::App app(
+  vex::OptionParser options(
       "Average excluded volume <V_ex> of two convex bodies: by Monte Carlo, and by the formula from V, S and M.",
       "vex_mesh");
   vex::CommandLine words;
-  vex::declare_options(app, words);
-  return vex::run_program(app, argc, argv, [&] { return vex::run_vex_mesh(words, vex::command_line(argc, argv)); });
+  vex::declare_options(options, words);
+  return vex::run_program(options, argc, argv, [&] { return vex::run_vex_mesh(words, vex::command_line(argc, argv)); });
 }

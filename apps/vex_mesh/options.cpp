@@ -51,81 +51,89 @@ InstructionSet instruction_set_named(const std::string& name) {
 
 }  // namespace
 
-void declare_options(CLI::App& app, CommandLine& words) {
-  app.add_option("A", words.a,
-                 "A mesh file (.obj .stl .ply .off .gltf .glb .dae .3mf ...) or a named body such as box:1,2,3")
-      ->type_name("")
-      ->required();
-  app.add_option("B", words.b, "The second body; without it, A again")->type_name("");
+void declare_options(OptionParser& options, CommandLine& words) {
+  options
+      .add_option("A", words.a,
+                  "A mesh file (.obj .stl .ply .off .gltf .glb .dae .3mf ...) or a named body such as box:1,2,3")
+      .type_name("")
+      .required();
+  options.add_option("B", words.b, "The second body; without it, A again").type_name("");
 
   const std::string stop = "When to stop (whichever comes first; --rel-error 1e-3 if none is given)";
-  app.add_option("--trials", words.trials, "Stop after this many trials, written like 1e7")
-      ->type_name("N")
-      ->group(stop);
-  app.add_option("--rel-error", words.relative_error, "Stop at this standard error relative to the estimate")
-      ->type_name("E")
-      ->group(stop);
-  app.add_option("--seconds", words.seconds, "Stop after this time")->type_name("S")->group(stop);
-  app.add_option("--max-trials", words.max_trials, "Give up after this many trials (default 1e11)")
-      ->type_name("N")
-      ->group(stop);
+  options.add_option("--trials", words.trials, "Stop after this many trials, written like 1e7")
+      .type_name("N")
+      .group(stop);
+  options.add_option("--rel-error", words.relative_error, "Stop at this standard error relative to the estimate")
+      .type_name("E")
+      .group(stop);
+  options.add_option("--seconds", words.seconds, "Stop after this time").type_name("S").group(stop);
+  options.add_option("--max-trials", words.max_trials, "Give up after this many trials (default 1e11)")
+      .type_name("N")
+      .group(stop);
 
   const std::string sampling = "Sampling";
-  app.add_option(
-         "--orientations", words.orientations,
-         "isotropic (default); aligned; fixed:W,X,Y,Z, B's quaternion in A's frame; cone:DEG, both z axes within this "
-         "angle of +-z; onsager:ALPHA, both z axes by the density cosh(ALPHA cos theta)")
-      ->type_name("LAW")
-      ->group(sampling);
-  app.add_option(
-         "--estimator", words.estimator,
-         "hit-or-miss (default), or hit-or-miss-fitted, whose domain is fitted to each trial's orientation: for thin "
-         "bodies; others come later")
-      ->type_name("NAME")
-      ->group(sampling);
-  app.add_option("--sequence", words.sequence, "random; sobol comes later")->type_name("NAME")->group(sampling);
-  app.add_option("--domain", words.domain, "Sampling domain of hit-or-miss: ball, box, or best (default): the smaller")
-      ->type_name("NAME")
-      ->group(sampling);
-  declare_seed_and_threads(app, words, sampling);
+  options
+      .add_option(
+          "--orientations", words.orientations,
+          "isotropic (default); aligned; fixed:W,X,Y,Z, B's quaternion in A's frame; cone:DEG, both z axes within this "
+          "angle of +-z; onsager:ALPHA, both z axes by the density cosh(ALPHA cos theta)")
+      .type_name("LAW")
+      .group(sampling);
+  options
+      .add_option(
+          "--estimator", words.estimator,
+          "hit-or-miss (default), or hit-or-miss-fitted, whose domain is fitted to each trial's orientation: for thin "
+          "bodies; others come later")
+      .type_name("NAME")
+      .group(sampling);
+  options.add_option("--sequence", words.sequence, "random; sobol comes later").type_name("NAME").group(sampling);
+  options
+      .add_option("--domain", words.domain, "Sampling domain of hit-or-miss: ball, box, or best (default): the smaller")
+      .type_name("NAME")
+      .group(sampling);
+  declare_seed_and_threads(options, words, sampling);
 
   const std::string query = "Overlap query";
-  app.add_option(
-         "--backend", words.backend,
-         "gjk (default); ccd-gjk or ccd-mpr (libccd; ccd means ccd-mpr); fcl; specialised (tests made for two boxes, "
-         "ellipsoids or capsules, or a sphere and one of them)")
-      ->type_name("NAME")
-      ->group(query);
-  app.add_flag("--no-quick-verdicts", words.no_quick_verdicts,
-               "Do not let the circumscribed and inscribed balls decide")
-      ->group(query);
-  app.add_option(
-         "--isa", words.isa,
-         "Instruction set of the kernels that draw poses and decide them by packets: scalar (none), sse2, avx2, "
-         "avx512, or the best that this machine has (default); changes nothing but the time")
-      ->type_name("NAME")
-      ->group(query);
-  app.add_flag("--cross-check", words.cross_check, "Ask every backend about every pose and list each disagreement")
-      ->group(query);
-  app.add_flag("--verify", words.verify,
-               "Prove every verdict again from its certificate, in exact arithmetic: some hundred times slower")
-      ->group(query);
+  options
+      .add_option(
+          "--backend", words.backend,
+          "gjk (default); ccd-gjk or ccd-mpr (libccd; ccd means ccd-mpr); fcl; specialised (tests made for two boxes, "
+          "ellipsoids or capsules, or a sphere and one of them)")
+      .type_name("NAME")
+      .group(query);
+  options
+      .add_flag("--no-quick-verdicts", words.no_quick_verdicts,
+                "Do not let the circumscribed and inscribed balls decide")
+      .group(query);
+  options
+      .add_option(
+          "--isa", words.isa,
+          "Instruction set of the kernels that draw poses and decide them by packets: scalar (none), sse2, avx2, "
+          "avx512, or the best that this machine has (default); changes nothing but the time")
+      .type_name("NAME")
+      .group(query);
+  options.add_flag("--cross-check", words.cross_check, "Ask every backend about every pose and list each disagreement")
+      .group(query);
+  options
+      .add_flag("--verify", words.verify,
+                "Prove every verdict again from its certificate, in exact arithmetic: some hundred times slower")
+      .group(query);
 
-  declare_body_options(app, words);
-  declare_output(app, words);
+  declare_body_options(options, words);
+  declare_output(options, words);
 
   const std::string later = "Not built yet";
-  app.add_option("--checkpoint", words.checkpoint, "Save the run's state")->type_name("FILE")->group(later);
-  app.add_option("--resume", words.resume, "Continue a saved run")->type_name("FILE")->group(later);
+  options.add_option("--checkpoint", words.checkpoint, "Save the run's state").type_name("FILE").group(later);
+  options.add_option("--resume", words.resume, "Continue a saved run").type_name("FILE").group(later);
 
-  app.footer(named_bodies_help() +
-             "\n\nExit codes:"
-             "\n  0  success"
-             "\n  1  a fault of the program"
-             "\n  2  wrong usage"
-             "\n  3  input refused"
-             "\n  4  Monte Carlo and formula disagree"
-             "\n  130, 143  interrupted (what was done is reported)");
+  options.footer(named_bodies_help() +
+                 "\n\nExit codes:"
+                 "\n  0  success"
+                 "\n  1  a fault of the program"
+                 "\n  2  wrong usage"
+                 "\n  3  input refused"
+                 "\n  4  Monte Carlo and formula disagree"
+                 "\n  130, 143  interrupted (what was done is reported)");
 }
 
 Options interpret(const CommandLine& words) {

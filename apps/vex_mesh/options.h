@@ -1,7 +1,6 @@
 // The command line of vex_mesh.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,8 +21,8 @@ struct CommandLine : CommonWords, BodyWords {
   bool verify = false;
 };
 
-/// Declares the options; parsing fills `words`, which must outlive `app`.
-void declare_options(CLI::App& app, CommandLine& words);
+/// Declares the options; parsing fills `words`, which must outlive `options`.
+void declare_options(OptionParser& options, CommandLine& words);
 
 /// What the words mean.
 struct Options : CommonOptions {

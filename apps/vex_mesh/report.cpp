@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "apps/common/numbers.h"
 #include "apps/common/text.h"
@@ -195,7 +196,7 @@ void compare(MeshRun& run) {
   }
 }
 
-Json report_json(const MeshRun& run) {
+std::string report_json(const MeshRun& run) {
   Json json = document_head(run.command, run.options, run.record.complete, run.record.seconds);
   json["bodies"] = {body_json(run.a, run.options.dump_vertices), body_json(run.b, run.options.dump_vertices)};
   if (run.formula) {
@@ -225,7 +226,7 @@ Json report_json(const MeshRun& run) {
     json["cross_check"] = backend_names(run);
     json["cross_check_left_out"] = run.left_out;
   }
-  return json;
+  return document_text(json);
 }
 
 std::string report_text(const MeshRun& run) {

@@ -1,7 +1,6 @@
 // What vex_mesh says of a run: on the screen and in JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,7 +41,8 @@ FormulaResult formula_result(const Measures& a, const Measures& b);
 /// Fills `estimate`, `z` and their reasons from the record.
 void compare(MeshRun& run);
 
-nlohmann::ordered_json report_json(const MeshRun& run);
+/// The document of --json.
+std::string report_json(const MeshRun& run);
 std::string report_text(const MeshRun& run);
 
 }  // namespace vex

@@ -73,7 +73,7 @@ int run_vex_pair(const PairCommandLine& words, const std::string& command) {
   if (poses && !options.quiet && !owns_output && std::cout) {
     std::fprintf(stderr, "vex_pair: %s", summary_text(run).c_str());
   }
-  if (json) json->write(report_json(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  if (json) json->write(report_json(run));
   if (run.found.interrupted) return kSignalBase + interrupting_signal().load();
   if (run.found.counts.n_not_reproven > 0) return kFault;
   if (run.found.counts.n_refused > 0) {
@@ -87,8 +87,9 @@ int run_vex_pair(const PairCommandLine& words, const std::string& command) {
 }  // namespace vex
 
 int main(int argc, char** argv) {
-  CLI::App app("Whether two convex bodies overlap, proven: in one pose, or in each of a file of poses.", "vex_pair");
+  vex::OptionParser options("Whether two convex bodies overlap, proven: in one pose, or in each of a file of poses.",
+                            "vex_pair");
   vex::PairCommandLine words;
-  vex::declare_options(app, words);
-  return vex::run_program(app, argc, argv, [&] { return vex::run_vex_pair(words, vex::command_line(argc, argv)); });
+  vex::declare_options(options, words);
+  return vex::run_program(options, argc, argv, [&] { return vex::run_vex_pair(words, vex::command_line(argc, argv)); });
 }

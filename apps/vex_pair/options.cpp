@@ -37,73 +37,82 @@ std::optional<Transformd> pose_of_words(const PairCommandLine& words) {
 
 }  // namespace
 
-void declare_options(CLI::App& app, PairCommandLine& words) {
-  app.add_option("A", words.a,
-                 "A mesh file (.obj .stl .ply .off .gltf .glb .dae .3mf ...) or a named body such as box:1,2,3")
-      ->type_name("")
-      ->required();
-  app.add_option("B", words.b, "The second body")->type_name("")->required();
+void declare_options(OptionParser& options, PairCommandLine& words) {
+  options
+      .add_option("A", words.a,
+                  "A mesh file (.obj .stl .ply .off .gltf .glb .dae .3mf ...) or a named body such as box:1,2,3")
+      .type_name("")
+      .required();
+  options.add_option("B", words.b, "The second body").type_name("").required();
 
   const std::string pose = "B's pose in A's frame, R x + t (in one of three ways)";
-  app.add_option("--matrix", words.matrix,
-                 "R row by row, and t. R is taken as it is, and refused where R^T R is off by more than 1e-6, or where "
-                 "it mirrors")
-      ->type_name("r11,r12,r13,r21,...,r33,tx,ty,tz")
-      ->group(pose);
-  app.add_option("--rotation", words.rotation,
-                 "A quaternion of any length but 0, which is divided by its length (default 1,0,0,0)")
-      ->type_name("w,x,y,z")
-      ->group(pose);
-  app.add_option("--translation", words.translation, "t, beside --rotation or alone (default 0,0,0)")
-      ->type_name("x,y,z")
-      ->group(pose);
-  app.add_option("--poses", words.poses,
-                 std::string("A pose a row, below the header ") + kHeaders + "; - is standard input")
-      ->type_name("FILE.csv")
-      ->group(pose);
-  app.add_flag("--keep-going", words.keep_going,
-               "Answer what follows a bad row, too: it becomes a row with an error, and the exit code is 3 in the end. "
-               "Without it, the rows before the first bad one are answered")
-      ->group(pose);
+  options
+      .add_option(
+          "--matrix", words.matrix,
+          "R row by row, and t. R is taken as it is, and refused where R^T R is off by more than 1e-6, or where "
+          "it mirrors")
+      .type_name("r11,r12,r13,r21,...,r33,tx,ty,tz")
+      .group(pose);
+  options
+      .add_option("--rotation", words.rotation,
+                  "A quaternion of any length but 0, which is divided by its length (default 1,0,0,0)")
+      .type_name("w,x,y,z")
+      .group(pose);
+  options.add_option("--translation", words.translation, "t, beside --rotation or alone (default 0,0,0)")
+      .type_name("x,y,z")
+      .group(pose);
+  options
+      .add_option("--poses", words.poses,
+                  std::string("A pose a row, below the header ") + kHeaders + "; - is standard input")
+      .type_name("FILE.csv")
+      .group(pose);
+  options
+      .add_flag(
+          "--keep-going", words.keep_going,
+          "Answer what follows a bad row, too: it becomes a row with an error, and the exit code is 3 in the end. "
+          "Without it, the rows before the first bad one are answered")
+      .group(pose);
 
   const std::string query = "Query";
-  app.add_option("--query", words.query,
-                 "overlap (default): do A and B share a point? distance, depth, signed, ray, cast, toi and manifold "
-                 "come later")
-      ->type_name("NAME")
-      ->group(query);
-  app.add_flag("--certificate", words.certificate,
-               "Give what proves each verdict, and whether exact arithmetic has proven it again from that")
-      ->group(query);
-  app.add_option("--threads", words.threads, "Threads (default: all cores); the answers do not depend on them")
-      ->type_name("N")
-      ->group(query);
-  app.add_option("--seed", words.seed, "Nothing here is random; in the head of --json")->type_name("N")->group(query);
+  options
+      .add_option("--query", words.query,
+                  "overlap (default): do A and B share a point? distance, depth, signed, ray, cast, toi and manifold "
+                  "come later")
+      .type_name("NAME")
+      .group(query);
+  options
+      .add_flag("--certificate", words.certificate,
+                "Give what proves each verdict, and whether exact arithmetic has proven it again from that")
+      .group(query);
+  options.add_option("--threads", words.threads, "Threads (default: all cores); the answers do not depend on them")
+      .type_name("N")
+      .group(query);
+  options.add_option("--seed", words.seed, "Nothing here is random; in the head of --json").type_name("N").group(query);
 
-  declare_body_options(app, words);
+  declare_body_options(options, words);
 
-  app.add_flag("--jsonl", words.jsonl, "Print an object of JSON a pose")->group("Output");
-  app.add_flag("--csv", words.csv, "Print the same as columns")->group("Output");
-  declare_json_and_quiet(app, words, "Print no report and no summary: only what --jsonl or --csv print");
+  options.add_flag("--jsonl", words.jsonl, "Print an object of JSON a pose").group("Output");
+  options.add_flag("--csv", words.csv, "Print the same as columns").group("Output");
+  declare_json_and_quiet(options, words, "Print no report and no summary: only what --jsonl or --csv print");
 
   const std::string later = "Not built yet";
-  app.add_option("--ray", words.ray, "Of --query ray: origin and direction")
-      ->type_name("ox,oy,oz,dx,dy,dz")
-      ->group(later);
-  app.add_option("--cast", words.cast, "Of --query cast: how B moves")->type_name("dx,dy,dz")->group(later);
-  app.add_option("--toi", words.toi, "Of --query toi: B's velocity and angular velocity")
-      ->type_name("vx,vy,vz,wx,wy,wz")
-      ->group(later);
-  app.add_option("--margin", words.margin, "How near counts as contact")->type_name("M")->group(later);
+  options.add_option("--ray", words.ray, "Of --query ray: origin and direction")
+      .type_name("ox,oy,oz,dx,dy,dz")
+      .group(later);
+  options.add_option("--cast", words.cast, "Of --query cast: how B moves").type_name("dx,dy,dz").group(later);
+  options.add_option("--toi", words.toi, "Of --query toi: B's velocity and angular velocity")
+      .type_name("vx,vy,vz,wx,wy,wz")
+      .group(later);
+  options.add_option("--margin", words.margin, "How near counts as contact").type_name("M").group(later);
 
-  app.footer(named_bodies_help() +
-             "\n\nNumbers of poses may be decimal (0.1) or hexadecimal (0x1.999999999999ap-4)."
-             "\n\nExit codes:"
-             "\n  0  success; undecided verdicts are answers, too"
-             "\n  1  a certificate that is not proven again (--certificate), or a fault of the program"
-             "\n  2  wrong usage"
-             "\n  3  input refused: a body, a pose, or a row of --poses"
-             "\n  130, 143  interrupted (the rows answered until then are written)");
+  options.footer(named_bodies_help() +
+                 "\n\nNumbers of poses may be decimal (0.1) or hexadecimal (0x1.999999999999ap-4)."
+                 "\n\nExit codes:"
+                 "\n  0  success; undecided verdicts are answers, too"
+                 "\n  1  a certificate that is not proven again (--certificate), or a fault of the program"
+                 "\n  2  wrong usage"
+                 "\n  3  input refused: a body, a pose, or a row of --poses"
+                 "\n  130, 143  interrupted (the rows answered until then are written)");
 }
 
 PairOptions interpret(const PairCommandLine& words) {

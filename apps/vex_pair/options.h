@@ -1,7 +1,6 @@
 // The command line of vex_pair.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
@@ -19,8 +18,8 @@ struct PairCommandLine : CommonWords, BodyWords {
   bool certificate = false, keep_going = false, jsonl = false, csv = false;
 };
 
-/// Declares the options; parsing fills `words`, which must outlive `app`.
-void declare_options(CLI::App& app, PairCommandLine& words);
+/// Declares the options; parsing fills `words`, which must outlive `options`.
+void declare_options(OptionParser& options, PairCommandLine& words);
 
 /// What the words mean.
 struct PairOptions : CommonOptions {

@@ -1,6 +1,7 @@
 #include "apps/vex_pair/report.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "apps/common/numbers.h"
@@ -106,7 +107,7 @@ std::string summary_text(const PairRun& run) {
   return text + "\n";
 }
 
-Json report_json(const PairRun& run) {
+std::string report_json(const PairRun& run) {
   Json json = document_head(run.command, run.options, !run.found.interrupted, run.seconds);
   json["bodies"] = {body_json(run.a, run.options.dump_vertices), body_json(run.b, run.options.dump_vertices)};
   json["query"] = "overlap";
@@ -135,7 +136,7 @@ Json report_json(const PairRun& run) {
     std::istringstream rows(run.found.first_rows);
     for (std::string row; std::getline(rows, row);) json["results"].push_back(Json::parse(row));
   }
-  return json;
+  return document_text(json);
 }
 
 }  // namespace vex

@@ -1,7 +1,6 @@
 // What vex_pair says of one pose, and of all of them together.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
@@ -27,6 +26,7 @@ std::string report_text(const PairRun& run);
 /// The line that ends a stream of answers.
 std::string summary_text(const PairRun& run);
 
-nlohmann::ordered_json report_json(const PairRun& run);
+/// The document of --json.
+std::string report_json(const PairRun& run);
 
 }  // namespace vex

@@ -88,7 +88,7 @@ int run_vex_paper(const PaperCommandLine& words, const std::string& command) {
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
   if (!run.options.quiet && !(json && json->is_standard_output())) std::cout << report_text(run);
-  if (json) json->write(report_json(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  if (json) json->write(report_json(run));
   if (!run.complete) return kSignalBase + interrupting_signal().load();
   return run.has_disagreement() ? kDisagreement : kSuccess;
 }
@@ -97,8 +97,10 @@ int run_vex_paper(const PaperCommandLine& words, const std::string& command) {
 }  // namespace vex
 
 int main(int argc, char** argv) {
-  CLI::App app("The excluded volumes of cond-mat/0207739 computed again, and its faulty ones explained.", "vex_paper");
+  vex::OptionParser options("The excluded volumes of cond-mat/0207739 computed again, and its faulty ones explained.",
+                            "vex_paper");
   vex::PaperCommandLine words;
-  vex::declare_options(app, words);
-  return vex::run_program(app, argc, argv, [&] { return vex::run_vex_paper(words, vex::command_line(argc, argv)); });
+  vex::declare_options(options, words);
+  return vex::run_program(options, argc, argv,
+                          [&] { return vex::run_vex_paper(words, vex::command_line(argc, argv)); });
 }

@@ -6,33 +6,34 @@
 
 namespace vex {
 
-void declare_options(CLI::App& app, PaperCommandLine& words) {
+void declare_options(OptionParser& options, PaperCommandLine& words) {
   const std::string parts = "Parts (without one: all but --curve and --referees)";
-  app.add_option("--table", words.tables, "1: boxes of 14 aspect ratios; 2: spheroids of 11. May be given twice")
-      ->type_name("N")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->group(parts);
-  app.add_flag("--text", words.text,
-               "The cases of the text: capsules, sphere and cube, aligned cubes, fixed and restricted orientations")
-      ->group(parts);
-  app.add_flag("--erratum", words.erratum,
-               "Table 1 by the one-sided overlap test, against the paper's faulty values; and by other wrong tests")
-      ->group(parts);
-  app.add_flag("--curve", words.curve, "The wrong tests' deficits at aspect ratios between those of the paper")
-      ->group(parts);
-  app.add_flag("--referees", words.referees,
-               "GJK against the specialised overlap tests, pose by pose; exact arithmetic judges where they differ")
-      ->group(parts);
+  options.add_option("--table", words.tables, "1: boxes of 14 aspect ratios; 2: spheroids of 11. May be given twice")
+      .type_name("N")
+      .group(parts);
+  options
+      .add_flag("--text", words.text,
+                "The cases of the text: capsules, sphere and cube, aligned cubes, fixed and restricted orientations")
+      .group(parts);
+  options
+      .add_flag("--erratum", words.erratum,
+                "Table 1 by the one-sided overlap test, against the paper's faulty values; and by other wrong tests")
+      .group(parts);
+  options.add_flag("--curve", words.curve, "The wrong tests' deficits at aspect ratios between those of the paper")
+      .group(parts);
+  options
+      .add_flag("--referees", words.referees,
+                "GJK against the specialised overlap tests, pose by pose; exact arithmetic judges where they differ")
+      .group(parts);
 
   const std::string sampling = "Sampling";
-  app.add_option("--trials", words.trials, "Trials of every row, written like 1e7 (default 1e6)")
-      ->type_name("N")
-      ->group(sampling);
-  declare_seed_and_threads(app, words, sampling);
-  declare_output(app, words);
+  options.add_option("--trials", words.trials, "Trials of every row, written like 1e7 (default 1e6)")
+      .type_name("N")
+      .group(sampling);
+  declare_seed_and_threads(options, words, sampling);
+  declare_output(options, words);
 
-  app.footer(
+  options.footer(
       "The paper: S. Sreenivasan, D. R. Baker, G. Paul, H. E. Stanley, cond-mat/0207739 (2002).\n\n"
       "Exit codes:"
       "\n  0  success"

@@ -1,7 +1,6 @@
 // The command line of vex_paper.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -17,8 +16,8 @@ struct PaperCommandLine : CommonWords {
   bool text = false, erratum = false, curve = false, referees = false;
 };
 
-/// Declares the options; parsing fills `words`, which must outlive `app`.
-void declare_options(CLI::App& app, PaperCommandLine& words);
+/// Declares the options; parsing fills `words`, which must outlive `options`.
+void declare_options(OptionParser& options, PaperCommandLine& words);
 
 /// What the words mean.
 struct PaperOptions : CommonOptions {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "apps/common/numbers.h"
 #include "apps/common/text.h"
@@ -254,7 +255,7 @@ bool PaperRun::has_disagreement() const {
          std::ranges::any_of(referees, [](const RefereeRow& row) { return row.n_test_right > 0; });
 }
 
-Json report_json(const PaperRun& run) {
+std::string report_json(const PaperRun& run) {
   Json json = document_head(run.command, run.options, run.complete, run.seconds);
   json["trials"] = run.options.trials;
   json["table_1"] = rows_json(run.table_1);
@@ -272,7 +273,7 @@ Json report_json(const PaperRun& run) {
     const ChiSquared all = chi_squared(run.erratum);
     json["erratum_chi_squared"] = {{"value", all.value}, {"rows", run.erratum.size()}, {"p", all.p}};
   }
-  return json;
+  return document_text(json);
 }
 
 std::string report_text(const PaperRun& run) {

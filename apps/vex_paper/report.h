@@ -1,7 +1,6 @@
 // What vex_paper says: tables on the screen, and JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -26,7 +25,8 @@ struct PaperRun {
   bool has_disagreement() const;
 };
 
-nlohmann::ordered_json report_json(const PaperRun& run);
+/// The document of --json.
+std::string report_json(const PaperRun& run);
 std::string report_text(const PaperRun& run);
 
 }  // namespace vex

@@ -59,7 +59,7 @@ int run_vex_stress(const StressCommandLine& words, const std::string& command) {
   measure_all(run);
   const bool prints_elsewhere = (json && json->is_standard_output()) || (plot && plot->is_standard_output());
   if (!run.options.quiet && !prints_elsewhere) std::cout << report_text(run);
-  if (json) json->write(report_json(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  if (json) json->write(report_json(run));
   if (plot) plot->write(picture_of(run));
   if (!run.complete) return kSignalBase + interrupting_signal().load();
   return run.total(0).n_faults() == 0 ? kSuccess : kFault;
@@ -69,9 +69,10 @@ int run_vex_stress(const StressCommandLine& words, const std::string& command) {
 }  // namespace vex
 
 int main(int argc, char** argv) {
-  CLI::App app("Where overlap tests fail: near contact, extreme and degenerate, judged by exact arithmetic.",
-               "vex_stress");
+  vex::OptionParser options(
+      "Where overlap tests fail: near contact, extreme and degenerate, judged by exact arithmetic.", "vex_stress");
   vex::StressCommandLine words;
-  vex::declare_options(app, words);
-  return vex::run_program(app, argc, argv, [&] { return vex::run_vex_stress(words, vex::command_line(argc, argv)); });
+  vex::declare_options(options, words);
+  return vex::run_program(options, argc, argv,
+                          [&] { return vex::run_vex_stress(words, vex::command_line(argc, argv)); });
 }

@@ -56,36 +56,34 @@ std::vector<Stratum> strata_named(const std::vector<std::string>& prefixes) {
 
 }  // namespace
 
-void declare_options(CLI::App& app, StressCommandLine& words) {
+void declare_options(OptionParser& options, StressCommandLine& words) {
   const std::string strata = "Strata";
-  app.add_option("--stratum", words.strata, "Only strata whose names begin so; may be given several times")
-      ->type_name("NAME")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->group(strata);
-  app.add_option("--backend", words.backends,
-                 "Only this one beside the engine's own: ccd-gjk, ccd-mpr, fcl, specialised, or gjk for the engine "
-                 "alone; may be given several times (default: all that this build has)")
-      ->type_name("NAME")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->group(strata);
-  app.add_option("--pairs", words.pairs, "Poses of every stratum, written like 1e4 (default 1000)")
-      ->type_name("N")
-      ->group(strata);
-  app.add_flag("--list", words.list, "Name the strata and stop")->group(strata);
-  declare_seed_and_threads(app, words, "Sampling");
+  options.add_option("--stratum", words.strata, "Only strata whose names begin so; may be given several times")
+      .type_name("NAME")
+      .group(strata);
+  options
+      .add_option("--backend", words.backends,
+                  "Only this one beside the engine's own: ccd-gjk, ccd-mpr, fcl, specialised, or gjk for the engine "
+                  "alone; may be given several times (default: all that this build has)")
+      .type_name("NAME")
+      .group(strata);
+  options.add_option("--pairs", words.pairs, "Poses of every stratum, written like 1e4 (default 1000)")
+      .type_name("N")
+      .group(strata);
+  options.add_flag("--list", words.list, "Name the strata and stop").group(strata);
+  declare_seed_and_threads(options, words, "Sampling");
   const std::string output = "Output";
-  app.add_option("--json", words.json,
-                 "Write one JSON document; - is standard output, where then nothing else is printed")
-      ->type_name("FILE")
-      ->group(output);
-  app.add_option("--plot", words.plot, "Draw the shares of wrong and undecided answers (SVG)")
-      ->type_name("FILE")
-      ->group(output);
-  app.add_flag("--quiet", words.quiet, "Print no report and draw no progress bar")->group(output);
+  options
+      .add_option("--json", words.json,
+                  "Write one JSON document; - is standard output, where then nothing else is printed")
+      .type_name("FILE")
+      .group(output);
+  options.add_option("--plot", words.plot, "Draw the shares of wrong and undecided answers (SVG)")
+      .type_name("FILE")
+      .group(output);
+  options.add_flag("--quiet", words.quiet, "Print no report and draw no progress bar").group(output);
 
-  app.footer(
+  options.footer(
       "Every pose is judged by a referee in exact arithmetic, which uses nothing of the engine's queries.\n\n"
       "Exit codes:"
       "\n  0  success: no answer of the engine is wrong, unproven, given up, or undecided where it must not be"

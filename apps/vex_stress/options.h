@@ -1,7 +1,6 @@
 // The command line of vex_stress.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -19,8 +18,8 @@ struct StressCommandLine : CommonWords {
   bool list = false;
 };
 
-/// Declares the options; parsing fills `words`, which must outlive `app`.
-void declare_options(CLI::App& app, StressCommandLine& words);
+/// Declares the options; parsing fills `words`, which must outlive `options`.
+void declare_options(OptionParser& options, StressCommandLine& words);
 
 /// What the words mean.
 struct StressOptions : CommonOptions {

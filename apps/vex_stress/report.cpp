@@ -1,6 +1,7 @@
 #include "apps/vex_stress/report.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "apps/common/numbers.h"
 #include "apps/common/text.h"
@@ -55,7 +56,7 @@ StressCounts StressRun::total(std::size_t backend) const {
   return sum;
 }
 
-nlohmann::ordered_json report_json(const StressRun& run) {
+std::string report_json(const StressRun& run) {
   Json document = document_head(run.command, run.options, run.complete, run.seconds);
   Json strata = Json::array();
   for (const StressRow& row : run.rows) {
@@ -78,7 +79,7 @@ nlohmann::ordered_json report_json(const StressRun& run) {
     totals[run.options.backends[k].name] = counts_json(run.total(k));
   }
   document["total"] = totals;
-  return document;
+  return document_text(document);
 }
 
 std::string report_text(const StressRun& run) {

@@ -1,7 +1,6 @@
 // What vex_stress says: a table on the screen, and JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -22,7 +21,8 @@ struct StressRun {
   StressCounts total(std::size_t backend) const;
 };
 
-nlohmann::ordered_json report_json(const StressRun& run);
+/// The document of --json.
+std::string report_json(const StressRun& run);
 std::string report_text(const StressRun& run);
 /// The strata, their bodies, and nothing measured.
 std::string list_text(const StressOptions& options);

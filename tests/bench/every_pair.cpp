@@ -6,13 +6,11 @@
 //
 // The output is Markdown. Exit code 4 where a pair of the table is off by more than 4.5 standard errors, or where exact
 // arithmetic contradicts a verdict of the engine.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "apps/common/bodies.h"
@@ -275,18 +273,19 @@ int print_cross_check(std::uint64_t n_trials, std::uint64_t most_poses, int n_th
 }  // namespace vex
 
 int main(int argc, char** argv) {
-  CLI::App app("Every kind of body with every other, as Markdown.", "vex_every_pair");
-  std::string what, relative_error = "1e-3", trials = "1e7", poses = "1000";
-  int n_threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  app.add_option("WHAT", what,
-                 "table (Monte Carlo against the formula) or cross-check (every backend on the same poses)")
-      ->type_name("")
-      ->required();
-  app.add_option("--rel-error", relative_error, "Of each pair of the table (default 1e-3)")->type_name("E");
-  app.add_option("--trials", trials, "Poses of each pair of the cross-check (default 1e7)")->type_name("N");
-  app.add_option("--poses", poses, "Disputed poses of each pair that are listed (default 1000)")->type_name("N");
-  app.add_option("--threads", n_threads, "Threads (default: all cores)")->type_name("N");
-  return vex::run_program(app, argc, argv, [&] {
+  vex::OptionParser options("Every kind of body with every other, as Markdown.", "vex_every_pair");
+  std::string what, relative_error = "1e-3", trials = "1e7", poses = "1000", threads;
+  options
+      .add_option("WHAT", what,
+                  "table (Monte Carlo against the formula) or cross-check (every backend on the same poses)")
+      .type_name("")
+      .required();
+  options.add_option("--rel-error", relative_error, "Of each pair of the table (default 1e-3)").type_name("E");
+  options.add_option("--trials", trials, "Poses of each pair of the cross-check (default 1e7)").type_name("N");
+  options.add_option("--poses", poses, "Disputed poses of each pair that are listed (default 1000)").type_name("N");
+  options.add_option("--threads", threads, "Threads (default: all cores)").type_name("N");
+  return vex::run_program(options, argc, argv, [&] {
+    const int n_threads = vex::parse_threads(threads);
     if (what == "table") return vex::print_table(vex::parse_number(relative_error, "--rel-error"), n_threads);
     if (what == "cross-check")
       return vex::print_cross_check(vex::parse_count(trials, "--trials"), vex::parse_count(poses, "--poses"),

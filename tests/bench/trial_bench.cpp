@@ -1,5 +1,4 @@
 // Whole trials of the engine beside the peers, on the same poses, in one process: docs/performance.md.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <optional>
 
@@ -22,26 +21,31 @@ struct Words {
   bool all = false, vertices = false, threads = false, peers_best = false;
 };
 
-void declare(CLI::App& app, Words& words) {
+void declare(OptionParser& options, Words& words) {
   const char* const modes = "What is measured (without any: whole trials beside the peers)";
-  app.add_flag("--peers-best", words.peers_best, "The same with the peers at their own best settings, each named")
-      ->group(modes);
-  app.add_flag("--vertices", words.vertices, "Cost of a trial against the number of vertices, 8 to 10^6")->group(modes);
-  app.add_flag("--threads", words.threads, "One process with two threads against two processes with one")->group(modes);
-  app.add_flag("--all", words.all, "All of these, one after another")->group(modes);
-  app.add_option("--json", words.json, "Write all figures to FILE (- is standard output, then without tables)")
-      ->type_name("FILE");
-  app.add_option("--svg", words.svg, "Of --vertices: write the plot to FILE")->type_name("FILE");
-  app.add_option("--rounds", words.rounds, "Rounds in which every contender takes a turn (default 11)")->type_name("N");
-  app.add_option("--turn-ms", words.turn_ms, "Repeat each turn until it has taken so long (default 25)")
-      ->type_name("MS");
-  app.add_option("--poses", words.poses, "Poses a turn, trials of --threads (default: as many as take minutes in all)")
-      ->type_name("N");
-  app.add_option("--seed", words.seed, "Of the poses (default 1)")->type_name("N");
-  app.add_option("--most-vertices", words.most_vertices, "Of --vertices: stop there (default 1e6)")->type_name("N");
-  app.add_option("--most-peer-vertices", words.most_peer_vertices,
-                 "Of --vertices: FCL, and libccd by scans, stop there (default 1e6)")
-      ->type_name("N");
+  options.add_flag("--peers-best", words.peers_best, "The same with the peers at their own best settings, each named")
+      .group(modes);
+  options.add_flag("--vertices", words.vertices, "Cost of a trial against the number of vertices, 8 to 10^6")
+      .group(modes);
+  options.add_flag("--threads", words.threads, "One process with two threads against two processes with one")
+      .group(modes);
+  options.add_flag("--all", words.all, "All of these, one after another").group(modes);
+  options.add_option("--json", words.json, "Write all figures to FILE (- is standard output, then without tables)")
+      .type_name("FILE");
+  options.add_option("--svg", words.svg, "Of --vertices: write the plot to FILE").type_name("FILE");
+  options.add_option("--rounds", words.rounds, "Rounds in which every contender takes a turn (default 11)")
+      .type_name("N");
+  options.add_option("--turn-ms", words.turn_ms, "Repeat each turn until it has taken so long (default 25)")
+      .type_name("MS");
+  options
+      .add_option("--poses", words.poses, "Poses a turn, trials of --threads (default: as many as take minutes in all)")
+      .type_name("N");
+  options.add_option("--seed", words.seed, "Of the poses (default 1)").type_name("N");
+  options.add_option("--most-vertices", words.most_vertices, "Of --vertices: stop there (default 1e6)").type_name("N");
+  options
+      .add_option("--most-peer-vertices", words.most_peer_vertices,
+                  "Of --vertices: FCL, and libccd by scans, stop there (default 1e6)")
+      .type_name("N");
 }
 
 BenchSettings interpret(const Words& words) {
@@ -89,14 +93,14 @@ std::vector<Mode> modes(const Words& words) {
 
 int main(int argc, char** argv) {
   using namespace vex;
-  CLI::App app(
+  OptionParser options(
       "Nanoseconds of whole trials of the engine (random numbers, pose, proof, tally) beside queries alone of libccd "
       "and "
       "FCL, on the same poses in the same process. Prints Markdown. Machine at rest, minutes.",
       "vex_trial_bench");
   Words words;
-  declare(app, words);
-  return run_program(app, argc, argv, [&] {
+  declare(options, words);
+  return run_program(options, argc, argv, [&] {
     const BenchSettings settings = interpret(words);
     std::optional<OutputFile> json, svg;
     if (!words.json.empty()) json.emplace(words.json, std::span<const std::string>{});
