@@ -10,15 +10,16 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
 
 #include "apps/common/common_options.h"
 #include "apps/common/numbers.h"
+#include "apps/common/option_parser.h"
 #include "apps/common/output_file.h"
 #include "apps/common/run_program.h"
 #include "engine/numeric/errors.h"
@@ -324,17 +325,21 @@ Json measure_all(const Settings& settings) {
 
 int main(int argc, char** argv) {
   using namespace vex;
-  CLI::App app("What a command costs besides its trials. Prints Markdown. Machine at rest, minutes.", "vex_load_bench");
+  OptionParser options("What a command costs besides its trials. Prints Markdown. Machine at rest, minutes.",
+                       "vex_load_bench");
   std::string rounds, triangles, json_file;
   Settings settings;
-  app.add_option("--rounds", rounds, "Runs of each command that count (default 7)")->type_name("N");
-  app.add_option("--triangles", triangles, "Of the largest mesh, points of the largest hull, rows (default 1e6)")
-      ->type_name("N");
-  app.add_option("--beside", settings.beside, "A folder of programs of another build, which take turns with this one's")
-      ->type_name("DIR");
-  app.add_option("--only", settings.only, "Only rows whose name holds TEXT; or steps: only these")->type_name("TEXT");
-  app.add_option("--json", json_file, "Write all figures to FILE")->type_name("FILE");
-  return run_program(app, argc, argv, [&] {
+  options.add_option("--rounds", rounds, "Runs of each command that count (default 7)").type_name("N");
+  options.add_option("--triangles", triangles, "Of the largest mesh, points of the largest hull, rows (default 1e6)")
+      .type_name("N");
+  options
+      .add_option("--beside", settings.beside,
+                  "A folder of programs of another build, which take turns with this one's")
+      .type_name("DIR");
+  options.add_option("--only", settings.only, "Only rows whose name holds TEXT; or steps: only these")
+      .type_name("TEXT");
+  options.add_option("--json", json_file, "Write all figures to FILE").type_name("FILE");
+  return run_program(options, argc, argv, [&] {
     constexpr std::uint64_t kMost = 10'000'000;
     if (!rounds.empty()) {
       settings.n_rounds = static_cast<int>(std::min(kMost, parse_positive_count(rounds, "--rounds")));
