@@ -1,6 +1,7 @@
 #include "engine/query/radial_function.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -96,25 +97,77 @@ bool close_in_by_portals(CentredDifference& difference, const Vec3d& dir, double
   return false;
 }
 
-// By proven verdicts.
-void bisect(const ConvexBody& a, const ConvexBody& b, const BodyPoints& points, const Transformd& rotation,
-            const Vec3d& dir, double wanted, RadialBounds& bounds) {
-  Transformd pose = rotation;
-  pose.translation = {};
-  const Vec3d together = points.of_a - pose(points.of_b);
-  while (bounds.upper - bounds.lower > wanted * bounds.upper) {
-    const double middle = bounds.lower + 0.5 * (bounds.upper - bounds.lower);
-    if (!(middle > bounds.lower && middle < bounds.upper)) break;
-    pose.translation = together + middle * dir;
-    const Outcome outcome = overlap(a, b, pose).outcome;
-    // As near to the surface as can be told: nothing is gained beyond it.
-    if (outcome == Outcome::undecided) break;
-    (outcome == Outcome::overlap ? bounds.lower : bounds.upper) = middle;
+// By proven verdicts. Where one is undecided, the bounds go on apart: from it to where the bodies meet beyond doubt,
+// and to where they are apart.
+class Bisection {
+ public:
+  Bisection(const ConvexBody& a, const ConvexBody& b, const BodyPoints& points, const Transformd& rotation,
+            const Vec3d& dir)
+      : a_(a), b_(b), dir_(dir), pose_(rotation) {
+    pose_.translation = {};
+    together_ = points.of_a - pose_(points.of_b);
+    inner_radius_ = (a.inradius() - norm(points.of_a - a.centre())) + (b.inradius() - norm(points.of_b - b.centre()));
   }
-  const double rounding = 4.0 * kUnitRoundoff * (a.reach() + 2.0 * b.reach()) / norm(dir);
-  bounds.lower = std::fmax(0.0, bounds.lower - rounding);
-  bounds.upper += rounding;
-  bounds.is_bisected = true;
+
+  void close_in(double wanted, RadialBounds& bounds) {
+    double apart = bounds.upper, meeting = bounds.lower;
+    const auto is_wide = [&](double from, double to) { return to - from > wanted * bounds.upper; };
+    std::optional<double> undecided;
+    while (!undecided && is_wide(bounds.lower, bounds.upper)) {
+      const std::optional<double> middle = between(bounds.lower, bounds.upper);
+      if (!middle) break;
+      switch (outcome_at(*middle)) {
+        case Outcome::overlap: bounds.lower = *middle; break;
+        case Outcome::disjoint: bounds.upper = *middle; break;
+        case Outcome::undecided: undecided = middle; break;
+      }
+    }
+    if (undecided) {
+      apart = meeting = *undecided;
+      for (std::optional<double> m; is_wide(bounds.lower, meeting) && (m = between(bounds.lower, meeting));) {
+        (outcome_at(*m) == Outcome::overlap ? bounds.lower : meeting) = *m;
+      }
+      for (std::optional<double> m; is_wide(apart, bounds.upper) && (m = between(apart, bounds.upper));) {
+        (outcome_at(*m) == Outcome::disjoint ? bounds.upper : apart) = *m;
+      }
+    }
+    // The bodies as placed are off by some u of their reach, in any direction; along the ray that is more where K's
+    // surface is nearly along it, by |x| / s at most about a point with a ball of radius s in K.
+    const double shift = 8.0 * kUnitRoundoff * ((a_.reach() + 2.0 * b_.reach()) + norm(together_)) / norm(dir_);
+    const double reach = bounds.upper * norm(dir_);
+    const double rounding = inner_radius_ > 0.0 ? shift * std::fmax(1.0, reach / inner_radius_) : shift;
+    bounds.lower = std::fmax(0.0, bounds.lower - rounding);
+    bounds.upper += rounding;
+    bounds.is_bisected = true;
+  }
+
+ private:
+  static std::optional<double> between(double from, double to) {
+    const double middle = from + 0.5 * (to - from);
+    return middle > from && middle < to ? std::optional(middle) : std::nullopt;
+  }
+  Outcome outcome_at(double r) {
+    pose_.translation = together_ + r * dir_;
+    return overlap(a_, b_, pose_).outcome;
+  }
+
+  const ConvexBody& a_;
+  const ConvexBody& b_;
+  Vec3d dir_;
+  Transformd pose_;
+  Vec3d together_;
+  double inner_radius_;  // of a ball about the origin of K; below zero where none is known
+};
+
+// x 2^exponent, not above it, or not below: where the result is subnormal or too large it is rounded that way.
+double scaled_down(double x, int exponent) {
+  const double scaled = std::ldexp(x, exponent);
+  if (std::isinf(scaled)) return std::numeric_limits<double>::max();
+  return scaled < std::numeric_limits<double>::min() ? std::nextafter(scaled, 0.0) : scaled;
+}
+double scaled_up(double x, int exponent) {
+  const double scaled = std::ldexp(x, exponent);
+  return x > 0.0 && scaled < std::numeric_limits<double>::min() ? std::nextafter(scaled, 1.0) : scaled;
 }
 
 }  // namespace
@@ -133,10 +186,10 @@ RadialBounds radial_function(const ConvexBody& a, const ConvexBody& b, const Bod
   const double reach = a.reach() + b.reach();
   const bool is_usual = reach > kLeastPacketReach && reach < kLargestPacketReach;
   if (!is_usual || !close_in_by_portals(difference, scaled_dir, wanted, bounds)) {
-    bisect(a, b, points, rotation, scaled_dir, wanted, bounds);
+    Bisection(a, b, points, rotation, scaled_dir).close_in(wanted, bounds);
   }
-  bounds.lower = std::ldexp(bounds.lower, -exponent);
-  bounds.upper = std::ldexp(bounds.upper, -exponent);
+  bounds.lower = scaled_down(bounds.lower, -exponent);
+  bounds.upper = scaled_up(bounds.upper, -exponent);
   bounds.n_support_calls = difference.n_calls();
   return bounds;
 }

@@ -20,10 +20,14 @@ struct RadialBounds {
 };
 
 /// Closes in until upper - lower <= relative_gap * upper, or to kRadialRounding (2^-26) of it; the bounds hold in the
-/// presence of rounding (E19). `rotation` is a rotation to within 1e-6, its translation is not looked at; `dir` is of
-/// any length but zero. The points coincide where the bodies overlap by more than rounding: about a point on the
-/// surface of K r jumps, and is that of some ray beside this one. Where the portals stall the bounds come from proven
-/// verdicts of `overlap` by bisection; undecided ones widen them.
+/// presence of rounding (E19). R is a rotation to within 2^-40, its translation is not looked at; `dir` is of any
+/// length but zero. The points coincide where the bodies overlap by more than rounding: about a point on the surface of
+/// K r jumps, and is that of some ray beside this one.
+///
+/// Where the portals stall, as for a K thinner than 2^-18 of its reach, proven verdicts of `overlap` bisect the rest.
+/// Undecided ones widen the bounds. So does what coordinates are rounded by, where the inradii tell how thick K is at
+/// least; where they are 0 that may move r by more than the bounds are apart: 8 u of the reaches over the sine of the
+/// angle between the ray and the surface.
 RadialBounds radial_function(const ConvexBody& a, const ConvexBody& b, const BodyPoints& points,
                              const Transformd& rotation, const Vec3d& dir, double relative_gap = 0.0);
 

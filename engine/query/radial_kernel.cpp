@@ -11,7 +11,7 @@ class Kernel final : public PacketRays {
  public:
   Kernel(const PacketPairForms& forms, const BodyPoints& points) : search_(forms, points) {}
 
-  void cubes(const RayTable& rays, double* cubes) override { search_.find(rays, cubes); }
+  void find(const RayTable& rays, RadialAnswers& answers) override { search_.find(rays, answers); }
 
  private:
   RadialSearch<kRegisterLanes> search_;

@@ -18,12 +18,14 @@ class OwningPacketRays final : public PacketRays {
     make_kernel();
   }
 
-  void cubes(const RayTable& rays, double* cubes) override {
+  void find(const RayTable& rays, RadialAnswers& answers) override {
     if (kernel_ == nullptr && !make_kernel()) {
-      std::fill_n(cubes, rays.n, std::nan(""));
+      std::fill_n(answers.cube, rays.n, std::nan(""));
+      std::fill_n(answers.inner, rays.n, 0.0);
+      std::fill_n(answers.outer, rays.n, 0.0);
       return;
     }
-    kernel_->cubes(rays, cubes);
+    kernel_->find(rays, answers);
   }
 
  private:

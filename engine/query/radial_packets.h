@@ -29,22 +29,37 @@ struct RayTable {
   Vec3d dir(std::size_t k) const { return at(kDirection, k); }
 };
 
+/// Of up to kMostRays rays (PacketRays::find).
+struct RadialAnswers {
+  static constexpr std::size_t kMostRays = 256;
+
+  double cube[kMostRays], inner[kMostRays], outer[kMostRays];
+
+  /// Of an open one, r^3 being found otherwise.
+  double cube_of(std::size_t k, double pick, double r_cubed) const {
+    if (outer[k] == 0.0) return r_cubed;
+    return inner[k] + pick * (outer[k] - inner[k]) <= r_cubed ? outer[k] : inner[k];
+  }
+};
+
 /// One instance serves one thread.
 class PacketRays {
  public:
-  static constexpr std::size_t kMostRays = 256;
+  static constexpr std::size_t kMostRays = RadialAnswers::kMostRays;
   static constexpr std::size_t kStride = kMostRays + 16;
 
   virtual ~PacketRays();  // not inline: kernels would each have it
 
-  /// cubes[k], for up to kMostRays rays: a number whose mean over a uniform pick is r(d)^3, r being the radial function
-  /// (radial_function.h); or a NaN where the search ended without one.
+  /// answers.cube[k], for up to kMostRays rays: a number whose mean over a uniform pick is r(d)^3, r being the radial
+  /// function (radial_function.h); or a NaN where the search ended without one.
   ///
   /// Once r lies between two bounds within kRadialGap of each other, r^3 is not searched for any longer: of a number
-  /// drawn between the bounds' cubes it is decided whether it is below r^3, and the upper cube is returned if so,
+  /// drawn between the bounds' cubes it is decided whether it is below r^3, and the upper cube is the answer if so,
   /// otherwise the lower. So there is no bias beyond kRadialRounding, and where the bounds meet before, as they do for
-  /// polytopes, nothing is drawn.
-  virtual void cubes(const RayTable& rays, double* cubes) = 0;
+  /// polytopes, nothing is drawn. Whether a search ends without an answer may depend on the pick then: of such a ray
+  /// inner[k] and outer[k] are the two cubes, by which the question is to be decided all the same
+  /// (RadialAnswers::cube_of). Of any other they are both 0.
+  virtual void find(const RayTable& rays, RadialAnswers& answers) = 0;
 };
 
 inline constexpr double kRadialGap = 0x1p-8;

@@ -54,20 +54,21 @@ class RadialSearch {
 
   RadialSearch(const PacketPairForms& forms, const BodyPoints& points) : pair_(forms, points) {}
 
-  /// PacketRays::cubes.
-  __attribute__((flatten)) void find(const RayTable& rays, double* cubes) {
-    for (std::size_t k = 0; k < rays.n; ++k) cubes[k] = __builtin_nan("");
-    n_ended_ = n_wedge_ = n_portal_ = n_near_ = 0;
+  /// PacketRays::find.
+  __attribute__((flatten)) void find(const RayTable& rays, RadialAnswers& answers) {
+    for (std::size_t k = 0; k < rays.n; ++k) {
+      answers.cube[k] = __builtin_nan("");
+      answers.inner[k] = answers.outer[k] = 0.0;
+    }
+    n_ended_ = n_wedge_ = n_portal_ = n_near_ = n_lost_ = 0;
     first_portal(rays);
     span_wedges();
     for (int round = 0; round < kMostWedges && n_wedge_ > 0; ++round) turn_wedges();
     for (int round = 0; round < kMostPortals && n_portal_ > 0; ++round) narrow(rays);
     for (int round = 0; round < kMostPortals && n_near_ > 0; ++round) decide();
-    for (std::size_t k = 0; k < n_ended_; ++k) {
-      std::uint64_t row;
-      __builtin_memcpy(&row, &ended_[0][k], sizeof row);
-      cubes[row] = ended_[1][k];
-    }
+    for (std::size_t k = 0; k < n_ended_; ++k) answers.cube[row_at(ended_[0], k)] = ended_[1][k];
+    for (std::size_t k = 0; k < n_lost_; ++k) leave_open(lost_[0], lost_[1], lost_[2], k, answers);
+    for (std::size_t k = 0; k < n_near_; ++k) leave_open(near_[kRow], near_[kInner], near_[kOuter], k, answers);
   }
 
  private:
@@ -116,6 +117,18 @@ class RadialSearch {
     double ball_radius;
     RadialError error;
   };
+
+  static std::size_t row_at(const double* rows, std::size_t k) {
+    std::uint64_t row;
+    __builtin_memcpy(&row, rows + k, sizeof row);
+    return row;
+  }
+  static void leave_open(const double* rows, const double* inner, const double* outer, std::size_t k,
+                         RadialAnswers& answers) {
+    const std::size_t row = row_at(rows, k);
+    answers.inner[row] = inner[k];
+    answers.outer[row] = outer[k];
+  }
 
   void end(std::size_t& n_ended, const L& row, const L& value, const Mask& ends) {
     const Compaction<W> move(ends);
@@ -269,7 +282,7 @@ class RadialSearch {
     const std::size_t n = n_near_;
     const RadialError error = pair_.error;
     find_sections(near_, n);
-    std::size_t n_ended = n_ended_, n_near = 0;
+    std::size_t n_ended = n_ended_, n_lost = n_lost_, n_near = 0;
     for (std::size_t k = 0; k < n; k += W) {
       const L lower = L::load(lower_ + k), upper = L::load(upper_ + k);
       const L inner = L::load(near_[kInner] + k), outer = L::load(near_[kOuter] + k),
@@ -281,23 +294,30 @@ class RadialSearch {
       const Mask meets =
           but_not(but_not(both(sound, upper - lower <= L(kRadialRounding) * upper), is_inside), is_outside);
       const L row = L::load(near_[kRow] + k);
-      end(n_ended, row, select(is_inside, outer, select(is_outside, inner, asked)),
-          either(either(is_inside, is_outside), meets));
       const NarrowedPortal<L> next = narrowed(load_portal(near_, k), load(w_, 0, k), load(near_, kDir, k), error);
-      const Mask goes_on = both(but_not(but_not(but_not(sound, is_inside), is_outside), meets), next.is_sound);
+      const Mask is_answered = either(either(is_inside, is_outside), meets);
+      const Mask goes_on = but_not(both(sound, next.is_sound), is_answered);
+      end(n_ended, row, select(is_inside, outer, select(is_outside, inner, asked)), is_answered);
+      const Compaction<W> lost(but_not(but_not(Mask::first(n - k), is_answered), goes_on));
+      lost.store(lost_[0] + n_lost, row);
+      lost.store(lost_[1] + n_lost, inner);
+      lost.store(lost_[2] + n_lost, outer);
+      n_lost += static_cast<std::size_t>(lost.n());
       append(near_, n_near, Compaction<W>(goes_on), near_[0], kColumn, k, row, next.portal, inner, outer, asked);
     }
     n_ended_ = n_ended;
+    n_lost_ = n_lost;
     n_near_ = n_near;
   }
 
   Pair pair_;
-  std::size_t n_ended_ = 0, n_wedge_ = 0, n_portal_ = 0, n_near_ = 0;
+  std::size_t n_ended_ = 0, n_wedge_ = 0, n_portal_ = 0, n_near_ = 0, n_lost_ = 0;
   // A step reads a packet before it writes one, and writes no farther than it has read.
   alignas(64) double wedges_[kV3][kColumn] = {};
   alignas(64) double portals_[kInner][kColumn] = {};
   alignas(64) double near_[kAsked + 1][kColumn] = {};
   alignas(64) double ended_[2][kColumn] = {};  // row and cube
+  alignas(64) double lost_[3][kColumn] = {};   // row and bounds of those that were near
   // Of a step: support points, bounds, and truth values as the bits of doubles.
   alignas(64) double w_[3][kColumn] = {}, lower_[kColumn] = {}, upper_[kColumn] = {}, sound_[kColumn] = {};
 };

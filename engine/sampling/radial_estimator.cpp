@@ -26,20 +26,24 @@ void RadialEstimator::evaluate(std::span<const double> points, std::span<double>
     }
     make_rays_(map_, n, columns_);
     const RayTable rays = columns_.table(n);
-    const std::span<double> cubes = values.subspan(first, n);
     if (packets_ != nullptr) {
-      packets_->cubes(rays, cubes.data());
+      packets_->find(rays, answers_);
     } else {
-      std::ranges::fill(cubes, std::nan(""));
+      std::ranges::fill(answers_.cube, std::nan(""));
+      std::ranges::fill(answers_.outer, 0.0);
     }
     for (std::size_t k = 0; k < n; ++k) {
-      if (std::isnan(cubes[k])) {
+      const double weight = columns_.weights[k];
+      double cube = answers_.cube[k];
+      if (std::isnan(cube)) {
         ++n_one_by_one_;
         const RadialBounds bounds = radial_function(a_, b_, map_.points(), rays.rotation(k), rays.dir(k));
-        const double r = 0.5 * (bounds.lower + bounds.upper);
-        cubes[k] = r * r * r;
+        const double lower = bounds.lower * bounds.lower * bounds.lower;
+        const double upper = bounds.upper * bounds.upper * bounds.upper;
+        cube = answers_.cube_of(k, columns_.rays[RayTable::kPick][k], 0.5 * (lower + upper));
+        half_width_sum_ += 0.5 * weight * (upper - lower);
       }
-      cubes[k] *= columns_.weights[k];
+      values[first + k] = weight * cube;
     }
   }
 }

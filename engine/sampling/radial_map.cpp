@@ -28,6 +28,7 @@ MatchingEllipsoid matching_ellipsoid(const ConvexBody& body) {
   // Lengths are told in circumradii, from the body's centre: their squares may not over- or underflow.
   const double unit = body.circumradius();
   const Vec3d origin = body.centre();
+  if (!(unit > 0.0)) return {origin, {}};  // a point
   const auto support = [&](const Vec3d& dir) { return (1.0 / unit) * (body.support(dir) - origin); };
   Symmetric<double> q{1.0, 1.0, 1.0};
   Vec3d centre;

@@ -43,7 +43,8 @@ struct Triangular {
   L determinant() const { return (xx * yy) * zz; }
 };
 
-/// Cholesky's factor. A pivot that rounding, or a flat body, leaves without a size is kept at 2^-50 of the trace, which rounding does not reach.
+/// Cholesky's factor. A pivot that rounding, or a flat body, leaves without a size is kept at 2^-50 of the trace, which
+/// rounding does not reach.
 template <class L>
 Triangular<L> factor_of(const Symmetric<L>& q) {
   const L least = L(0x1p-50) * ((q.xx + q.yy) + q.zz);
@@ -59,8 +60,9 @@ Triangular<L> factor_of(const Symmetric<L>& q) {
 
 /// An ellipsoid like the body, of which nothing but its support points is asked: the directions that are uniform
 /// normals of the ellipsoid have support points with the mean `centre`, a point of the body, and Q is 3 times the mean
-/// of their squares (s - centre)(s - centre)^T. Of an ellipsoid it is the ellipsoid, of a box that of the half edges;
-/// what turns and stretches the body turns and stretches it. Found by a few rounds of the equation.
+/// of their squares (s - centre)(s - centre)^T. Of an ellipsoid not thinner than 2^-24 it is the ellipsoid, of a box
+/// that of the half edges; what turns and stretches the body turns and stretches it. Found by a few rounds of the
+/// equation.
 struct MatchingEllipsoid {
   Vec3d centre;
   Symmetric<double> q;

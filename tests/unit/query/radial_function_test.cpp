@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <string>
 #include <tuple>
@@ -173,6 +175,63 @@ TEST(RadialFunction, OfLengthsThatOverflowInProductsComesFromVerdicts) {
     EXPECT_NEAR(found.lower / size, of_unit.lower, 1e-6 * of_unit.upper);
     EXPECT_NEAR(found.upper / size, of_unit.upper, 1e-6 * of_unit.upper);
   }
+}
+
+// Bisection told of r to 1e-8 where the rounding of coordinates alone moves it by 1e-7.
+TEST(RadialFunction, OfAThinBodyThatIsBisectedHoldsWhatRoundingMayMove) {
+  const ConvexBody grain = Sphere(1e-20);
+  std::mt19937_64 random(10);
+  int n_bisected = 0;
+  for (int k = 0; k < 400; ++k) {
+    const Vec3d edges{1.0, 0.4 + random_in_unit_interval(random), 1e-8};
+    const ConvexBody plate = Box(edges.x, edges.y, edges.z);
+    const Transformd r = random_rotation(random);
+    // Nearly along the plate, which the ray leaves by its rim or, at a grazing angle, by a face.
+    const Vec3d in_plate = random_direction(random);
+    const Vec3d dir = r(Vec3d{in_plate.x, in_plate.y, 2e-8 * in_plate.z});
+    const auto half_over = [](double edge, long double d) { return 0.5L * edge / std::fabs(d); };
+    const auto along = [&](double x, double y, double z) {  // a column of R times the direction as it is
+      return static_cast<long double>(x) * dir.x + static_cast<long double>(y) * dir.y +
+             static_cast<long double>(z) * dir.z;
+    };
+    const auto truth = static_cast<double>(std::min({half_over(edges.x, along(r.row_x.x, r.row_y.x, r.row_z.x)),
+                                                     half_over(edges.y, along(r.row_x.y, r.row_y.y, r.row_z.y)),
+                                                     half_over(edges.z, along(r.row_x.z, r.row_y.z, r.row_z.z))}));
+    const RadialBounds found = radial_function(grain, plate, {}, r, dir);
+    if (found.is_bisected) ++n_bisected;
+    EXPECT_LE(found.lower, truth * (1.0 + 1e-9));
+    EXPECT_GE(found.upper, truth * (1.0 - 1e-9));
+    EXPECT_LE(found.upper - found.lower, 1e-5 * found.upper);
+  }
+  EXPECT_GT(n_bisected, 100);
+}
+
+/// A ball that knows itself to 1e-6 only.
+struct RoughBall {
+  Vec3d support(const Vec3d& dir) const { return (1.0 / norm(dir)) * dir; }
+  double support_error() const { return 1e-6; }
+  Vec3d centre() const { return {}; }
+  double circumradius() const { return 1.0 + 1e-6; }
+  double inradius() const { return 1.0 - 1e-6; }
+};
+
+TEST(RadialFunction, OfABodyThatIsNotKnownBetterIsFoundToThat) {
+  const ConvexBody rough = RoughBall{}, ball = Sphere(1.0);
+  const Vec3d dir{0.3, 0.4, 0.5};
+  const RadialBounds found = radial_function(rough, ball, {}, {}, dir);
+  EXPECT_LE(found.lower * norm(dir), 2.0);
+  EXPECT_GE(found.upper * norm(dir), 2.0);
+  EXPECT_LE(found.upper - found.lower, 2e-5);
+}
+
+TEST(RadialFunction, OfADirectionOfAnyLengthIsRoundedOutwards) {
+  const ConvexBody small = Sphere(1e-20), unit = Sphere(1.0);
+  const RadialBounds tiny = radial_function(small, small, {}, {}, {1e308, 0.0, 0.0});  // 2e-328
+  EXPECT_EQ(tiny.lower, 0.0);
+  EXPECT_GT(tiny.upper, 0.0);
+  const RadialBounds huge = radial_function(unit, unit, {}, {}, {1e-310, 0.0, 0.0});  // 2e310
+  EXPECT_EQ(huge.lower, std::numeric_limits<double>::max());
+  EXPECT_EQ(huge.upper, HUGE_VAL);
 }
 
 TEST(RadialFunction, OfBodiesFarFromTheirOriginsIsAsGoodAsTheirCoordinates) {

@@ -62,6 +62,13 @@ TEST(MatchingEllipsoid, OfAFlatBodyIsFlatAndOfALineALine) {
   EXPECT_GT(needle.q.zz, 0.5);
 }
 
+TEST(MatchingEllipsoid, OfAPointIsThePoint) {
+  const std::vector<Vec3d> vertices(3, Vec3d{1.0, 2.0, 3.0});
+  const MatchingEllipsoid found = matching_ellipsoid(Polytope(vertices, vertices[0], 0.0));
+  EXPECT_EQ(norm(found.centre - vertices[0]), 0.0);
+  EXPECT_EQ(found.q.xx + found.q.yy + found.q.zz, 0.0);
+}
+
 TEST(RadialMap, DrawsRotationsOfTheLaw) {
   const ConvexBody a = parse_shape("box:1,2,3").body, b = parse_shape("cone:1,1").body;
   for (const OrientationLaw& law : {OrientationLaw::isotropic(), OrientationLaw::aligned(), OrientationLaw::cone(30.0),
