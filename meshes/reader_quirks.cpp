@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
 namespace vex {
 namespace {
@@ -24,33 +23,31 @@ std::string rest_of(std::FILE* file, std::uintmax_t size) {
   return text;
 }
 
-/// The places of points that start a number: assimp reads none from ".5".
-std::vector<std::size_t> bare_points(const std::string& text) {
-  std::vector<std::size_t> places;
-  for (std::size_t at = text.find('.'); at != std::string::npos; at = text.find('.', at + 1)) {
-    const bool starts_a_word = at == 0 || text[at - 1] == ' ' || text[at - 1] == '\t';
-    if (starts_a_word && at + 1 < text.size() && text[at + 1] >= '0' && text[at + 1] <= '9') {
-      places.push_back(at);
-    }
-  }
-  return places;
+/// Whether the point there starts a number: assimp reads none from ".5".
+bool is_bare_point(const std::string& text, std::size_t at) {
+  const bool starts_a_word = at == 0 || text[at - 1] == ' ' || text[at - 1] == '\t';
+  return starts_a_word && at + 1 < text.size() && text[at + 1] >= '0' && text[at + 1] <= '9';
 }
 
+/// From the back, in place: a mesh has millions of such points, and a list of them would be larger than its text.
 std::string with_leading_zeros(std::string text) {
-  const std::vector<std::size_t> places = bare_points(text);
-  if (places.empty()) {
-    return text;
+  std::size_t n_left = 0;
+  for (std::size_t at = text.find('.'); at != std::string::npos; at = text.find('.', at + 1)) {
+    if (is_bare_point(text, at)) ++n_left;
   }
-  std::string longer;
-  longer.reserve(text.size() + places.size());
-  std::size_t next = 0;
-  for (const std::size_t place : places) {
-    longer.append(text, next, place - next);
-    longer.push_back('0');
-    next = place;
+  std::size_t end = text.size();  // of what has not been moved
+  text.resize(end + n_left);
+  for (std::size_t at = end; n_left > 0;) {
+    at = text.rfind('.', at - 1);
+    if (is_bare_point(text, at)) {  // what has been moved lies behind its digit
+      const auto from = text.begin() + static_cast<std::ptrdiff_t>(at);
+      const auto to_end = text.begin() + static_cast<std::ptrdiff_t>(end + n_left);
+      *(std::move_backward(from, text.begin() + static_cast<std::ptrdiff_t>(end), to_end) - 1) = '0';
+      end = at;
+      --n_left;
+    }
   }
-  longer.append(text, next);
-  return longer;
+  return text;
 }
 
 std::string in_lower_case(std::string text) {

@@ -10,14 +10,18 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
 
 #include "apps/common/common_options.h"
+#include "apps/common/interrupt.h"
 #include "apps/common/numbers.h"
 #include "apps/common/option_parser.h"
 #include "apps/common/output_file.h"
@@ -42,13 +46,21 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* kSteps = "steps";  // of --only: the table of the steps of one mesh
+constexpr double kSizes[] = {100.0, 1e4, 1e6};
+
 struct Settings {
   int n_rounds = 7;
   int n_triangles = 1'000'000;  // of the largest mesh; as many points of a hull, rows of a stream
   std::string beside;           // a folder of programs, or none
   std::string only;             // rows whose name holds this
+  bool prints = true;           // tables; not where the document is standard output
 
   bool wants(const std::string& name) const { return name.find(only) != std::string::npos; }
+  bool wants_steps() const { return only.empty() || only == kSteps; }
+  void print(const std::string& text) const {
+    if (prints) std::printf("%s", text.c_str()), std::fflush(stdout);
+  }
 };
 
 struct Command {
@@ -68,7 +80,23 @@ double ns_of(const rusage& usage) {
   return ns(usage.ru_utime) + ns(usage.ru_stime);
 }
 
-/// Runs a program to its end, its output thrown away.
+/// Leaves by an exception, so that the temporary folder goes.
+void stop_if_interrupted() {
+  if (interrupting_signal().load() != 0) throw std::runtime_error("interrupted");
+}
+
+/// From now on a signal also wakes whoever waits for a program.
+void catch_interrupts_while_waiting() {
+  catch_interrupts();
+  for (const int signal : {SIGINT, SIGTERM}) {
+    struct sigaction action = {};
+    sigaction(signal, nullptr, &action);
+    action.sa_flags &= ~static_cast<int>(SA_RESTART);
+    sigaction(signal, &action, nullptr);
+  }
+}
+
+/// Runs a program to its end, its output thrown away. A signal to this program ends that one.
 Taken run(const std::string& program, const std::vector<std::string>& words) {
   std::vector<std::string> all = {program};
   all.insert(all.end(), words.begin(), words.end());
@@ -87,8 +115,9 @@ Taken run(const std::string& program, const std::vector<std::string>& words) {
   if (error != 0) throw UsageError("a program is missing (" + program + ") - build it");
   int status = 0;
   rusage usage{};
-  wait4(id, &status, 0, &usage);
+  while (wait4(id, &status, 0, &usage) < 0 && errno == EINTR) kill(id, SIGTERM);
   const double wall = wall_ns() - start;
+  stop_if_interrupted();
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error("a program failed (" + program + ")");
   return {ns_of(usage), wall};
 }
@@ -126,8 +155,7 @@ Json measure(const Command& command, const Settings& settings) {
   line += shown(processor[own].median()) + " (" + short_number(100.0 * processor[own].spread(), 2) + " %) | " +
           shown(wall[own].median()) + " |";
   if (own > 0) line += " " + short_number(ratio(processor[0], processor[own]), 3) + " |";
-  std::printf("%s\n", line.c_str());
-  std::fflush(stdout);
+  settings.print(line + "\n");
   Json row = {{"name", command.name}, {"processor", timing_json(processor[own])}, {"wall", timing_json(wall[own])}};
   if (own > 0) {
     row["beside"] = {{"processor", timing_json(processor[0])}, {"wall", timing_json(wall[0])}};
@@ -161,7 +189,7 @@ PolygonSoup ellipsoid(double n_triangles) {
 
 std::vector<double> sizes(const Settings& settings) {
   std::vector<double> all;
-  for (const double n : {100.0, 1e4, 1e6}) {
+  for (const double n : kSizes) {
     if (n <= settings.n_triangles) all.push_back(n);
   }
   return all;
@@ -170,6 +198,7 @@ std::vector<double> sizes(const Settings& settings) {
 std::vector<Command> meshes(const Settings& settings, const tests::TemporaryFolder& folder) {
   std::vector<Command> commands;
   const auto add = [&](const std::string& name, const std::string& file, const auto& write, const PolygonSoup& soup) {
+    stop_if_interrupted();
     if (settings.wants(name)) commands.push_back({name, "vex_mesh", {folder.file(file, write(soup)), "--trials", "1"}});
   };
   for (const double n : sizes(settings)) {
@@ -202,6 +231,7 @@ std::vector<Command> hulls(const Settings& settings, const tests::TemporaryFolde
   for (double n = 1e4; n <= settings.n_triangles; n *= 10.0) {
     for (const std::string kind : {"in a ball", "in a cube", "on a sphere"}) {
       const std::string name = "hull of " + short_count(n) + " points " + kind;
+      stop_if_interrupted();
       if (!settings.wants(name)) continue;
       std::vector<Vec3d> points;
       for (int i = 0; i < static_cast<int>(n); ++i) {
@@ -219,8 +249,17 @@ std::vector<Command> hulls(const Settings& settings, const tests::TemporaryFolde
 }
 
 std::vector<Command> streams(const Settings& settings, const tests::TemporaryFolder& folder) {
-  const std::string name_of_row = "a row of vex_pair, ";
-  if (name_of_row.find(settings.only) == std::string::npos) return {};
+  struct Row {
+    std::string name;
+    bool by_quaternion;
+    std::vector<std::string> more;
+  };
+  std::vector<Row> rows = {{"a row of vex_pair, quaternions to screen", true, {}},
+                           {"a row of vex_pair, matrices to screen", false, {}},
+                           {"a row of vex_pair, matrices to CSV", false, {"--csv"}},
+                           {"a row of vex_pair, matrices to JSON lines", false, {"--jsonl"}}};
+  std::erase_if(rows, [&](const Row& row) { return !settings.wants(row.name); });
+  if (rows.empty()) return {};
   std::mt19937_64 random(1);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform(-1.2, 1.2);
@@ -231,6 +270,7 @@ std::vector<Command> streams(const Settings& settings, const tests::TemporaryFol
     text.back() = '\n';
   };
   for (int i = 0; i < settings.n_triangles; ++i) {
+    stop_if_interrupted();
     const double w = normal(random), x = normal(random), y = normal(random), z = normal(random);
     const double tx = uniform(random), ty = uniform(random), tz = uniform(random);
     append(quaternions, {tx, ty, tz, w, x, y, z});
@@ -240,15 +280,17 @@ std::vector<Command> streams(const Settings& settings, const tests::TemporaryFol
   }
   const std::string by_quaternion = folder.file("quaternions.csv", quaternions);
   const std::string by_matrix = folder.file("matrices.csv", matrices);
-  const double n = settings.n_triangles;
-  const auto command = [n, &name_of_row](const std::string& name, const std::string& file,
-                                         std::vector<std::string> more) {
-    std::vector<std::string> words = {"box:1,1,1", "box:1,1,1", "--poses", file, "--threads", "1"};
-    words.insert(words.end(), more.begin(), more.end());
-    return Command{name_of_row + name, "vex_pair", words, n};
-  };
-  return {command("quaternions to screen", by_quaternion, {}), command("matrices to screen", by_matrix, {}),
-          command("matrices to CSV", by_matrix, {"--csv"}), command("matrices to JSON lines", by_matrix, {"--jsonl"})};
+  std::vector<Command> commands;
+  for (const Row& row : rows) {
+    const std::string& file = row.by_quaternion ? by_quaternion : by_matrix;
+    Command command{row.name,
+                    "vex_pair",
+                    {"box:1,1,1", "box:1,1,1", "--poses", file, "--threads", "1"},
+                    static_cast<double>(settings.n_triangles)};
+    command.words.insert(command.words.end(), row.more.begin(), row.more.end());
+    commands.push_back(std::move(command));
+  }
+  return commands;
 }
 
 /// What the seconds of one mesh go into, each step called by itself in this process; the median of the rounds.
@@ -265,6 +307,7 @@ Json stages(const Settings& settings, const tests::TemporaryFolder& folder) {
         const double taken = own_and_childrens_ns() - start;
         if (step == steps.size()) steps.push_back({name, {}});
         steps[step++].second.ns.push_back(taken);
+        stop_if_interrupted();
       };
       begin(), static_cast<void>(read_polygon_soup_isolated(path)), end("reading in a process of its own");
       begin();
@@ -290,13 +333,12 @@ Json stages(const Settings& settings, const tests::TemporaryFolder& folder) {
       for (const Vec3d& v : surface.vertices) x.push_back(v.x), y.push_back(v.y), z.push_back(v.z);
       begin(), static_cast<void>(DirectionMap(x, y, z)), end("table of directions (where trials follow)");
     }
-    std::printf("\n| %.0f triangles, step | processor time |\n|---|---:|\n", n);
+    settings.print("\n| " + std::to_string(std::lround(n)) + " triangles, step | processor time |\n|---|---:|\n");
     Json row = {{"triangles", n}, {"steps", Json::object()}};
     for (const auto& [name, timing] : steps) {
-      std::printf("| %s | %s |\n", name.c_str(), shown(timing.median()).c_str());
+      settings.print("| " + name + " | " + shown(timing.median()) + " |\n");
       row["steps"][name] = timing_json(timing);
     }
-    std::fflush(stdout);
     rows.push_back(row);
   }
   return rows;
@@ -308,16 +350,48 @@ Json measure_all(const Settings& settings) {
   for (const auto& more : {meshes(settings, folder), hulls(settings, folder), streams(settings, folder)}) {
     commands.insert(commands.end(), more.begin(), more.end());
   }
-  const bool beside = !settings.beside.empty();
-  std::printf("| what | %sprocessor time | wall |%s\n|---|---:|---:|%s\n", beside ? "before | " : "",
-              beside ? " before / now |" : "", beside ? "---:|---:|" : "");
-  Json rows = Json::array();
-  for (const Command& command : commands) {
-    if (settings.wants(command.name)) rows.push_back(measure(command, settings));
+  std::erase_if(commands, [&](const Command& command) { return !settings.wants(command.name); });
+  if (commands.empty() && !settings.wants_steps()) {
+    throw UsageError("no row's name holds this (--only " + settings.only +
+                     ") - give a part of a name, such as .ply, hull or matrices, or " + kSteps);
   }
+  settings.print(processor() + "; g++ " + __VERSION__ + "\n");
+  if (!commands.empty()) {
+    const bool beside = !settings.beside.empty();
+    settings.print(std::string("\n| what | ") + (beside ? "before | " : "") + "processor time | wall |" +
+                   (beside ? " before / now |" : "") + "\n|---|---:|---:|" + (beside ? "---:|---:|" : "") + "\n");
+  }
+  Json rows = Json::array();
+  for (const Command& command : commands) rows.push_back(measure(command, settings));
   Json all = {{"commands", rows}};
-  if (settings.only.empty() || settings.only == "steps") all["stages"] = stages(settings, folder);
+  if (settings.wants_steps()) all["stages"] = stages(settings, folder);
   return all;
+}
+
+struct Words {
+  std::string rounds, triangles, beside, only, json;
+};
+
+Settings interpret(const Words& words) {
+  Settings settings;
+  settings.beside = words.beside;
+  settings.only = words.only;
+  if (!words.rounds.empty()) {
+    const std::uint64_t n = parse_positive_count(words.rounds, "--rounds");
+    if (n > 10000) throw UsageError("more rounds than anybody waits for (" + words.rounds + ") - at most 10000");
+    settings.n_rounds = static_cast<int>(n);
+  }
+  if (!words.triangles.empty()) {
+    const auto n = static_cast<double>(parse_positive_count(words.triangles, "--triangles"));
+    if (std::ranges::find(kSizes, n) == std::end(kSizes)) {
+      throw UsageError("no mesh of this size is made (--triangles " + words.triangles + ") - give 100, 1e4 or 1e6");
+    }
+    settings.n_triangles = static_cast<int>(n);
+  }
+  if (!settings.beside.empty() && settings.only == kSteps) {
+    throw UsageError("--beside with --only steps - steps are those of this build alone; leave one of the two out");
+  }
+  return settings;
 }
 
 }  // namespace
@@ -325,33 +399,37 @@ Json measure_all(const Settings& settings) {
 
 int main(int argc, char** argv) {
   using namespace vex;
-  OptionParser options("What a command costs besides its trials. Prints Markdown. Machine at rest, minutes.",
-                       "vex_load_bench");
-  std::string rounds, triangles, json_file;
-  Settings settings;
-  options.add_option("--rounds", rounds, "Runs of each command that count (default 7)").type_name("N");
-  options.add_option("--triangles", triangles, "Of the largest mesh, points of the largest hull, rows (default 1e6)")
+  OptionParser options(
+      "What a command costs besides its trials. Prints Markdown. Machine at rest, a quarter of an hour.",
+      "vex_load_bench");
+  Words words;
+  options.add_option("--rounds", words.rounds, "Runs of each command that count (default 7)").type_name("N");
+  options
+      .add_option("--triangles", words.triangles,
+                  "Of the largest mesh, points of the largest hull, rows: 100, 1e4 or 1e6 (default)")
       .type_name("N");
   options
-      .add_option("--beside", settings.beside,
-                  "A folder of programs of another build, which take turns with this one's")
+      .add_option("--beside", words.beside, "A folder of programs of another build, which take turns with this one's")
       .type_name("DIR");
-  options.add_option("--only", settings.only, "Only rows whose name holds TEXT; or steps: only these")
-      .type_name("TEXT");
-  options.add_option("--json", json_file, "Write all figures to FILE").type_name("FILE");
+  options.add_option("--only", words.only, "Only rows whose name holds TEXT; or steps: only these").type_name("TEXT");
+  options.add_option("--json", words.json, "Write all figures to FILE (- is standard output, then without tables)")
+      .type_name("FILE");
   return run_program(options, argc, argv, [&] {
-    constexpr std::uint64_t kMost = 10'000'000;
-    if (!rounds.empty()) {
-      settings.n_rounds = static_cast<int>(std::min(kMost, parse_positive_count(rounds, "--rounds")));
-    }
-    if (!triangles.empty()) {
-      settings.n_triangles = static_cast<int>(std::min(kMost, parse_positive_count(triangles, "--triangles")));
-    }
+    Settings settings = interpret(words);
     std::optional<OutputFile> json;
-    if (!json_file.empty()) json.emplace(json_file, std::span<const std::string>{});
-    std::printf("%s; g++ %s\n\n", processor().c_str(), __VERSION__);
+    if (!words.json.empty()) json.emplace(words.json, std::span<const std::string>{});
+    settings.prints = !json || !json->is_standard_output();
+    catch_interrupts_while_waiting();
     const double start = wall_ns();
-    const Json measured = measure_all(settings);
+    Json measured;
+    try {
+      measured = measure_all(settings);
+    } catch (const std::exception&) {
+      // A program that the same signal ended has failed, too, and for this reason.
+      if (interrupting_signal().load() == 0) throw;
+      std::fprintf(stderr, "vex_load_bench: interrupted - no file was written\n");
+      return kSignalBase + interrupting_signal().load();
+    }
     if (json) {
       Json document = document_head(command_line(argc, argv), {}, true, 1e-9 * (wall_ns() - start));
       document["processor"] = processor();
@@ -359,6 +437,6 @@ int main(int argc, char** argv) {
       document.update(measured);
       json->write(document.dump(2) + "\n");
     }
-    return kSuccess;
+    return static_cast<int>(kSuccess);
   });
 }
