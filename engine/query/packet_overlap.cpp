@@ -1,7 +1,6 @@
 #include "engine/query/packet_overlap.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "engine/query/packet_pair.h"
@@ -9,33 +8,21 @@
 namespace vex {
 namespace {
 
-// The kernel and the pair it refers to. As long as a body has not its table of directions, all is left open: to be
-// asked.
+// As long as a body has not its table of directions, all is left open: to be asked.
 class OwningPacketOverlap final : public PacketOverlap {
  public:
-  OwningPacketOverlap(PacketKernel kernel, std::unique_ptr<PacketPair> pair)
-      : make_kernel_(kernel), pair_(std::move(pair)) {
-    make_kernel();
-  }
+  OwningPacketOverlap(PacketKernel make, std::unique_ptr<PacketPair> pair) : kernel_(std::move(pair), make) {}
 
   void decide(const PoseTable& poses, PacketAnswer* answers) override {
-    if (kernel_ == nullptr && !make_kernel()) {
+    if (PacketOverlap* const kernel = kernel_.get()) {
+      kernel->decide(poses, answers);
+    } else {
       std::fill_n(answers, poses.n, PacketAnswer::open);
-      return;
     }
-    kernel_->decide(poses, answers);
   }
 
  private:
-  bool make_kernel() {
-    const std::optional<PacketPairForms> forms = pair_->forms();
-    if (forms) kernel_.reset(make_kernel_(*forms));
-    return forms.has_value();
-  }
-
-  PacketKernel make_kernel_;
-  std::unique_ptr<PacketPair> pair_;
-  std::unique_ptr<PacketOverlap> kernel_;
+  KernelOfPair<PacketOverlap> kernel_;
 };
 
 }  // namespace

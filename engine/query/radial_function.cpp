@@ -110,7 +110,6 @@ class Bisection {
   }
 
   void close_in(double wanted, RadialBounds& bounds) {
-    double apart = bounds.upper, meeting = bounds.lower;
     const auto is_wide = [&](double from, double to) { return to - from > wanted * bounds.upper; };
     std::optional<double> undecided;
     while (!undecided && is_wide(bounds.lower, bounds.upper)) {
@@ -123,7 +122,7 @@ class Bisection {
       }
     }
     if (undecided) {
-      apart = meeting = *undecided;
+      double apart = *undecided, meeting = *undecided;
       for (std::optional<double> m; is_wide(bounds.lower, meeting) && (m = between(bounds.lower, meeting));) {
         (outcome_at(*m) == Outcome::overlap ? bounds.lower : meeting) = *m;
       }

@@ -1,8 +1,5 @@
 #include "engine/query/radial_packets.h"
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
 #include <utility>
 
 #include "engine/query/packet_pair.h"
@@ -13,32 +10,19 @@ namespace {
 // As OwningPacketOverlap of packet_overlap.cpp.
 class OwningPacketRays final : public PacketRays {
  public:
-  OwningPacketRays(RayKernel kernel, std::unique_ptr<PacketPair> pair, const BodyPoints& points)
-      : make_kernel_(kernel), pair_(std::move(pair)), points_(points) {
-    make_kernel();
-  }
+  OwningPacketRays(RayKernel make, std::unique_ptr<PacketPair> pair, const BodyPoints& points)
+      : kernel_(std::move(pair), [make, points](const PacketPairForms& forms) { return make(forms, points); }) {}
 
   void find(const RayTable& rays, RadialAnswers& answers) override {
-    if (kernel_ == nullptr && !make_kernel()) {
-      std::fill_n(answers.cube, rays.n, std::nan(""));
-      std::fill_n(answers.inner, rays.n, 0.0);
-      std::fill_n(answers.outer, rays.n, 0.0);
-      return;
+    if (PacketRays* const kernel = kernel_.get()) {
+      kernel->find(rays, answers);
+    } else {
+      answers.open_all(rays.n);
     }
-    kernel_->find(rays, answers);
   }
 
  private:
-  bool make_kernel() {
-    const std::optional<PacketPairForms> forms = pair_->forms();
-    if (forms) kernel_.reset(make_kernel_(*forms, points_));
-    return forms.has_value();
-  }
-
-  RayKernel make_kernel_;
-  std::unique_ptr<PacketPair> pair_;
-  BodyPoints points_;
-  std::unique_ptr<PacketRays> kernel_;
+  KernelOfPair<PacketRays> kernel_;
 };
 
 }  // namespace

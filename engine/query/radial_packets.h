@@ -35,6 +35,14 @@ struct RadialAnswers {
 
   double cube[kMostRays], inner[kMostRays], outer[kMostRays];
 
+  /// The first n are open, without bounds.
+  void open_all(std::size_t n) {
+    for (std::size_t k = 0; k < n; ++k) {
+      cube[k] = __builtin_nan("");
+      inner[k] = outer[k] = 0.0;
+    }
+  }
+
   /// Of an open one, r^3 being found otherwise.
   double cube_of(std::size_t k, double pick, double r_cubed) const {
     if (outer[k] == 0.0) return r_cubed;

@@ -56,10 +56,7 @@ class RadialSearch {
 
   /// PacketRays::find.
   __attribute__((flatten)) void find(const RayTable& rays, RadialAnswers& answers) {
-    for (std::size_t k = 0; k < rays.n; ++k) {
-      answers.cube[k] = __builtin_nan("");
-      answers.inner[k] = answers.outer[k] = 0.0;
-    }
+    answers.open_all(rays.n);
     n_ended_ = n_wedge_ = n_portal_ = n_near_ = n_lost_ = 0;
     first_portal(rays);
     span_wedges();

@@ -29,8 +29,7 @@ void RadialEstimator::evaluate(std::span<const double> points, std::span<double>
     if (packets_ != nullptr) {
       packets_->find(rays, answers_);
     } else {
-      std::ranges::fill(answers_.cube, std::nan(""));
-      std::ranges::fill(answers_.outer, 0.0);
+      answers_.open_all(n);
     }
     for (std::size_t k = 0; k < n; ++k) {
       const double weight = columns_.weights[k];
