@@ -16,7 +16,13 @@ RadialEstimator::RadialEstimator(const ConvexBody& a, const ConvexBody& b, const
       make_rays_(ray_maker(set)),
       packets_(make_packet_rays(ray_kernel(set), a, b, map_.points())) {}
 
-void RadialEstimator::evaluate(std::span<const double> points, std::span<double> values) {
+double RadialEstimator::scale() const {
+  const double reach = a_.circumradius() + b_.circumradius();
+  return reach * reach * reach;
+}
+
+Doubts RadialEstimator::evaluate(std::span<const double> points, std::span<double> values) {
+  Doubts doubts;
   const auto dimension = static_cast<std::size_t>(map_.dimension());
   VEX_EXPECT(points.size() == dimension * values.size());
   for (std::size_t first = 0; first < values.size(); first += PacketRays::kMostRays) {
@@ -40,11 +46,15 @@ void RadialEstimator::evaluate(std::span<const double> points, std::span<double>
         const double lower = bounds.lower * bounds.lower * bounds.lower;
         const double upper = bounds.upper * bounds.upper * bounds.upper;
         cube = answers_.cube_of(k, columns_.rays[RayTable::kPick][k], 0.5 * (lower + upper));
-        half_width_sum_ += 0.5 * weight * (upper - lower);
+        if (upper - lower > relative_rounding() * upper) {
+          ++doubts.n_undecided;
+          doubts.half_width_sum += 0.5 * weight * (upper - lower);
+        }
       }
       values[first + k] = weight * cube;
     }
   }
+  return doubts;
 }
 
 }  // namespace vex

@@ -7,35 +7,35 @@
 #include <span>
 
 #include "engine/numeric/instruction_set.h"
+#include "engine/query/radial_steps.h"
+#include "engine/sampling/integrand.h"
 #include "engine/sampling/radial_map.h"
 #include "engine/sampling/ray_columns.h"
 
 namespace vex {
 
 /// Of one pair and law; holds references. One instance serves one thread.
-class RadialEstimator {
+class RadialEstimator final : public Integrand {
  public:
   RadialEstimator(const ConvexBody& a, const ConvexBody& b, const OrientationLaw& law,
                   InstructionSet set = best_instruction_set());
 
-  int dimension() const { return map_.dimension(); }
+  int dimension() const override { return map_.dimension(); }
+  double scale() const override;
+  /// Of r three times.
+  double relative_rounding() const override { return 4.0 * kRadialRounding; }
 
-  /// values[k] from the point of the open unit cube with the coordinates points[c * values.size() + k]: in length^3,
-  /// with <V_ex> of the law as its mean over the cube, to kRadialRounding (2^-26), relative. The same bits for every
-  /// set but `scalar`, whose values differ by what PacketRays picks. What packets leave open is found by
-  /// `radial_function`.
+  /// With <V_ex> of the law as the mean over the cube. The same bits for every set but `scalar`, whose values differ by
+  /// what PacketRays picks. What packets leave open is found by `radial_function`; undecided are those whose bounds it
+  /// cannot close, where verdicts are undecided or coordinates too large beside the bodies.
   ///
   /// Not for an A - B that is thinner than 2^-24 of its length at most orientations, as that of a needle and a ball of
   /// 1e-8: double precision does not tell the frame in which it is round (RadialMap), and few rays have most of the
   /// volume.
-  void evaluate(std::span<const double> points, std::span<double> values);
+  Doubts evaluate(std::span<const double> points, std::span<double> values) override;
 
-  /// Rays so far that were.
+  /// Rays so far that packets left open.
   std::uint64_t n_one_by_one() const { return n_one_by_one_; }
-  /// Of those the sum of half of what the bounds of r leave open of the value: where verdicts are undecided, or
-  /// coordinates too large beside the bodies, more than kRadialRounding. No more than this over the number of all
-  /// values can their mean be off by it.
-  double half_width_sum() const { return half_width_sum_; }
 
  private:
   const ConvexBody& a_;
@@ -44,7 +44,6 @@ class RadialEstimator {
   MakeRays make_rays_;
   std::unique_ptr<PacketRays> packets_;
   std::uint64_t n_one_by_one_ = 0;
-  double half_width_sum_ = 0.0;
   RayColumns columns_;
   RadialAnswers answers_;
 };

@@ -1,0 +1,7 @@
+#include "engine/sampling/integrand.h"
+
+namespace vex {
+
+Integrand::~Integrand() = default;
+
+}  // namespace vex
