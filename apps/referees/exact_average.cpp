@@ -300,17 +300,19 @@ std::optional<Vec3d> semi_axes_of(const ConvexBody& body) {
 /// Mean and standard error of f over the unit cube, from as many randomisations as the settings ask for.
 template <class F>
 ExactAverage quasi_monte_carlo(int dimension, double cost_of_point, const ExactAverageSettings& settings, const F& f) {
-  const SobolPoints points(dimension, log2_n_points(cost_of_point, settings));
+  const SobolPoints points(dimension);
+  const std::uint64_t n_points = std::uint64_t{1} << log2_n_points(cost_of_point, settings);
   const auto is_interrupted = [&] { return settings.interrupt != nullptr && settings.interrupt->load() != 0; };
   std::vector<double> means, point(static_cast<std::size_t>(dimension));
   for (int k = 0; k < settings.n_randomisations; ++k) {
+    const SobolPoints::Scrambling keys = points.scrambling(settings.seed, static_cast<std::uint64_t>(k));
     DoubleDouble sum;
-    for (std::size_t i = 0; i < points.n_points() && !is_interrupted(); ++i) {
-      points.scrambled(settings.seed, static_cast<std::uint64_t>(k), i, point);
+    for (std::uint64_t i = 0; i < n_points && !is_interrupted(); ++i) {
+      points.scrambled(keys, i, point);
       sum += f(std::span<const double>(point));
     }
     if (is_interrupted()) break;
-    means.push_back(sum.value() / static_cast<double>(points.n_points()));
+    means.push_back(sum.value() / static_cast<double>(n_points));
   }
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (means.empty()) return {std::nan(""), kInfinity};
@@ -389,10 +391,11 @@ ExactAverage exact_average(const MeasuredBody& a, const MeasuredBody& b, const O
     const int n_rotations = static_cast<int>(std::min(affordable, static_cast<double>(kMostRotations)));
     if (n_rotations == 0) return;
     std::vector<Transformd> rotations;
-    const SobolPoints points(OrientationLaw::kMaxDimension, 4);
+    const SobolPoints points(OrientationLaw::kMaxDimension);
+    const SobolPoints::Scrambling keys = points.scrambling(settings.seed, kPilot);
     std::vector<double> point(OrientationLaw::kMaxDimension);
     for (int k = 0; k < n_rotations; ++k) {
-      points.scrambled(settings.seed, kPilot, static_cast<std::size_t>(k), point);
+      points.scrambled(keys, static_cast<std::uint64_t>(k), point);
       rotations.push_back(law.rotation<double>(point));
     }
     side.favour([&](const Vec3d& n) {

@@ -24,7 +24,7 @@ struct ExactAverage {
 struct ExactAverageSettings {
   std::uint64_t seed = 1;
   int n_randomisations = 32;  // from 2 up
-  /// A randomisation has at most 2 to this power of points, from 0 to SobolPoints::kMaxLog2Points; fewer where these
+  /// A randomisation has at most 2 to this power of points, from 0 to SobolPoints::kBits; fewer where these
   /// would cost more than `largest_cost`.
   int log2_n_points = 15;
   /// Of all randomisations together, in about nanoseconds on one core. It is counted from the numbers of vertices and

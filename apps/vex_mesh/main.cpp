@@ -90,7 +90,7 @@ void sample(MeshRun& run) {
   {
     ProgressBar bar(!options.quiet, options.stop);
     settings.on_progress = [&bar](const Progress& progress) { bar.show(progress); };
-    run.record = run_hit_or_miss(run.a.shape.body, run.b.shape.body, settings);
+    run.record = run_monte_carlo(run.a.shape.body, run.b.shape.body, settings);
   }
 }
 

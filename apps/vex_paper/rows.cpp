@@ -184,7 +184,7 @@ std::optional<Row> measure(const Case& what, const Sampling& sampling) {
   const ExactAverage exact = exact_value(pair, settings);
   row.exact = exact.excluded_volume;
   row.exact_error = exact.error;
-  row.record = run_hit_or_miss(pair.body_a(), pair.body_b(), settings);
+  row.record = run_monte_carlo(pair.body_a(), pair.body_b(), settings);
   if (row.record.tally.n_trials == 0) return std::nullopt;
   row.found = volume_estimate(row.record.tally, settings.domain);
   return row;
@@ -231,7 +231,7 @@ std::optional<ErratumRow> measure_erratum(const Case& what, const Sampling& samp
   ErratumRow row{what, exact_value(pair, settings).excluded_volume, {}, {}, {}};
   const auto run_with = [&](std::vector<BackendKind> tests) {
     settings.cross_check = std::move(tests);
-    const RunRecord record = run_hit_or_miss(pair.body_a(), pair.body_b(), settings);
+    const RunRecord record = run_monte_carlo(pair.body_a(), pair.body_b(), settings);
     for (std::size_t k = 0; k < settings.cross_check.size() && record.tally.n_trials > 0; ++k) {
       const VolumeEstimate deficit = excess_over_other(record.tally, record.comparisons[k], settings.domain);
       row.values.push_back({settings.cross_check[k].name, row.exact - deficit.excluded_volume, deficit.std_error,
@@ -291,7 +291,7 @@ std::vector<RefereeRow> measure_referees(const Case& what, const Sampling& sampl
   for (const BackendKind& kind : tests) {
     if (kind.takes(pair.body_a(), pair.body_b())) settings.cross_check.push_back(kind);
   }
-  const RunRecord record = run_hit_or_miss(pair.body_a(), pair.body_b(), settings);
+  const RunRecord record = run_monte_carlo(pair.body_a(), pair.body_b(), settings);
   std::vector<RefereeRow> rows;
   for (std::size_t k = 0; k < settings.cross_check.size(); ++k) {
     const Comparison& comparison = record.comparisons[k];

@@ -1,4 +1,4 @@
-// A sum of numbers between 0 and 1 that does not depend on the order in which they are added.
+// A sum that does not depend on the order in which its numbers are added.
 #pragma once
 
 #include <array>
@@ -10,45 +10,51 @@
 
 namespace vex {
 
-/// A whole number of units of 2^-448 in 512 bits. Each number is cut to that unit once, when it is added, and all else
-/// is exact: sums are the same for any number of threads. Numbers below 2^-396 lose digits, less than `kUnit` each.
-/// Room for 2^64 numbers.
+/// A whole number of units of 2^-448 in 512 bits, of either sign. Each number is cut to that unit once, towards zero,
+/// when it is added, and all else is exact: sums are the same for any number of threads. Numbers below 2^-396 lose
+/// digits, less than `kUnit` each. Room for sums below 2^63: of numbers up to 1, for 2^63 of them.
 class FixedPointSum {
  public:
   static constexpr double kUnit = 0x1p-448;
+  /// Of the size of a number.
+  static constexpr double kLargest = 0x1p48;
 
-  /// 0 <= x <= 1.
+  /// |x| <= kLargest
   void add(double x) {
-    VEX_EXPECT(x >= 0.0 && x <= 1.0);
-    // x = mantissa 2^(exponent - 1075), and a subnormal adds nothing
+    VEX_EXPECT(x >= -kLargest && x <= kLargest);
+    // |x| = mantissa 2^(exponent - 1075), and a subnormal adds nothing
     const std::uint64_t bits = bits_of(x);
-    const auto biased_exponent = static_cast<int>(bits >> 52 & 0x7ffu);  // without the sign that -0.0 has
-    const int shift = biased_exponent - 1075 + 448;                      // of the mantissa's last bit; 396 for x = 1
+    const auto biased_exponent = static_cast<int>(bits >> 52 & 0x7ffu);
+    const int shift = biased_exponent - 1075 + 448;  // of the mantissa's last bit; 396 for 1
     if (shift <= -53) return;
     const std::uint64_t mantissa = (bits & 0x000fffffffffffffu) | 0x0010000000000000u;
+    const bool is_negative = bits >> 63 != 0;
+    const auto add_or_take = [&](std::size_t k, std::uint64_t word) {
+      is_negative ? take_word(k, word) : add_word(k, word);
+    };
     if (shift <= 0) {
-      add_word(0, mantissa >> -shift);
+      add_or_take(0, mantissa >> -shift);
     } else {
       const auto word = static_cast<std::size_t>(shift / 64);
       const int offset = shift % 64;
-      add_word(word, mantissa << offset);
-      if (offset > 11) add_word(word + 1, mantissa >> (64 - offset));
+      add_or_take(word, mantissa << offset);
+      if (offset > 11) add_or_take(word + 1, mantissa >> (64 - offset));
     }
   }
 
   /// Each of them: as one after the other, in a fraction of the time.
   void add(std::span<const double> numbers) {
-    // Mantissas of numbers above 2^-64 add up in a window of 128 bits from bit kWindow on: 117 bits each at the most.
-    constexpr int kWindow = 448 + 1 - 64 - 53;
+    // Mantissas of numbers from 2^-64 to below 2 add up in a window of 128 bits from bit kWindow on: 117 bits each at
+    // the most.
+    constexpr int kWindow = 448 + 1 - 64 - 53, kHighest = 64;
     constexpr std::size_t kMost = 1024;
     while (!numbers.empty()) {
       const std::size_t n = numbers.size() < kMost ? numbers.size() : kMost;
       Word128 window = 0;
       for (const double x : numbers.first(n)) {
-        VEX_EXPECT(x >= 0.0 && x <= 1.0);
         const std::uint64_t bits = bits_of(x);
-        const int place = static_cast<int>(bits >> 52 & 0x7ffu) - 1075 + 448 - kWindow;
-        if (place < 0) [[unlikely]] {
+        const int place = static_cast<int>(bits >> 52) - 1075 + 448 - kWindow;  // with the sign: far above the window
+        if (place < 0 || place > kHighest) [[unlikely]] {
           add(x);
           continue;
         }
@@ -71,6 +77,11 @@ class FixedPointSum {
 
   /// Within 2 u, relative.
   double value() const {
+    if (words_.back() >> 63 != 0) {
+      FixedPointSum opposite;
+      for (std::size_t k = 0; k < words_.size(); ++k) opposite.take_word(k, words_[k]);
+      return -opposite.value();
+    }
     double sum = 0.0;
     for (const std::uint64_t word : words_) sum = static_cast<double>(word) + 0x1p-64 * sum;
     return sum;
@@ -88,7 +99,15 @@ class FixedPointSum {
     }
   }
 
-  std::array<std::uint64_t, 8> words_{};  // the least first
+  void take_word(std::size_t k, std::uint64_t word) {
+    const std::uint64_t before = words_[k];
+    words_[k] = before - word;
+    if (before >= word) return;  // nothing to borrow
+    while (++k < words_.size() && words_[k]-- == 0) {
+    }
+  }
+
+  std::array<std::uint64_t, 8> words_{};  // the least first; a negative sum as 2^512 less
 };
 
 }  // namespace vex

@@ -1,7 +1,9 @@
 #include "engine/sampling/estimate.h"
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <limits>
 
 #include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
@@ -74,7 +76,65 @@ VolumeEstimate fitted_estimate(const Tally& tally, double domain_volume) {
   return {domain_volume * mean, domain_volume * std_error, {domain_volume * lower, domain_volume * upper}};
 }
 
+double half_width_of_undecided(const Tally& tally) {
+  double sum = tally.by_class.half_widths.value();
+  for (const ClassSums& one : tally.by_class.classes) sum += 0.5 * one.undecided.first.value();
+  return tally.by_class.unit * (sum / static_cast<double>(tally.n_trials));
+}
+
+VolumeEstimate class_estimate(const Tally& tally) {
+  VEX_EXPECT(tally.n_trials > 0);
+  const ClassTally& by_class = tally.by_class;
+  const auto n_classes = static_cast<double>(by_class.classes.size());
+  const double n = static_cast<double>(tally.n_trials);
+  const auto sum_of = [](const ClassSums& one) { return one.values.first.value() + 0.5 * one.undecided.first.value(); };
+  double sum = 0.0, sum_of_means = 0.0, variance = 0.0;
+  int n_used = 0;
+  for (const ClassSums& one : by_class.classes) {
+    if (one.n == 0) continue;
+    const double of_class = static_cast<double>(one.n), first = sum_of(one);
+    ++n_used;
+    sum += first;
+    sum_of_means += first / of_class;
+    if (by_class.kind == ClassTally::Kind::scramblings) continue;
+    double error =
+        error_of_mean(first, one.values.second.value() + 0.25 * one.undecided.second.value(), of_class) / n_classes;
+    if (by_class.kind == ClassTally::Kind::strata && (first == 0.0 || first == of_class)) {
+      // Nothing but misses or hits: others may yet come.
+      error = one_sigma_half_width(first == 0.0 ? 0 : one.n, one.n) / n_classes;
+    }
+    variance += error * error;
+  }
+  const bool by_strata = by_class.kind == ClassTally::Kind::strata;
+  const double mean = by_strata ? sum_of_means / n_used : sum / n;
+  double quantile = kZ95;
+  if (by_class.kind == ClassTally::Kind::scramblings && n_used > 1) {
+    for (const ClassSums& one : by_class.classes) {
+      if (one.n == 0) continue;
+      const double off = sum_of(one) / static_cast<double>(one.n) - sum_of_means / n_used;
+      variance += off * off / (n_used * (n_used - 1.0));
+    }
+    quantile = boost::math::quantile(boost::math::students_t(n_used - 1.0), 0.975);
+  }
+  double sampling_error = std::sqrt(variance);
+  if ((by_strata && n_used < static_cast<int>(by_class.classes.size())) ||
+      (by_class.kind == ClassTally::Kind::scramblings && n_used < 2)) {
+    sampling_error = std::numeric_limits<double>::infinity();
+  }
+  if (by_class.are_hits && !by_strata && (tally.n_hits == 0 || tally.n_misses() == 0)) {
+    sampling_error =
+        std::hypot(sampling_error, one_sigma_half_width(tally.n_hits + tally.n_undecided / 2, tally.n_trials));
+  }
+  const double half_width = half_width_of_undecided(tally);
+  const double volume = by_class.offset + by_class.unit * mean;
+  const double rounding = std::max(by_class.relative_rounding, gamma(16)) * std::fabs(volume);
+  const double std_error = std::max(std::hypot(by_class.unit * sampling_error, half_width), rounding);
+  const double reach = std::max(by_class.unit * quantile * sampling_error + half_width, rounding);
+  return {volume, std_error, {std::max(0.0, volume - reach), volume + reach}};
+}
+
 VolumeEstimate volume_estimate(const Tally& tally, const Domain& domain) {
+  if (tally.by_class.kind != ClassTally::Kind::none) return class_estimate(tally);
   return domain.kind == Domain::Kind::fitted ? fitted_estimate(tally, domain.volume)
                                              : hit_or_miss_estimate(tally, domain.volume);
 }

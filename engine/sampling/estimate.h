@@ -36,7 +36,17 @@ VolumeEstimate hit_or_miss_estimate(const Tally& tally, double domain_volume);
 /// undecided trials, and hits or misses that have not come yet, add to it is as above. The interval is the normal one.
 VolumeEstimate fitted_estimate(const Tally& tally, double domain_volume);
 
-/// The one of the two that belongs to the domain.
+/// The excluded volume from values in classes. `std_error` from the sample variance of independent trials; of
+/// scramblings that of the classes' means, of strata the sum of the classes' own variances. The interval is Student's
+/// of as many degrees of freedom as there are scramblings less one, otherwise the normal one. What undecided values lie
+/// between, and hits or misses that have not come yet, add to it as above; rounding is what `std_error` is not below.
+/// Of fewer than two scramblings, or a stratum without a trial, the error is infinite.
+VolumeEstimate class_estimate(const Tally& tally);
+
+/// Of values in classes: half of what the undecided ones lie between, over the number of all; length^3.
+double half_width_of_undecided(const Tally& tally);
+
+/// The one of the three that belongs to the tally and the domain.
 VolumeEstimate volume_estimate(const Tally& tally, const Domain& domain);
 
 /// Mean volume of what positions were drawn from: of a ball or a box its own.

@@ -6,12 +6,14 @@
 #include <memory>
 #include <span>
 
+#include "engine/numeric/fixed_point_sum.h"
+
 namespace vex {
 
 /// What the values of some points may be off by, beyond rounding.
 struct Doubts {
   std::uint64_t n_undecided = 0;  // values whose bounds stayed apart
-  double half_width_sum = 0.0;    // of those, half of what lies between the bounds; length^3
+  FixedPointSum half_widths;      // of those, half of what lies between the bounds, in units of Integrand::scale()
 };
 
 /// One instance serves one thread.
@@ -22,8 +24,9 @@ class Integrand {
   /// Coordinates of a point, at least 1.
   virtual int dimension() const = 0;
 
-  /// A length^3 of the order of the mean: no value is larger than 2^64 times it, up or down.
+  /// A length^3 that few values exceed, and none more than kLargestValue times, up or down. Sums keep 2^-448 of it.
   virtual double scale() const = 0;
+  static constexpr double kLargestValue = 0x1p23;
 
   /// What a value is off by, relative to the mean, besides its doubts: a proven bound.
   virtual double relative_rounding() const = 0;

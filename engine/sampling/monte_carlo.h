@@ -10,9 +10,11 @@
 #include "engine/query/overlap_backend.h"
 #include "engine/sampling/domain.h"
 #include "engine/sampling/estimate.h"
+#include "engine/sampling/integrand.h"
 #include "engine/sampling/orientation_law.h"
 #include "engine/sampling/stop_rule.h"
 #include "engine/sampling/tally.h"
+#include "engine/sampling/trial_points.h"
 
 namespace vex {
 
@@ -27,11 +29,20 @@ struct MonteCarloSettings {
   std::uint64_t seed = 1;
   int n_threads = 1;
   OrientationLaw law;
-  Domain domain;  // its kind is the estimator: hit-or-miss-fitted where it is fitted, otherwise hit-or-miss
-  bool quick_verdicts = true;  // never before a peer
-  /// Of the kernels that draw poses; the backend has its own. Decides nothing but the time.
-  InstructionSet instruction_set = best_instruction_set();
+  /// What is averaged: one instance for each thread. Without it hits are counted, and the trials are poses.
+  MakeIntegrand integrand;
+  Sequence sequence = Sequence::random;
   StopRule stop;
+  /// Of the kernels that draw points and poses; the backend has its own. Decides nothing but the time.
+  InstructionSet instruction_set = best_instruction_set();
+
+  // All that follows is of hit or miss alone.
+  Domain domain;  // its kind is the estimator: hit-or-miss-fitted where it is fitted, otherwise hit-or-miss
+  /// Positions between the ball of the inradii, which counts as it is, and the domain, a ball (ball_domain): in
+  /// kClasses shells of equal volume, as many trials in each. With Sobol' points, which need no shells, between the
+  /// balls.
+  bool stratified = false;
+  bool quick_verdicts = true;  // never before a peer
   BackendKind backend = gjk_backend();
   /// Answer the same poses again, for comparison; they do not change the tally.
   std::vector<BackendKind> cross_check;
@@ -83,15 +94,19 @@ struct RunRecord {
   FirstOf<UnprovenTrial> unproven;
 };
 
-/// Draws trials 0, 1, 2, ... of (seed, Stream::pose) until the stop rule ends the run, and counts.
+/// Makes trials 0, 1, 2, ... until the stop rule ends the run, and counts, or averages.
 ///
-/// Hits, misses and undecided trials depend on the bodies, seed, law, domain, backend and number of trials only; never
-/// on threads or instruction sets. Which stage spoke (n_decided_by) may differ by trials within rounding of contact:
+/// Hits, misses, undecided trials and sums depend on the bodies, seed, law, estimator and its settings, sequence,
+/// backend and number of trials only; never on threads, nor on instruction sets but for what an integrand says of them.
+/// Which stage spoke (n_decided_by) may differ by trials within rounding of contact:
 /// the searches of the sets, and those before and after a polytope has its table of directions, leave different ones to
 /// the exact stages. Exceptions of a backend end the run and are thrown again here.
-RunRecord run_hit_or_miss(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings);
+RunRecord run_monte_carlo(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings);
 
-/// The pose of one trial, as the driver draws it: for replaying an undecided or disputed one.
+/// The ball within which B's centre always meets A: its share of the domain's volume, a little less than all of it.
+double inner_share(const ConvexBody& a, const ConvexBody& b, const Domain& domain);
+
+/// The pose of one trial of hit or miss, as the driver draws it: for replaying an undecided or disputed one.
 Transformd trial_pose(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings,
                       std::uint64_t index);
 

@@ -9,6 +9,7 @@
 #include "engine/sampling/domain.h"
 #include "engine/sampling/fitted_domain.h"
 #include "engine/sampling/orientation_law.h"
+#include "engine/sampling/pose_map.h"
 #include "engine/scene/quick_verdict.h"
 
 namespace vex {
@@ -36,6 +37,9 @@ struct PoseRecipe {
   Vec3d centre_b;
   const QuickVerdict* quick;             // or none
   const FittedRecipe* fitted = nullptr;  // where the domain is such
+  /// The points of the trials, coordinate by coordinate, each at PoseColumns::kStride from the one before; or none:
+  /// they are drawn from (seed, Stream::pose, index).
+  const double* points = nullptr;
 };
 
 /// Of up to kMostTrials trials those that the quick verdict leaves open, in their order, and how many it decided.
@@ -50,7 +54,7 @@ struct PoseColumns {
   double share[kStride] = {}, share_disjoint[kStride] = {}, share_overlap[kStride] = {};
 
   // The kernel's own: of the unit cube, and of angles.
-  alignas(64) double coordinates[8][kStride] = {};
+  alignas(64) double coordinates[kPoseDimension][kStride] = {};
   alignas(64) double sine[2][kStride] = {}, cosine[2][kStride] = {};
   // Of a fitted domain, for some trials at a time: normals in both frames, and heights (fitted_kernel.h).
   static constexpr std::size_t kFittedColumns = 42, kMostFitted = 64, kFittedStride = kMostFitted + 16;

@@ -2,9 +2,9 @@
 // same bits everywhere.
 #include "engine/numeric/packet.h"
 #include "engine/sampling/fitted_kernel.h"
+#include "engine/sampling/philox_packets.h"
 #include "engine/sampling/pose_columns.h"
 #include "engine/sampling/pose_map.h"
-#include "engine/sampling/random_stream.h"
 
 namespace vex {
 namespace VEX_ISA {
@@ -12,53 +12,6 @@ namespace {
 
 constexpr int W = kRegisterLanes;
 using L = Packet<W>;
-using Bits = PacketBits<kRegisterLanes>;
-
-constexpr std::uint64_t kLowWord = 0xffffffffu;
-
-// The keys of the ten rounds of Philox4x32-10, in every lane.
-struct Keys {
-  explicit Keys(std::uint64_t seed) {
-    auto key_0 = static_cast<std::uint32_t>(seed), key_1 = static_cast<std::uint32_t>(seed >> 32);
-    for (int round = 0; round < 10; ++round) {
-      of_0[round] = Bits(key_0);
-      of_1[round] = Bits(key_1);
-      key_0 += 0x9E3779B9u;
-      key_1 += 0xBB67AE85u;
-    }
-  }
-  Bits of_0[10], of_1[10];
-};
-
-// The four words of a block of Philox4x32-10, counter (index, block, stream), as random_stream.cpp has them from
-// Random123. A word is the lower half of its lane; what the upper one holds is never read.
-struct Words {
-  Bits w0, w1, w2, w3;
-};
-
-// Of several packets at once: a round is a chain of operations that a processor cannot shorten, only fill with others.
-constexpr std::size_t kAtOnce = 3;
-using ManyWords = std::array<Words, kAtOnce>;
-
-void philox(const Keys& keys, std::uint32_t block, const std::array<Bits, kAtOnce>& index, ManyWords& c) {
-  for (std::size_t j = 0; j < kAtOnce; ++j) {
-    c[j] = {index[j], index[j] >> 32, Bits(block), Bits(static_cast<std::uint32_t>(Stream::pose))};
-  }
-  for (int round = 0; round < 10; ++round) {
-    for (std::size_t j = 0; j < kAtOnce; ++j) {
-      const Bits product_0 = product_of_low_words(c[j].w0, Bits(0xD2511F53u));
-      const Bits product_1 = product_of_low_words(c[j].w2, Bits(0xCD9E8D57u));
-      c[j] = {(product_1 >> 32) ^ (c[j].w1 ^ keys.of_0[round]), product_1,
-              (product_0 >> 32) ^ (c[j].w3 ^ keys.of_1[round]), product_0};
-    }
-  }
-}
-
-// The upper 52 of 64 bits, and a half, times 2^-52: exact.
-Packet<kRegisterLanes> to_unit_interval(const Bits& low, const Bits& high) {
-  const Bits upper = ((high << 32) | (low & Bits(kLowWord))) >> 12;
-  return from_bits(upper | Bits(0x3ff0000000000000u)) - Packet<kRegisterLanes>(1.0 - 0x1p-53);
-}
 
 // Work on some hundred trials goes step by step, not trial by trial, and in a step several registers at a time: what is
 // one chain of operations, a series or a root, then stands beside others like it, and a processor sees no farther.
@@ -95,18 +48,24 @@ class Drawing {
   void draw_coordinates(int block, const std::uint64_t* rows) {
     double* const even = columns_.coordinates[2 * block];
     double* const odd = columns_.coordinates[2 * block + 1];
-    for (std::size_t k = 0; k < columns_.n_open; k += kAtOnce * kRegisterLanes) {
-      std::array<Bits, kAtOnce> index;
-      for (std::size_t j = 0; j < kAtOnce; ++j) {
+    const std::size_t n = columns_.n_open;
+    if (recipe_.points != nullptr) {
+      const double* const from = recipe_.points + static_cast<std::size_t>(2 * block) * PoseColumns::kStride;
+      for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t row = rows != nullptr ? rows[k] : k;
+        even[k] = from[row];
+        odd[k] = from[PoseColumns::kStride + row];
+      }
+      return;
+    }
+    for (std::size_t k = 0; k < n; k += kPhiloxAtOnce * kRegisterLanes) {
+      std::array<PacketBits<W>, kPhiloxAtOnce> index;
+      for (std::size_t j = 0; j < kPhiloxAtOnce; ++j) {
         const std::size_t at = k + j * kRegisterLanes;
-        index[j] = rows != nullptr ? Bits::load(rows + at) + Bits(first_) : Bits::numbers_from(first_ + at);
+        index[j] = rows != nullptr ? PacketBits<W>::load(rows + at) + PacketBits<W>(first_)
+                                   : PacketBits<W>::numbers_from(first_ + at);
       }
-      ManyWords words;
-      philox(keys_, static_cast<std::uint32_t>(block), index, words);
-      for (std::size_t j = 0; j < kAtOnce; ++j) {
-        to_unit_interval(words[j].w0, words[j].w1).store(even + k + j * kRegisterLanes);
-        to_unit_interval(words[j].w2, words[j].w3).store(odd + k + j * kRegisterLanes);
-      }
+      draw_two_coordinates(keys_, static_cast<std::uint32_t>(block), index, even + k, odd + k);
     }
   }
 
@@ -288,7 +247,7 @@ class Drawing {
   const PoseRecipe& recipe_;
   std::uint64_t first_;
   PoseColumns& columns_;
-  Keys keys_;
+  PhiloxKeys keys_;
 };
 
 }  // namespace

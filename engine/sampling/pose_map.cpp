@@ -1,21 +1,20 @@
 #include "engine/sampling/pose_map.h"
 
 #include <algorithm>
-
-#include "engine/sampling/random_stream.h"
+#include <utility>
 
 namespace vex {
 
-PoseSampler::PoseSampler(const ConvexBody& a, const ConvexBody& b, std::uint64_t seed, const OrientationLaw& law,
+PoseSampler::PoseSampler(const ConvexBody& a, const ConvexBody& b, TrialPoints points, const OrientationLaw& law,
                          const Domain& domain)
-    : seed_(seed), law_(law), domain_(domain), centre_b_(b.centre()) {
+    : points_(std::move(points)), law_(law), domain_(domain), centre_b_(b.centre()) {
   if (domain.kind == Domain::Kind::fitted) fitted_.emplace(a, b);
 }
 
 PosedTrial PoseSampler::operator()(std::uint64_t index) const {
   std::array<double, kPoseDimension> point;
   const auto n_used = static_cast<std::size_t>(3 + law_.dimension());
-  draw_unit_cube(seed_, Stream::pose, index, std::span(point).first(n_used));
+  points_.one(index, std::span(point).first(n_used));
   const Transformd rotation = law_.rotation(std::span<const double>(point).subspan(3));
   if (!fitted_) {
     const Vec3d position = position_in(domain_, point[0], point[1], point[2]);

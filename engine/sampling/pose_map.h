@@ -12,6 +12,7 @@
 #include "engine/sampling/domain.h"
 #include "engine/sampling/fitted_domain.h"
 #include "engine/sampling/orientation_law.h"
+#include "engine/sampling/trial_points.h"
 
 namespace vex {
 
@@ -72,18 +73,23 @@ struct PosedTrial {
   double domain_share = 1.0;  // volume of that set, in units of Domain::volume; at most 1, and 1 for a ball or a box
 };
 
-/// The trials of one pair of bodies under (seed, law, domain), each a function of its index. Holds references.
+/// The trials of one pair of bodies under (points, law, domain), each a function of its index. Holds references.
 class PoseSampler {
  public:
-  PoseSampler(const ConvexBody& a, const ConvexBody& b, std::uint64_t seed, const OrientationLaw& law,
+  /// Of points of 3 + law.dimension() coordinates.
+  PoseSampler(const ConvexBody& a, const ConvexBody& b, TrialPoints points, const OrientationLaw& law,
               const Domain& domain);
+  /// Random ones.
+  PoseSampler(const ConvexBody& a, const ConvexBody& b, std::uint64_t seed, const OrientationLaw& law,
+              const Domain& domain)
+      : PoseSampler(a, b, TrialPoints(seed, Sequence::random, 3 + law.dimension()), law, domain) {}
 
   PosedTrial operator()(std::uint64_t index) const;
   /// Null where the domain is none.
   const FittedDomain* fitted() const { return fitted_ ? &*fitted_ : nullptr; }
 
  private:
-  std::uint64_t seed_;
+  TrialPoints points_;
   const OrientationLaw& law_;
   const Domain& domain_;
   Vec3d centre_b_;

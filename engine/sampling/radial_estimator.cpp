@@ -18,7 +18,7 @@ RadialEstimator::RadialEstimator(const ConvexBody& a, const ConvexBody& b, const
 
 double RadialEstimator::scale() const {
   const double reach = a_.circumradius() + b_.circumradius();
-  return reach * reach * reach;
+  return 64.0 * (reach * reach * reach);
 }
 
 Doubts RadialEstimator::evaluate(std::span<const double> points, std::span<double> values) {
@@ -48,7 +48,7 @@ Doubts RadialEstimator::evaluate(std::span<const double> points, std::span<doubl
         cube = answers_.cube_of(k, columns_.rays[RayTable::kPick][k], 0.5 * (lower + upper));
         if (upper - lower > relative_rounding() * upper) {
           ++doubts.n_undecided;
-          doubts.half_width_sum += 0.5 * weight * (upper - lower);
+          doubts.half_widths.add(0.5 * weight * (upper - lower) / scale());
         }
       }
       values[first + k] = weight * cube;

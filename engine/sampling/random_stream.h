@@ -4,6 +4,7 @@
 // No state, so nothing depends on which thread, rank or lane draws, or in what order.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -14,7 +15,12 @@ inline constexpr int kStreamVersion = 1;
 
 enum class Stream : std::uint32_t {
   pose = 0,
+  scrambling = 1,  // of quasi-random points (sobol.h); index is that of the scrambling, block the coordinate
 };
+
+/// A block of 128 bits: a function of (seed, stream, index, block).
+using RandomWords = std::array<std::uint32_t, 4>;
+RandomWords random_words(std::uint64_t seed, Stream stream, std::uint64_t index, std::uint32_t block);
 
 /// Fills `coordinates` with the point of the open unit cube that belongs to (seed, stream, index).
 ///

@@ -3,56 +3,50 @@
 #include <boost/random/sobol.hpp>
 
 #include "engine/numeric/expect.h"
+#include "engine/sampling/random_stream.h"
 
 namespace vex {
-namespace {
 
-// The last step of SplitMix64 (D. Stafford's thirteenth mixer): a bijection that lets each bit depend on all.
-std::uint64_t mixed(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
-constexpr std::uint64_t kOddStep = 0x9e3779b97f4a7c15u;
-
-std::uint64_t chained(std::uint64_t key, std::uint64_t x) { return mixed(key + kOddStep * (x + 1)); }
-
-}  // namespace
-
-SobolPoints::SobolPoints(int dimension, int log2_n_points) : dimension_(dimension), log2_n_points_(log2_n_points) {
+SobolPoints::SobolPoints(int dimension) : dimension_(dimension) {
   VEX_EXPECT(dimension >= 1 && dimension <= kMaxDimension);
-  VEX_EXPECT(log2_n_points >= 0 && log2_n_points <= kMaxLog2Points);
-  constexpr unsigned kBits = 32;
   const auto n_coordinates = static_cast<std::size_t>(dimension);
-  leading_bits_.reserve(n_points() * n_coordinates);
-  leading_bits_.assign(n_coordinates, 0);  // the first point, which Boost leaves out
-  boost::random::sobol_engine<std::uint64_t, kBits> sequence(n_coordinates);
-  while (leading_bits_.size() < n_points() * n_coordinates) {
-    // In Gray code's order, another order of the same 2^m points; below their m leading bits there is nothing.
-    const std::uint64_t bits = sequence();
-    leading_bits_.push_back(static_cast<std::uint32_t>(bits >> (kBits - static_cast<unsigned>(log2_n_points))));
+  directions_.resize(n_coordinates * kBits);
+  low_.resize(n_coordinates * kLow);
+  for (std::size_t k = 0; k < kBits; ++k) {
+    // Boost goes in Gray code's order and leaves out the first point: its point 2^k - 1 is the exclusive or of the
+    // directions k and k - 1.
+    boost::random::sobol_engine<std::uint64_t, kBits> sequence(n_coordinates);
+    sequence.seed((std::uint64_t{1} << k) - 1);
+    for (std::size_t d = 0; d < n_coordinates; ++d) {
+      const std::uint32_t point = reversed(static_cast<std::uint32_t>(sequence()));
+      directions_[d * kBits + k] = k == 0 ? point : point ^ directions_[d * kBits + k - 1];
+    }
+  }
+  for (std::size_t d = 0; d < n_coordinates; ++d) {
+    for (std::size_t index = 1; index < kLow; ++index) {
+      std::size_t top = 0;
+      while (index >> (top + 1) != 0) ++top;
+      low_[d * kLow + index] = low_[d * kLow + (index ^ std::size_t{1} << top)] ^ directions_[d * kBits + top];
+    }
   }
 }
 
-void SobolPoints::scrambled(std::uint64_t seed, std::uint64_t replicate, std::size_t index,
-                            std::span<double> coordinates) const {
-  VEX_EXPECT(coordinates.size() == static_cast<std::size_t>(dimension_) && index < n_points());
-  const std::uint64_t replicate_key = chained(mixed(seed), replicate);
-  const std::uint32_t* const bits = &leading_bits_[index * coordinates.size()];
+SobolPoints::Scrambling SobolPoints::scrambling(std::uint64_t seed, std::uint64_t replicate) const {
+  Scrambling keys;
+  for (int d = 0; d < dimension_; ++d) {
+    const RandomWords words = random_words(seed, Stream::scrambling, replicate, static_cast<std::uint32_t>(d));
+    keys.push_back({words[0], words[1] | 1u, std::uint64_t{words[2]} << 20 | words[3] >> 12});
+  }
+  return keys;
+}
+
+void SobolPoints::scrambled(const Scrambling& keys, std::uint64_t index, std::span<double> coordinates) const {
+  VEX_EXPECT(coordinates.size() == keys.size() && keys.size() == static_cast<std::size_t>(dimension_));
+  VEX_EXPECT(index >> kBits == 0);
   for (std::size_t d = 0; d < coordinates.size(); ++d) {
-    const std::uint64_t key = chained(replicate_key, d);
-    // `node` is a one and then the bits so far: every node of the binary tree has its own number, the root has 1.
-    std::uint64_t node = 1;
-    std::uint64_t flips = 0;
-    for (int k = log2_n_points_ - 1; k >= 0; --k) {
-      flips = (flips << 1) | (chained(key, node) >> 63);
-      node = (node << 1) | ((bits[d] >> k) & 1u);
-    }
-    const int n_lower_bits = 52 - log2_n_points_;
-    const std::uint64_t upper = bits[d] ^ flips;
-    const std::uint64_t lower = chained(key, node) >> (64 - n_lower_bits);
-    coordinates[d] = (static_cast<double>((upper << n_lower_bits) | lower) + 0.5) * 0x1p-52;
+    const std::uint32_t bits = low_bits(d)[index % kLow] ^ high_bits(d, index / kLow);
+    const std::uint64_t upper = reversed(nested(bits, keys[d]));
+    coordinates[d] = (static_cast<double>((upper << 20) ^ keys[d].flips) + 0.5) * 0x1p-52;
   }
 }
 

@@ -1,12 +1,14 @@
 // When a run ends.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string_view>
 
 #include "engine/sampling/estimate.h"
 #include "engine/sampling/tally.h"
+#include "engine/sampling/trial_points.h"
 
 namespace vex {
 
@@ -42,9 +44,13 @@ constexpr std::string_view name_of(StopReason reason) {
 /// Hits and misses without which a relative error is not trusted: its own estimate would be too rough.
 inline constexpr std::uint64_t kMinHitsAndMisses = 100;
 
+/// Of scrambled points the counts are powers of two times the number of scramblings, where each is a net.
+inline constexpr std::uint64_t kFirstSobolEvaluation = kClasses * 64;
+
 /// The trial counts at which the relative error is looked at: a fixed sequence that grows by a sixteenth, so that the
 /// end of a run depends on nothing but its hits, and overshoots by at most 6 %.
-constexpr std::uint64_t next_evaluation(std::uint64_t n_trials) {
+constexpr std::uint64_t next_evaluation(std::uint64_t n_trials, Sequence sequence = Sequence::random) {
+  if (sequence == Sequence::sobol) return n_trials == 0 ? kFirstSobolEvaluation : 2 * n_trials;
   constexpr std::uint64_t kStep = 4096;
   const std::uint64_t growth = n_trials / (16 * kStep) * kStep;
   return n_trials + (growth > kStep ? growth : kStep);
@@ -57,6 +63,9 @@ inline constexpr std::uint64_t kFittedTrialsWithoutMisses = 1u << 20;
 /// Whether the relative error asked for is reached. `certain`: every trial hits by construction, so no miss is waited
 /// for.
 inline bool reaches(double relative_error, const Tally& tally, const Domain& domain, bool certain) {
+  if (tally.by_class.kind != ClassTally::Kind::none && !tally.by_class.are_hits) {
+    return volume_estimate(tally, domain).relative_error() <= relative_error;
+  }
   if (tally.n_hits < kMinHitsAndMisses) return false;
   const bool may_lack_misses =
       certain || (domain.kind == Domain::Kind::fitted && tally.n_trials >= kFittedTrialsWithoutMisses);
@@ -69,6 +78,13 @@ inline bool reaches(double relative_error, const Tally& tally, const Domain& dom
 inline bool is_out_of_reach(double relative_error, const Tally& tally, const Domain& domain) {
   constexpr double kSure = 6.0;
   if (tally.n_undecided == 0) return false;
+  if (tally.by_class.kind != ClassTally::Kind::none) {
+    // Of a mean which some thousand undecided values tell well enough.
+    const VolumeEstimate estimate = volume_estimate(tally, domain);
+    const double half_width = half_width_of_undecided(tally);
+    const double least = half_width * (1.0 - kSure / std::sqrt(static_cast<double>(tally.n_undecided)));
+    return least > relative_error * (estimate.excluded_volume + kSure * estimate.std_error);
+  }
   const std::uint64_t n_not_missed = tally.n_hits + tally.n_undecided;
   // Mean shares of the sampling volume, 1 where it is constant, turn fractions of trials into volumes.
   double of_undecided = 1.0, of_not_missed = 1.0;

@@ -6,13 +6,14 @@
 #include <bit>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "engine/numeric/fixed_point_sum.h"
 #include "engine/query/verdict.h"
 
 namespace vex {
 
-/// Of the sampling volumes of some of the trials, in units of Domain::volume.
+/// Of the sampling volumes of some of the trials, in units of Domain::volume; or of other values.
 struct ShareSums {
   FixedPointSum first;   // of the shares
   FixedPointSum second;  // of their squares
@@ -39,6 +40,50 @@ struct ShareSums {
   friend bool operator==(const ShareSums&, const ShareSums&) = default;
 };
 
+/// Of the values of one class of trials (trial_points.h), in units.
+struct ClassSums {
+  std::uint64_t n = 0;
+  ShareSums values;
+  ShareSums undecided;  // trials of hit or miss, not among the values: they count half
+
+  ClassSums& operator+=(const ClassSums& other) {
+    n += other.n;
+    values += other.values;
+    undecided += other.undecided;
+    return *this;
+  }
+  friend bool operator==(const ClassSums&, const ClassSums&) = default;
+};
+
+/// A run whose estimate is `offset` + `unit` times the mean of values.
+struct ClassTally {
+  enum class Kind : std::uint8_t {
+    none,         // nothing is counted here
+    one,          // independent trials
+    scramblings,  // each class has a scrambling of its own: the classes' means are independent, trials are not
+    strata,       // each class has its share of the values: trials are independent, the mean is that of the classes'
+  };
+
+  Kind kind = Kind::none;
+  bool are_hits = false;  // a value is a share of the domain, or nothing
+  double offset = 0.0;    // length^3
+  double unit = 0.0;      // length^3
+  double relative_rounding = 0.0;
+  std::vector<ClassSums> classes;
+  FixedPointSum half_widths;  // of what undecided values of an integrand lie between
+
+  ClassTally& operator+=(const ClassTally& other) {
+    if (kind == Kind::none) {
+      *this = other;
+    } else {
+      for (std::size_t k = 0; k < other.classes.size(); ++k) classes[k] += other.classes[k];
+      half_widths += other.half_widths;
+    }
+    return *this;
+  }
+  friend bool operator==(const ClassTally&, const ClassTally&) = default;
+};
+
 struct Tally {
   std::uint64_t n_trials = 0;
   std::uint64_t n_hits = 0;
@@ -47,6 +92,7 @@ struct Tally {
 
   /// With a fitted domain only; a constant one's follow from the counts.
   ShareSums all, hits, undecided;
+  ClassTally by_class;
 
   std::uint64_t n_misses() const { return n_trials - n_hits - n_undecided; }
 
@@ -99,6 +145,7 @@ struct Tally {
     all += other.all;
     hits += other.hits;
     undecided += other.undecided;
+    by_class += other.by_class;
     return *this;
   }
 

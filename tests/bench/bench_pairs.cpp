@@ -44,7 +44,7 @@ std::vector<Transformd> stored_poses(const ConvexBody& body, std::uint64_t seed,
 
 Contender trial_contender(std::string name, const ConvexBody& body, const MonteCarloSettings& settings) {
   return {std::move(name), static_cast<std::size_t>(settings.stop.trials.value()), [&body, settings] {
-            const RunRecord record = run_hit_or_miss(body, body, settings);
+            const RunRecord record = run_monte_carlo(body, body, settings);
             if (!record.complete) throw std::runtime_error("a run that is timed ended early");
           }};
 }

@@ -87,7 +87,7 @@ Row measure(const Kind& a, const Kind& b, std::uint64_t seed, double relative_er
     settings.domain = box_domain(a.shape.body, b.shape.body);
   }
   settings.stop.relative_error = relative_error;
-  const RunRecord record = run_hit_or_miss(a.shape.body, b.shape.body, settings);
+  const RunRecord record = run_monte_carlo(a.shape.body, b.shape.body, settings);
   row.found = hit_or_miss_estimate(record.tally, settings.domain.volume);
   row.n_trials = record.tally.n_trials;
   row.n_undecided = record.tally.n_undecided;
@@ -197,7 +197,7 @@ int print_cross_check(std::uint64_t n_trials, std::uint64_t most_poses, int n_th
         settings.cross_check.push_back(peers[k]);
         of_check.push_back(k);
       }
-      const RunRecord record = run_hit_or_miss(a, b, settings);
+      const RunRecord record = run_monte_carlo(a, b, settings);
       ++n_pairs;
       n_poses += record.tally.n_trials;
       n_undecided += record.tally.n_undecided;

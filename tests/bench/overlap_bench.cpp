@@ -97,7 +97,7 @@ void time_trial(benchmark::State& state, const ConvexBody& body, const Domain& d
   settings.backend = kind;
   settings.stop.trials = kPoses;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(run_hit_or_miss(body, body, settings));
+    benchmark::DoNotOptimize(run_monte_carlo(body, body, settings));
     ++settings.seed;
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kPoses));

@@ -64,7 +64,7 @@ PairResult run_pair(const BenchPair& pair, const BenchSettings& settings, const 
                     const std::vector<BackendKind>& engine_kinds, const std::vector<PeerEntry>& peers) {
   const std::vector<Transformd> poses = stored_poses(pair.body, settings.seed, n_poses_of(pair, settings));
   PairResult result{pair, poses.size(), 0, {}, {}, {}, {}};
-  result.tally = run_hit_or_miss(pair.body, pair.body, trial_settings(pair.body, settings.seed, poses.size())).tally;
+  result.tally = run_monte_carlo(pair.body, pair.body, trial_settings(pair.body, settings.seed, poses.size())).tally;
   std::vector<Contender> contenders = trials;
   std::deque<StoredQuery> queries;  // stay where they are
   for (const BackendKind& kind : engine_kinds) {

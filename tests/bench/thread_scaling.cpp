@@ -22,9 +22,9 @@ void require(bool works) {
 double run_ns(const ConvexBody& body, const MonteCarloSettings& settings) {
   MonteCarloSettings warm_up = settings;
   warm_up.stop.trials = std::min<std::uint64_t>(*settings.stop.trials, 1 << 16);
-  run_hit_or_miss(body, body, warm_up);
+  run_monte_carlo(body, body, warm_up);
   const double start = wall_ns();
-  run_hit_or_miss(body, body, settings);
+  run_monte_carlo(body, body, settings);
   return wall_ns() - start;
 }
 
@@ -34,11 +34,11 @@ double run_ns(const ConvexBody& body, const MonteCarloSettings& settings) {
   try {
     MonteCarloSettings warm_up = settings;
     warm_up.stop.trials = std::min<std::uint64_t>(*settings.stop.trials, 1 << 16);
-    run_hit_or_miss(body, body, warm_up);
+    run_monte_carlo(body, body, warm_up);
     char byte = 0;
     if (write(done, &byte, 1) == 1 && read(go, &byte, 1) == 1) {
       const double start = wall_ns();
-      run_hit_or_miss(body, body, settings);
+      run_monte_carlo(body, body, settings);
       const double taken = wall_ns() - start;
       if (write(done, &taken, sizeof(taken)) == static_cast<ssize_t>(sizeof(taken))) exit_code = 0;
     }

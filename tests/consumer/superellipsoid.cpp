@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
   settings.n_threads = 2;
   settings.domain = vex::best_domain(body, body);
   settings.stop.trials = 400000;  // not an error alone: of equal balls, p = 2, every trial hits
-  const vex::RunRecord run = vex::run_hit_or_miss(body, body, settings);
+  const vex::RunRecord run = vex::run_monte_carlo(body, body, settings);
   const vex::VolumeEstimate estimate = vex::hit_or_miss_estimate(run.tally, settings.domain.volume);
   std::printf("%.9g %.3g %llu\n", estimate.excluded_volume, estimate.std_error,
               static_cast<unsigned long long>(run.tally.n_undecided));

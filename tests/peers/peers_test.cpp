@@ -22,7 +22,7 @@ TEST_P(PeersOnPairs, AgreeOnNearlyEveryRandomPose) {
   for (BackendKind& kind : peer_backends()) {
     if (kind.takes(a, b)) settings.cross_check.push_back(std::move(kind));
   }
-  const RunRecord record = run_hit_or_miss(a, b, settings);
+  const RunRecord record = run_monte_carlo(a, b, settings);
   EXPECT_EQ(record.tally.n_undecided, 0u);
   EXPECT_GT(record.tally.n_hits, 100u);
   // Their known error rates are below 2.5e-5 (curved bodies); a fault of ours or in the adapter would show on far more

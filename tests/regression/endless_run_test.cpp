@@ -15,7 +15,7 @@ namespace {
 RunRecord run_to_a_thousandth(const MeasuredBody& a, const MeasuredBody& b, MonteCarloSettings settings) {
   settings.stop.relative_error = 1e-3;
   settings.stop.max_trials = 100'000'000;  // so that a failure ends too
-  return run_hit_or_miss(a.body, b.body, settings);
+  return run_monte_carlo(a.body, b.body, settings);
 }
 
 const Domain kUnit{Domain::Kind::box, {}, 0.0, {}, 1.0};

@@ -68,7 +68,7 @@ void print_hits(SameHitsBody kind_a, SameHitsBody kind_b, std::uint64_t n_trials
     settings.n_threads = static_cast<int>(n_threads);
     settings.instruction_set = set;
     settings.backend = gjk_backend(set);
-    const Tally tally = run_hit_or_miss(a, b, settings).tally;
+    const Tally tally = run_monte_carlo(a, b, settings).tally;
     if (tally.n_hits == all.outcomes[1] && tally.n_undecided == all.outcomes[2]) continue;
     std::printf("pair %d %d: %s hits by the driver with %s\n", static_cast<int>(kind_a), static_cast<int>(kind_b),
                 std::to_string(tally.n_hits).c_str(), std::string(name_of(set)).c_str());
@@ -88,11 +88,11 @@ void print_fitted_hits(SameHitsBody kind_a, SameHitsBody kind_b, std::uint64_t n
   settings.stop.trials = n_trials;
   settings.n_threads = static_cast<int>(n_threads);
   settings.instruction_set = InstructionSet::scalar;
-  const Tally one_by_one = run_hit_or_miss(a, b, settings).tally;
+  const Tally one_by_one = run_monte_carlo(a, b, settings).tally;
   for (const InstructionSet set : instruction_sets()) {
     settings.instruction_set = set;
     settings.backend = gjk_backend(set);
-    const Tally tally = run_hit_or_miss(a, b, settings).tally;
+    const Tally tally = run_monte_carlo(a, b, settings).tally;
     if (tally.n_hits == one_by_one.n_hits && tally.all == one_by_one.all && tally.hits == one_by_one.hits) continue;
     std::printf("pair %d %d: other fitted trials with %s\n", static_cast<int>(kind_a), static_cast<int>(kind_b),
                 std::string(name_of(set)).c_str());

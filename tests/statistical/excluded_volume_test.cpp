@@ -17,7 +17,7 @@ namespace {
 
 VolumeEstimate estimate(const ConvexBody& a, const ConvexBody& b, MonteCarloSettings settings) {
   settings.n_threads = 2;
-  const RunRecord record = run_hit_or_miss(a, b, settings);
+  const RunRecord record = run_monte_carlo(a, b, settings);
   EXPECT_TRUE(record.complete);
   EXPECT_EQ(record.tally.n_undecided, 0u);
   return hit_or_miss_estimate(record.tally, settings.domain.volume);

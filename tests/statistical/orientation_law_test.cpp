@@ -30,7 +30,7 @@ Found run(const ConvexBody& a, const ConvexBody& b, const OrientationLaw& law, c
   settings.law = law;
   settings.domain = domain;
   settings.stop.trials = trials;
-  const RunRecord record = run_hit_or_miss(a, b, settings);
+  const RunRecord record = run_monte_carlo(a, b, settings);
   EXPECT_LE(record.tally.n_undecided, most_undecided);
   return {volume_estimate(record.tally, domain), record.tally};
 }
@@ -200,7 +200,7 @@ TEST(FittedCoverage, OverManySeedsTheIntervalsHoldTheTruth) {
   double sum = 0.0, sum_sq = 0.0;
   for (int k = 0; k < runs; ++k) {
     settings.seed = 5000 + static_cast<std::uint64_t>(k);
-    const RunRecord record = run_hit_or_miss(plate.body, plate.body, settings);
+    const RunRecord record = run_monte_carlo(plate.body, plate.body, settings);
     const VolumeEstimate found = volume_estimate(record.tally, settings.domain);
     const double z = (found.excluded_volume - truth) / found.std_error;
     held += found.ci95.lower <= truth && truth <= found.ci95.upper ? 1 : 0;

@@ -23,7 +23,7 @@ VolumeEstimate two_unit_cubes(const BackendKind& backend) {  // in a domain that
   settings.stop.trials = 1000000;
   settings.n_threads = 2;
   settings.backend = backend;
-  const RunRecord record = run_hit_or_miss(cube, cube, settings);
+  const RunRecord record = run_monte_carlo(cube, cube, settings);
   EXPECT_EQ(record.tally.n_undecided, 0u);
   return hit_or_miss_estimate(record.tally, settings.domain.volume);
 }
@@ -75,7 +75,7 @@ TEST(OneSidedTest, MissesAnEighthOfThinPlates) {
   settings.stop.trials = 2000000;
   settings.n_threads = 2;
   settings.cross_check = {one_sided_backend()};
-  const RunRecord record = run_hit_or_miss(plate, plate, settings);
+  const RunRecord record = run_monte_carlo(plate, plate, settings);
   const VolumeEstimate deficit = excess_over_other(record.tally, record.comparisons[0], settings.domain);
   const Measures measures = parse_shape("box:1e-6,1,1").measures;
   const double exact = average_excluded_volume(measures, measures);
@@ -95,7 +95,7 @@ TEST(OneSidedTest, MissesNothingOfCubesTurnedAboutAnEdge) {
     settings.stop.trials = 200000;
     settings.n_threads = 2;
     settings.cross_check = {one_sided_backend()};
-    const Comparison found = run_hit_or_miss(cube, cube, settings).comparisons[0];
+    const Comparison found = run_monte_carlo(cube, cube, settings).comparisons[0];
     EXPECT_EQ(found.n_compared, 200000u);
     EXPECT_EQ(found.n_only_other, 0u) << "it never invents an overlap";
     if (law == OrientationLaw::fixed(3.0, 1.0, 1.0, 1.0)) {

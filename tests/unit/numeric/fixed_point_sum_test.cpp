@@ -134,14 +134,33 @@ TEST(FixedPointSum, CarriesThroughEveryWord) {
 TEST(FixedPointSum, HasRoomForMoreNumbersThanARunHas) {
   FixedPointSum sum = sum_of({1.0});
   FixedPointSum with_a_trifle = sum_of({1.0, FixedPointSum::kUnit});
-  for (int k = 0; k < 63; ++k) {
+  for (int k = 0; k < 62; ++k) {
     sum += FixedPointSum(sum);
     with_a_trifle += FixedPointSum(with_a_trifle);
   }
-  EXPECT_EQ(sum.value(), 0x1p63);
+  EXPECT_EQ(sum.value(), 0x1p62);
   FixedPointSum same = sum;
-  same.add(0x1p-385);  // 2^63 units
+  same.add(0x1p-386);  // 2^62 units
   EXPECT_EQ(with_a_trifle, same) << "nothing is lost beside a large sum";
+}
+
+TEST(FixedPointSum, TakesNegativeNumbersToo) {
+  std::vector<double> numbers = numbers_down_to(-460, 3000, 5);
+  for (std::size_t k = 0; k < numbers.size(); k += 2) numbers[k] = -std::ldexp(numbers[k], static_cast<int>(k % 40));
+  const FixedPointSum sum = sum_of(numbers);
+  EXPECT_LT(sum.value(), 0.0);
+  EXPECT_LE(error_in_u(sum, exact_sum(numbers)), 2.001);
+  FixedPointSum at_once;
+  at_once.add(numbers);
+  EXPECT_EQ(at_once, sum);
+  std::reverse(numbers.begin(), numbers.end());
+  EXPECT_EQ(sum_of(numbers), sum);
+  for (double& x : numbers) x = -x;
+  FixedPointSum nothing = sum;
+  nothing += sum_of(numbers);
+  EXPECT_EQ(nothing, FixedPointSum());
+  EXPECT_EQ(sum_of({FixedPointSum::kLargest, -1.0}).value(), FixedPointSum::kLargest - 1.0);
+  EXPECT_EQ(sum_of({-FixedPointSum::kUnit}).value(), -FixedPointSum::kUnit);
 }
 
 TEST(FixedPointSum, OfManyOnesIsTheirNumber) {

@@ -45,15 +45,15 @@ BackendKind scripted(std::string name, Scripted::Answer answer) {
 TEST(MonteCarlo, SameSeedSameTallyForAnyNumberOfThreads) {
   const ConvexBody a = Box(1, 2, 3), b = Ellipsoid(1, 1, 2);
   MonteCarloSettings settings = settings_for(a, b, 100003);
-  const RunRecord one = run_hit_or_miss(a, b, settings);
+  const RunRecord one = run_monte_carlo(a, b, settings);
   EXPECT_EQ(one.tally.n_trials, 100003u);
   EXPECT_TRUE(one.complete);
   for (const int n : {2, 3, 7}) {
     settings.n_threads = n;
-    EXPECT_EQ(run_hit_or_miss(a, b, settings).tally, one.tally) << n << " threads";
+    EXPECT_EQ(run_monte_carlo(a, b, settings).tally, one.tally) << n << " threads";
   }
   settings.seed = 2;
-  EXPECT_NE(run_hit_or_miss(a, b, settings).tally.n_hits, one.tally.n_hits);
+  EXPECT_NE(run_monte_carlo(a, b, settings).tally.n_hits, one.tally.n_hits);
 }
 
 TEST(MonteCarlo, StopsByRelativeErrorAtTheSameTrialForAnyNumberOfThreads) {
@@ -61,11 +61,11 @@ TEST(MonteCarlo, StopsByRelativeErrorAtTheSameTrialForAnyNumberOfThreads) {
   MonteCarloSettings settings = settings_for(a, a, 1);
   settings.stop.trials.reset();
   settings.stop.relative_error = 0.01;
-  const RunRecord one = run_hit_or_miss(a, a, settings);
+  const RunRecord one = run_monte_carlo(a, a, settings);
   EXPECT_EQ(one.stopped_by, StopReason::relative_error);
   EXPECT_LE(hit_or_miss_estimate(one.tally, 1.0).relative_error(), 0.01);
   settings.n_threads = 4;
-  EXPECT_EQ(run_hit_or_miss(a, a, settings).tally, one.tally);
+  EXPECT_EQ(run_monte_carlo(a, a, settings).tally, one.tally);
 }
 
 TEST(MonteCarlo, TalliesAreTheTrialsOnePerOne) {
@@ -87,15 +87,15 @@ TEST(MonteCarlo, TalliesAreTheTrialsOnePerOne) {
     }
     expected.add(verdict);
   }
-  EXPECT_EQ(run_hit_or_miss(a, b, settings).tally, expected);
+  EXPECT_EQ(run_monte_carlo(a, b, settings).tally, expected);
 }
 
 TEST(MonteCarlo, QuickVerdictsChangeWhoDecidesNotWhatIsDecided) {
   const ConvexBody a = Box(1, 2, 3), b = Ellipsoid(1, 1, 2);
   MonteCarloSettings settings = settings_for(a, b, 50000);
-  const Tally quick = run_hit_or_miss(a, b, settings).tally;
+  const Tally quick = run_monte_carlo(a, b, settings).tally;
   settings.quick_verdicts = false;
-  const Tally slow = run_hit_or_miss(a, b, settings).tally;
+  const Tally slow = run_monte_carlo(a, b, settings).tally;
   EXPECT_EQ(quick.n_hits, slow.n_hits);
   EXPECT_GT(quick.n_decided_by[static_cast<std::size_t>(DecidedBy::outer_bound)], 1000u);
   EXPECT_GT(quick.n_decided_by[static_cast<std::size_t>(DecidedBy::inner_bound)], 1000u);
@@ -112,7 +112,7 @@ TEST(MonteCarlo, WhereEveryTrialHitsItEndsAndClaimsAnError) {
   settings.stop.trials.reset();
   settings.stop.relative_error = 1e-3;
   ASSERT_TRUE(hits_by_construction(a, b, settings.law, settings.domain));
-  const RunRecord record = run_hit_or_miss(a, b, settings);
+  const RunRecord record = run_monte_carlo(a, b, settings);
   EXPECT_EQ(record.stopped_by, StopReason::relative_error);
   EXPECT_EQ(record.tally.n_hits, record.tally.n_trials);
   EXPECT_GT(hit_or_miss_estimate(record.tally, settings.domain.volume).std_error, 0.0);
@@ -127,7 +127,7 @@ TEST(MonteCarlo, WhereNoTrialHitsItEndsAtTheLimitIncomplete) {
   settings.stop.relative_error = 1e-3;
   settings.stop.max_trials = 20000;
   settings.backend = scripted("never", [](const Transformd&) { return Verdict::disjoint(DecidedBy::peer); });
-  const RunRecord record = run_hit_or_miss(a, a, settings);
+  const RunRecord record = run_monte_carlo(a, a, settings);
   EXPECT_EQ(record.stopped_by, StopReason::max_trials);
   EXPECT_FALSE(record.complete);
   EXPECT_EQ(record.tally.n_trials, 20000u);
@@ -138,7 +138,7 @@ TEST(MonteCarlo, AsksAPeerAboutEveryPose) {
   const ConvexBody a = Sphere(1.0);
   MonteCarloSettings settings = settings_for(a, a, 5000);
   settings.backend = scripted("peer", [](const Transformd&) { return Verdict::overlap(DecidedBy::peer); });
-  const Tally tally = run_hit_or_miss(a, a, settings).tally;
+  const Tally tally = run_monte_carlo(a, a, settings).tally;
   EXPECT_EQ(tally.n_decided_by[static_cast<std::size_t>(DecidedBy::peer)], 5000u);
 }
 
@@ -150,7 +150,7 @@ TEST(MonteCarlo, CountsAndListsUndecidedTrialsAndNeverCallsThemHitsOrMisses) {
     return pose.translation.x > 0.0 ? Verdict::undecided(DecidedBy::peer, UndecidedReason::iteration_cap)
                                     : Verdict::disjoint(DecidedBy::peer);
   });
-  const RunRecord record = run_hit_or_miss(a, a, settings);
+  const RunRecord record = run_monte_carlo(a, a, settings);
   EXPECT_NEAR(static_cast<double>(record.tally.n_undecided), 3000.0, 200.0);
   EXPECT_EQ(record.tally.n_hits, 0u);
   EXPECT_EQ(record.undecided.n_all, record.tally.n_undecided);
@@ -168,7 +168,7 @@ TEST(MonteCarlo, ProvesEveryVerdictAgainAndFindsTheWrongOnes) {
   MonteCarloSettings settings = settings_for(a, b, 3000);
   settings.n_threads = 2;
   settings.verify = true;
-  const RunRecord right = run_hit_or_miss(a, b, settings);
+  const RunRecord right = run_monte_carlo(a, b, settings);
   EXPECT_EQ(right.n_proven_again, 3000u);
   EXPECT_EQ(right.unproven.n_all, 0u);
 
@@ -179,7 +179,7 @@ TEST(MonteCarlo, ProvesEveryVerdictAgainAndFindsTheWrongOnes) {
     const bool meets = (overlap(a, b, pose).outcome == Outcome::overlap) != (pose.translation.x > 0.9);
     return meets ? Verdict::overlap(DecidedBy::peer) : Verdict::disjoint(DecidedBy::peer);
   });
-  const RunRecord wrong = run_hit_or_miss(a, b, settings);
+  const RunRecord wrong = run_monte_carlo(a, b, settings);
   EXPECT_GT(wrong.unproven.n_all, 50u);
   EXPECT_GT(wrong.tally.n_undecided, 50u);
   EXPECT_EQ(wrong.n_proven_again + wrong.unproven.n_all + wrong.tally.n_undecided, 3000u);
@@ -202,7 +202,7 @@ TEST(MonteCarlo, ListsTrialsInTheirOrderWhateverThreadIsLast) {
   settings.cross_check.push_back(scripted("sure", [](const Transformd&) { return Verdict::overlap(DecidedBy::peer); }));
   settings.cross_check.push_back(
       scripted("contrary", [](const Transformd&) { return Verdict::disjoint(DecidedBy::peer); }));
-  const RunRecord record = run_hit_or_miss(a, a, settings);
+  const RunRecord record = run_monte_carlo(a, a, settings);
   ASSERT_EQ(record.undecided.kept.size(), FirstOf<UndecidedTrial>::kKept);
   ASSERT_EQ(record.disagreements.kept.size(), FirstOf<Disagreement>::kKept);
   EXPECT_EQ(record.disagreements.n_all, 5000u);
@@ -223,7 +223,7 @@ TEST(MonteCarlo, CrossCheckFindsALiar) {
     gjk_backend().make(a, a)->decide({&pose, 1}, {&verdict, 1});
     return verdict;
   }));
-  const RunRecord record = run_hit_or_miss(a, a, settings);
+  const RunRecord record = run_monte_carlo(a, a, settings);
   EXPECT_GT(record.disagreements.n_all, 100u);
   for (const Disagreement& found : record.disagreements.kept) {
     ASSERT_EQ(found.outcomes.size(), 2u);
@@ -233,7 +233,7 @@ TEST(MonteCarlo, CrossCheckFindsALiar) {
         << "the pose can be replayed";
   }
   settings.cross_check.clear();
-  EXPECT_EQ(run_hit_or_miss(a, a, settings).tally, record.tally) << "a check changes nothing";
+  EXPECT_EQ(run_monte_carlo(a, a, settings).tally, record.tally) << "a check changes nothing";
 }
 
 TEST(MonteCarlo, EndsAtTheTimeLimit) {
@@ -242,14 +242,14 @@ TEST(MonteCarlo, EndsAtTheTimeLimit) {
   settings.stop.trials.reset();
   settings.stop.seconds = 0.2;
   settings.n_threads = 2;
-  const RunRecord record = run_hit_or_miss(a, a, settings);
+  const RunRecord record = run_monte_carlo(a, a, settings);
   EXPECT_EQ(record.stopped_by, StopReason::seconds);
   EXPECT_TRUE(record.complete);
   EXPECT_GE(record.seconds, 0.2);
   EXPECT_GT(record.tally.n_trials, 0u);
   // Whatever ended it, the trials done are the first ones: the same count gives the same hits.
   MonteCarloSettings again = settings_for(a, a, record.tally.n_trials);
-  EXPECT_EQ(run_hit_or_miss(a, a, again).tally, record.tally);
+  EXPECT_EQ(run_monte_carlo(a, a, again).tally, record.tally);
 }
 
 TEST(MonteCarlo, EndsWhenInterruptedAndKeepsWhatWasDone) {
@@ -265,12 +265,12 @@ TEST(MonteCarlo, EndsWhenInterruptedAndKeepsWhatWasDone) {
     last = progress.tally.n_trials;
     if (++n_reports == 3) interrupt = 2;
   };
-  const RunRecord record = run_hit_or_miss(a, a, settings);
+  const RunRecord record = run_monte_carlo(a, a, settings);
   EXPECT_EQ(record.stopped_by, StopReason::interrupted);
   EXPECT_FALSE(record.complete);
   EXPECT_GT(record.tally.n_trials, 0u);
   MonteCarloSettings again = settings_for(a, a, record.tally.n_trials);
-  EXPECT_EQ(run_hit_or_miss(a, a, again).tally, record.tally);
+  EXPECT_EQ(run_monte_carlo(a, a, again).tally, record.tally);
 }
 
 TEST(MonteCarlo, PassesOnWhatABackendThrows) {
@@ -279,7 +279,7 @@ TEST(MonteCarlo, PassesOnWhatABackendThrows) {
   settings.n_threads = 3;
   settings.backend =
       scripted("broken", [](const Transformd&) -> Verdict { throw std::runtime_error("broken backend"); });
-  EXPECT_THROW(run_hit_or_miss(a, a, settings), std::runtime_error);
+  EXPECT_THROW(run_monte_carlo(a, a, settings), std::runtime_error);
 }
 
 TEST(MonteCarlo, PassesOnWhatTheProgressCallThrows) {
@@ -288,7 +288,7 @@ TEST(MonteCarlo, PassesOnWhatTheProgressCallThrows) {
   MonteCarloSettings settings = settings_for(a, a, 1ull << 40);
   settings.n_threads = 2;
   settings.on_progress = [](const Progress&) { throw std::runtime_error("no more"); };
-  EXPECT_THROW(run_hit_or_miss(a, a, settings), std::runtime_error);
+  EXPECT_THROW(run_monte_carlo(a, a, settings), std::runtime_error);
 }
 
 MonteCarloSettings fitted_settings_for(const ConvexBody& a, const ConvexBody& b, std::uint64_t trials) {
@@ -306,7 +306,7 @@ TEST(MonteCarloFitted, SameTallyWithItsSumsForAnyNumberOfThreadsAndInstructionSe
       MonteCarloSettings settings = fitted_settings_for(*first, *second, 30011);
       settings.law = law;
       settings.instruction_set = InstructionSet::scalar;
-      const RunRecord one = run_hit_or_miss(*first, *second, settings);
+      const RunRecord one = run_monte_carlo(*first, *second, settings);
       EXPECT_EQ(one.tally.n_trials, 30011u);
       EXPECT_GT(one.tally.n_hits, 1000u) << law.name();
       EXPECT_GT(one.tally.all.first.value(), one.tally.hits.first.value());
@@ -314,7 +314,7 @@ TEST(MonteCarloFitted, SameTallyWithItsSumsForAnyNumberOfThreadsAndInstructionSe
         settings.instruction_set = set;
         for (const int n : {1, 2, 3, 7}) {
           settings.n_threads = n;
-          EXPECT_EQ(run_hit_or_miss(*first, *second, settings).tally, one.tally)
+          EXPECT_EQ(run_monte_carlo(*first, *second, settings).tally, one.tally)
               << name_of(set) << ", " << n << " threads, " << law.name();
         }
       }
@@ -331,12 +331,12 @@ TEST(MonteCarloFitted, SumsSharesOfUndecidedTrials) {
     return pose.translation.y > 0.0 ? Verdict::overlap(DecidedBy::peer) : Verdict::disjoint(DecidedBy::peer);
   });
   settings.instruction_set = InstructionSet::scalar;
-  const RunRecord one = run_hit_or_miss(a, a, settings);
+  const RunRecord one = run_monte_carlo(a, a, settings);
   EXPECT_GT(one.tally.n_undecided, 500u);
   EXPECT_GT(one.tally.undecided.first.value(), 0.0);
   for (const InstructionSet set : instruction_sets()) {
     settings.instruction_set = set;
-    const RunRecord record = run_hit_or_miss(a, a, settings);
+    const RunRecord record = run_monte_carlo(a, a, settings);
     EXPECT_EQ(record.tally, one.tally) << name_of(set);
     EXPECT_EQ(record.undecided.n_all, one.undecided.n_all);
     ASSERT_EQ(record.undecided.kept.size(), one.undecided.kept.size());
@@ -370,7 +370,7 @@ TEST(MonteCarloFitted, TalliesAreTheTrialsOneByOne) {
                                      u(in_box.z, boxed.domain.half_extent.z));
     ASSERT_LE(norm(again - pose.translation), 1e-13);
   }
-  EXPECT_EQ(run_hit_or_miss(a, b, settings).tally, expected);
+  EXPECT_EQ(run_monte_carlo(a, b, settings).tally, expected);
 }
 
 TEST(MonteCarloFitted, AlignedBoxesHitByConstructionAndOthersDoNot) {
@@ -391,7 +391,7 @@ TEST(MonteCarloFitted, AlignedBoxesHitByConstructionAndOthersDoNot) {
   settings.law = OrientationLaw::aligned();
   settings.stop.trials.reset();
   settings.stop.relative_error = 1e-3;
-  const RunRecord record = run_hit_or_miss(box, box, settings);
+  const RunRecord record = run_monte_carlo(box, box, settings);
   EXPECT_EQ(record.stopped_by, StopReason::relative_error);
   EXPECT_LE(record.tally.n_trials, 8192u) << "no miss is waited for";
   EXPECT_EQ(record.tally.n_hits, record.tally.n_trials);
@@ -425,7 +425,7 @@ TEST(MonteCarlo, ComparisonsAddUpToADirectCount) {
     EXPECT_GT(expected.n_undecided, 50u);
     for (const int n : {1, 2, 7}) {
       settings.n_threads = n;
-      const RunRecord record = run_hit_or_miss(a, a, settings);
+      const RunRecord record = run_monte_carlo(a, a, settings);
       ASSERT_EQ(record.comparisons.size(), 2u);
       EXPECT_EQ(record.comparisons[0], expected) << n << " threads";
       EXPECT_EQ(record.comparisons[1].n_compared, 8000u);

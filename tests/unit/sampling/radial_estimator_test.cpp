@@ -24,18 +24,20 @@ struct Mean {
 Mean mean_of(RadialEstimator& estimator, int log2_n_points, std::uint64_t seed) {
   constexpr int kScramblings = 32;
   const auto dimension = static_cast<std::size_t>(estimator.dimension());
-  const SobolPoints net(estimator.dimension(), log2_n_points);
-  std::vector<double> points(dimension * net.n_points()), point(dimension), values(net.n_points());
+  const SobolPoints net(estimator.dimension());
+  const std::size_t n = std::size_t{1} << log2_n_points;
+  std::vector<double> points(dimension * n), point(dimension), values(n);
   double sum = 0.0, sum_sq = 0.0, half_width_sum = 0.0;
   for (std::uint64_t k = 0; k < kScramblings; ++k) {
-    for (std::size_t i = 0; i < net.n_points(); ++i) {
-      net.scrambled(seed, k, i, point);
-      for (std::size_t c = 0; c < dimension; ++c) points[c * net.n_points() + i] = point[c];
+    const SobolPoints::Scrambling keys = net.scrambling(seed, k);
+    for (std::size_t i = 0; i < n; ++i) {
+      net.scrambled(keys, i, point);
+      for (std::size_t c = 0; c < dimension; ++c) points[c * n + i] = point[c];
     }
-    half_width_sum += estimator.evaluate(points, values).half_width_sum;
+    half_width_sum += estimator.scale() * estimator.evaluate(points, values).half_widths.value();
     double of_net = 0.0;
     for (const double value : values) of_net += value;
-    of_net /= static_cast<double>(net.n_points());
+    of_net /= static_cast<double>(n);
     sum += of_net;
     sum_sq += of_net * of_net;
   }

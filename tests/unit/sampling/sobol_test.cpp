@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <boost/random/sobol.hpp>
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <random>
 #include <set>
 #include <vector>
 
@@ -13,9 +16,12 @@ namespace {
 
 using Point = std::vector<double>;
 
-std::vector<Point> scrambling(const SobolPoints& points, std::uint64_t seed, std::uint64_t replicate) {
-  std::vector<Point> all(points.n_points(), Point(static_cast<std::size_t>(points.dimension())));
-  for (std::size_t i = 0; i < all.size(); ++i) points.scrambled(seed, replicate, i, all[i]);
+// The first 2^m of a scrambling.
+std::vector<Point> scrambling(const SobolPoints& points, int m, std::uint64_t seed, std::uint64_t replicate,
+                              std::uint64_t first = 0) {
+  const SobolPoints::Scrambling keys = points.scrambling(seed, replicate);
+  std::vector<Point> all(std::size_t{1} << m, Point(static_cast<std::size_t>(points.dimension())));
+  for (std::size_t i = 0; i < all.size(); ++i) points.scrambled(keys, first + i, all[i]);
   return all;
 }
 
@@ -27,11 +33,11 @@ double mean_of(const std::vector<Point>& points, const std::function<double(cons
 
 /// The standard error of one scrambling's mean, from the spread over many, about the true mean.
 double spread(const std::function<double(const Point&)>& f, double truth, int dimension, int log2_n, double* z) {
-  const SobolPoints points(dimension, log2_n);
+  const SobolPoints points(dimension);
   constexpr int kReplicates = 64;
   double sum = 0.0, sum_sq = 0.0;
   for (int r = 0; r < kReplicates; ++r) {
-    const double off = mean_of(scrambling(points, 7, static_cast<std::uint64_t>(r)), f) - truth;
+    const double off = mean_of(scrambling(points, log2_n, 7, static_cast<std::uint64_t>(r)), f) - truth;
     sum += off;
     sum_sq += off * off;
   }
@@ -41,8 +47,7 @@ double spread(const std::function<double(const Point&)>& f, double truth, int di
 }
 
 TEST(Sobol, KeepsEveryCoordinateStratifiedWhenScrambled) {
-  const SobolPoints points(11, 10);
-  const std::vector<Point> all = scrambling(points, 1, 0);
+  const std::vector<Point> all = scrambling(SobolPoints(11), 10, 1, 0);
   for (std::size_t d = 0; d < 11; ++d) {
     std::set<int> intervals;
     for (const Point& p : all) intervals.insert(static_cast<int>(p[d] * 1024));
@@ -52,9 +57,10 @@ TEST(Sobol, KeepsEveryCoordinateStratifiedWhenScrambled) {
 
 TEST(Sobol, HasOnePointInEveryElementaryRectangleOfTheFirstTwoCoordinates) {
   constexpr int kLog2 = 10;
-  const SobolPoints points(2, kLog2);
+  const SobolPoints points(2);
   for (const std::uint64_t replicate : {0u, 1u, 2u}) {
-    const std::vector<Point> all = scrambling(points, 42, replicate);
+    // Also of those that follow.
+    const std::vector<Point> all = scrambling(points, kLog2, 42, replicate, replicate << kLog2);
     for (int across = 0; across <= kLog2; ++across) {
       std::set<std::pair<int, int>> rectangles;
       for (const Point& p : all) {
@@ -68,7 +74,7 @@ TEST(Sobol, HasOnePointInEveryElementaryRectangleOfTheFirstTwoCoordinates) {
 
 TEST(Sobol, NeverDrawsAnEndOfTheUnitInterval) {
   for (const int log2_n : {0, 1, 12}) {
-    for (const Point& p : scrambling(SobolPoints(8, log2_n), 3, 5)) {
+    for (const Point& p : scrambling(SobolPoints(8), log2_n, 3, 5)) {
       for (const double x : p) {
         EXPECT_GT(x, 0.0);
         EXPECT_LT(x, 1.0);
@@ -79,23 +85,23 @@ TEST(Sobol, NeverDrawsAnEndOfTheUnitInterval) {
 }
 
 TEST(Sobol, IsAFunctionOfSeedReplicateAndIndex) {
-  const SobolPoints points(5, 6);
-  EXPECT_EQ(scrambling(points, 1, 2), scrambling(SobolPoints(5, 6), 1, 2));
-  EXPECT_NE(scrambling(points, 1, 2), scrambling(points, 1, 3));
-  EXPECT_NE(scrambling(points, 1, 2), scrambling(points, 2, 2));
+  const SobolPoints points(5);
+  EXPECT_EQ(scrambling(points, 6, 1, 2), scrambling(SobolPoints(5), 6, 1, 2));
+  EXPECT_NE(scrambling(points, 6, 1, 2), scrambling(points, 6, 1, 3));
+  EXPECT_NE(scrambling(points, 6, 1, 2), scrambling(points, 6, 2, 2));
 }
 
 TEST(Sobol, ScramblesEachCoordinateIndependently) {
   // A single point is uniform in the cube: over many replicates its coordinates have mean 1/2, variance 1/12, and no
   // correlation with each other, with the next replicate's or with another seed's.
-  const SobolPoints points(3, 3);
+  const SobolPoints points(3);
   constexpr int kReplicates = 40000;
   Point sum(3), sum_sq(3), p(3), next(3), other(3);
   double xy = 0.0, xz = 0.0, with_next = 0.0, with_other = 0.0;
   for (std::uint64_t r = 0; r < kReplicates; ++r) {
-    points.scrambled(11, r, 5, p);
-    points.scrambled(11, r + 1, 5, next);
-    points.scrambled(12, r, 5, other);
+    points.scrambled(points.scrambling(11, r), 5, p);
+    points.scrambled(points.scrambling(11, r + 1), 5, next);
+    points.scrambled(points.scrambling(12, r), 5, other);
     for (std::size_t d = 0; d < 3; ++d) {
       sum[d] += p[d] - 0.5;
       sum_sq[d] += (p[d] - 0.5) * (p[d] - 0.5);
@@ -142,13 +148,39 @@ TEST(Sobol, ConvergesFasterThanRandomPointsAndIsUnbiased) {
   }
 }
 
-TEST(Sobol, OfZeroBitsIsOneUniformPoint) {
-  const SobolPoints one(2, 0);
-  EXPECT_EQ(one.n_points(), 1u);
-  Point a(2), b(2);
-  one.scrambled(1, 1, 0, a);
-  one.scrambled(1, 2, 0, b);
-  EXPECT_NE(a, b);
+// Without scrambling: the points of Boost, which come in Gray code's order.
+TEST(Sobol, ScramblesThePointsOfBoost) {
+  constexpr int kDimension = 9;
+  const SobolPoints points(kDimension);
+  boost::random::sobol_engine<std::uint64_t, 32> sequence(kDimension);
+  for (std::uint64_t n = 1; n < 5000; ++n) {
+    const std::uint64_t index = n ^ n >> 1;
+    for (std::size_t d = 0; d < kDimension; ++d) {
+      const std::uint32_t bits =
+          points.low_bits(d)[index % SobolPoints::kLow] ^ points.high_bits(d, index / SobolPoints::kLow);
+      ASSERT_EQ(SobolPoints::reversed(bits), sequence()) << "point " << n << ", coordinate " << d;
+    }
+  }
+  sequence.seed((std::uint64_t{1} << 32) - 2);  // the last of all
+  const std::uint64_t index = (std::uint64_t{1} << 32) - 1, gray = index ^ index >> 1;
+  for (std::size_t d = 0; d < kDimension; ++d) {
+    const std::uint32_t bits =
+        points.low_bits(d)[gray % SobolPoints::kLow] ^ points.high_bits(d, gray / SobolPoints::kLow);
+    EXPECT_EQ(SobolPoints::reversed(bits), sequence()) << "coordinate " << d;
+  }
+}
+
+// Nested: points that agree in their first k bits, and differ in the next, still do when scrambled.
+TEST(Sobol, KeepsHowManyBitsTwoPointsShare) {
+  std::mt19937_64 random(1);
+  const SobolPoints points(1);
+  for (std::uint64_t replicate = 0; replicate < 100; ++replicate) {
+    const SobolPoints::Keys keys = points.scrambling(3, replicate)[0];
+    for (int k = 0; k < 200; ++k) {
+      const auto x = static_cast<std::uint32_t>(random()), y = x ^ static_cast<std::uint32_t>(random()) << (k % 32);
+      ASSERT_EQ(std::countr_zero(x ^ y), std::countr_zero(SobolPoints::nested(x, keys) ^ SobolPoints::nested(y, keys)));
+    }
+  }
 }
 
 }  // namespace
