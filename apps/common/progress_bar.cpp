@@ -37,7 +37,10 @@ double fraction_done(const Progress& progress, const StopRule& stop) {
   const double n = static_cast<double>(progress.tally.n_trials);
   double fraction = n / static_cast<double>(std::min(stop.trials.value_or(stop.max_trials), stop.max_trials));
   if (stop.seconds) fraction = std::max(fraction, progress.seconds / *stop.seconds);
-  if (stop.relative_error && progress.tally.n_hits > 0 && progress.tally.n_misses() > 0) {
+  const ClassTally& by_class = progress.tally.by_class;
+  if (stop.relative_error && by_class.kind != ClassTally::Kind::none && !by_class.are_hits) {
+    fraction = std::max(fraction, std::pow(*stop.relative_error / progress.relative_error, 2.0));
+  } else if (stop.relative_error && progress.tally.n_hits > 0 && progress.tally.n_misses() > 0) {
     // The error falls with the square root of the trials; and neither hits nor misses may be too few.
     const double enough = static_cast<double>(std::min(progress.tally.n_hits, progress.tally.n_misses())) /
                           static_cast<double>(kMinHitsAndMisses);
@@ -71,7 +74,7 @@ std::string progress_line(const Progress& progress, const StopRule& stop, std::s
   std::string text = short_number(std::floor(100.0 * fraction), 3) + " %  ";
   if (fraction > 0.0) text += duration(progress.seconds * (1.0 - fraction) / fraction) + " left  ";
   text += short_count(n) + " trials  " + short_count(n / progress.seconds) + "/s";
-  if (progress.tally.n_hits > 0) {
+  if (std::isfinite(progress.relative_error)) {
     text += "  rel. error " + short_number(progress.relative_error, 2);
   }
   // A line that reaches the terminal's edge goes on in the next one, where erasing it does not reach.

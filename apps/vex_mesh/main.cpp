@@ -9,20 +9,9 @@
 #include "apps/vex_mesh/options.h"
 #include "apps/vex_mesh/report.h"
 #include "engine/numeric/errors.h"
-#include "engine/sampling/fitted_domain.h"
 
 namespace vex {
 namespace {
-
-Domain choose_domain(std::optional<Domain::Kind> kind, const ConvexBody& a, const ConvexBody& b) {
-  if (!kind) return best_domain(a, b);
-  switch (*kind) {
-    case Domain::Kind::ball: return ball_domain(a, b);
-    case Domain::Kind::box: return box_domain(a, b);
-    case Domain::Kind::fitted: break;
-  }
-  return fitted_domain(a, b);
-}
 
 void require_finite(double value, const char* what) {
   if (!std::isfinite(value)) {
@@ -73,25 +62,46 @@ void average_exactly(MeshRun& run) {
   if (std::isfinite(average.error)) run.exact_average = average;
 }
 
-void sample(MeshRun& run) {
+// The driver's settings, by the estimator that was asked for or that a pilot chose.
+MonteCarloSettings choose_settings(MeshRun& run) {
   const Options& options = run.options;
   MonteCarloSettings settings;
   settings.seed = options.seed;
   settings.n_threads = options.n_threads;
   settings.law = options.law;
-  settings.domain = run.domain;
   settings.quick_verdicts = options.quick_verdicts;
   settings.instruction_set = options.instruction_set;
   settings.verify = options.verify;
   settings.stop = options.stop;
   settings.backend = options.backend;
-  settings.cross_check = run.options.cross_check;
+  settings.cross_check = options.cross_check;
   settings.interrupt = &interrupting_signal();
-  {
-    ProgressBar bar(!options.quiet, options.stop);
-    settings.on_progress = [&bar](const Progress& progress) { bar.show(progress); };
-    run.record = run_monte_carlo(run.a.shape.body, run.b.shape.body, settings);
+  const MeasuredBody &a = run.a.shape, &b = run.b.shape;
+  if (options.estimator) {
+    run.estimator = *options.estimator;
+    run.sequence = options.sequence.value_or(usual_sequence(run.estimator));
+  } else {
+    run.candidates = measure_candidates(a, b, settings);
+    const Candidate chosen =
+        chosen_of(run.candidates, options.stop.relative_error.value_or(usual_relative_error(Estimator::radial)));
+    run.estimator = chosen.estimator;
+    run.sequence = options.sequence.value_or(chosen.sequence);
   }
+  settings.sequence = run.sequence;
+  set_estimator(settings, run.estimator, a, b, options.domain);
+  if (!options.stop.trials && !options.stop.relative_error && !options.stop.seconds) {
+    settings.stop.relative_error = usual_relative_error(options.estimator.value_or(Estimator::radial));
+  }
+  run.domain = settings.domain;
+  if (!settings.integrand) require_finite(run.domain.volume, "the sampling volume");
+  return settings;
+}
+
+void sample(MeshRun& run) {
+  MonteCarloSettings settings = choose_settings(run);
+  ProgressBar bar(!run.options.quiet, settings.stop);
+  settings.on_progress = [&bar](const Progress& progress) { bar.show(progress); };
+  run.record = run_monte_carlo(run.a.shape.body, run.b.shape.body, settings);
 }
 
 int run_vex_mesh(const CommandLine& words, const std::string& command) {
@@ -115,8 +125,7 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
   } else {
     run.formula_reason = "the formula holds for isotropic orientations, not for " + options.law.name() + " ones";
   }
-  run.domain = choose_domain(options.domain, a, b);
-  require_finite(run.domain.volume, "the sampling volume");
+  require_finite(ball_domain(a, b).volume, "the sampling volume");
 
   run.no_run_reason = why_no_volume(run, formula.excluded_volume);
   if (run.no_run_reason.empty()) {

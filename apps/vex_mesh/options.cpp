@@ -49,6 +49,31 @@ InstructionSet instruction_set_named(const std::string& name) {
                    std::string(name_of(best_instruction_set())));
 }
 
+// The one asked for; hit-or-miss where an option is about its poses; otherwise none. Throws UsageError where they
+// contradict each other.
+std::optional<Estimator> estimator_of(const CommandLine& words) {
+  const std::optional<Estimator> estimator = estimator_named(words.estimator);
+  const bool is_peer = !words.backend.empty() && words.backend != gjk_backend().name;
+  for (const auto& [given, option] :
+       std::initializer_list<std::pair<bool, const char*>>{{is_peer, "--backend"},
+                                                           {words.cross_check, "--cross-check"},
+                                                           {words.verify, "--verify"},
+                                                           {words.no_quick_verdicts, "--no-quick-verdicts"}}) {
+    if (!given) continue;
+    if (!estimator) return Estimator::hit_or_miss;
+    if (!samples_poses(*estimator)) {
+      throw UsageError(std::string(option) + " is about overlap verdicts, of which this estimator asks none (\"" +
+                       words.estimator + "\" for --estimator) - use hit-or-miss, hit-or-miss-fitted or stratified");
+    }
+  }
+  if (words.domain.empty()) return estimator;
+  if (estimator && *estimator != Estimator::hit_or_miss) {
+    throw UsageError("only hit-or-miss has a choice of domains (\"" + words.domain + "\" for --domain with " +
+                     words.estimator + ") - leave out --domain");
+  }
+  return Estimator::hit_or_miss;
+}
+
 }  // namespace
 
 void declare_options(OptionParser& options, CommandLine& words) {
@@ -59,7 +84,8 @@ void declare_options(OptionParser& options, CommandLine& words) {
       .required();
   options.add_option("B", words.b, "The second body; without it, A again").type_name("");
 
-  const std::string stop = "When to stop (whichever comes first; --rel-error 1e-3 if none is given)";
+  const std::string stop =
+      "When to stop (whichever comes first; without any, --rel-error 1e-4, or 1e-3 where hit or miss is asked for)";
   options.add_option("--trials", words.trials, "Stop after this many trials, written like 1e7")
       .type_name("N")
       .group(stop);
@@ -82,11 +108,17 @@ void declare_options(OptionParser& options, CommandLine& words) {
   options
       .add_option(
           "--estimator", words.estimator,
-          "hit-or-miss (default), or hit-or-miss-fitted, whose domain is fitted to each trial's orientation: for thin "
-          "bodies; others come later")
+          "radial (by ray casts), hit-or-miss (the paper's), hit-or-miss-fitted (its domain fitted to each trial's "
+          "orientation), stratified (hit or miss in shells), mixed-volume or mean-width (by the formula's own "
+          "geometry); "
+          "the default is chosen by a pilot among those that run GJK, and named in the report")
       .type_name("NAME")
       .group(sampling);
-  options.add_option("--sequence", words.sequence, "random; sobol comes later").type_name("NAME").group(sampling);
+  options
+      .add_option("--sequence", words.sequence,
+                  "random, or sobol: quasi-random points, 32 times scrambled (default but for hit or miss)")
+      .type_name("NAME")
+      .group(sampling);
   options
       .add_option("--domain", words.domain, "Sampling domain of hit-or-miss: ball, box, or best (default): the smaller")
       .type_name("NAME")
@@ -142,14 +174,14 @@ Options interpret(const CommandLine& words) {
     if (given) not_built_yet(option);
   }
   const auto or_default = [](const std::string& word, const char* value) { return word.empty() ? value : word; };
-  const std::string estimator = or_default(words.estimator, "hit-or-miss");
-  const std::string sequence = or_default(words.sequence, "random");
   const std::string domain = or_default(words.domain, "best");
   const std::string backend = or_default(words.backend, "gjk");
   const std::string orientations = or_default(words.orientations, "isotropic");
-  require_one_of(estimator, "--estimator", {"hit-or-miss", "hit-or-miss-fitted"},
-                 {"stratified", "radial", "mixed-volume", "mean-width"});
-  require_one_of(sequence, "--sequence", {"random"}, {"sobol"});
+  if (!words.estimator.empty()) {
+    require_one_of(words.estimator, "--estimator",
+                   {"hit-or-miss", "hit-or-miss-fitted", "stratified", "radial", "mixed-volume", "mean-width"}, {});
+  }
+  if (!words.sequence.empty()) require_one_of(words.sequence, "--sequence", {"random", "sobol"}, {});
   require_one_of(domain, "--domain", {"ball", "box", "best"}, {});
 
   Options options;
@@ -161,16 +193,9 @@ Options interpret(const CommandLine& words) {
     options.stop.relative_error = parse_positive_number(words.relative_error, "--rel-error");
   if (!words.seconds.empty()) options.stop.seconds = parse_positive_number(words.seconds, "--seconds");
   if (!words.max_trials.empty()) options.stop.max_trials = parse_positive_count(words.max_trials, "--max-trials");
-  if (!options.stop.trials && !options.stop.relative_error && !options.stop.seconds) options.stop.relative_error = 1e-3;
-  if (estimator == "hit-or-miss-fitted") {
-    if (!words.domain.empty()) {
-      throw UsageError("hit-or-miss-fitted has its own domains (\"" + words.domain + "\" for --domain) - leave out " +
-                       "--domain");
-    }
-    options.domain = Domain::Kind::fitted;
-  } else if (domain != "best") {
-    options.domain = domain == "ball" ? Domain::Kind::ball : Domain::Kind::box;
-  }
+  options.estimator = estimator_of(words);
+  if (!words.sequence.empty()) options.sequence = words.sequence == "sobol" ? Sequence::sobol : Sequence::random;
+  if (domain != "best") options.domain = domain == "ball" ? Domain::Kind::ball : Domain::Kind::box;
   options.law = parse_orientations(orientations, "--orientations");
   options.instruction_set = instruction_set_named(or_default(words.isa, "best"));
   options.backend = backend_named(backend);

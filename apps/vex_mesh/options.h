@@ -7,6 +7,7 @@
 
 #include "apps/common/body_options.h"
 #include "apps/common/common_options.h"
+#include "apps/common/estimators.h"
 #include "engine/sampling/monte_carlo.h"
 
 namespace vex {
@@ -27,7 +28,9 @@ void declare_options(OptionParser& options, CommandLine& words);
 /// What the words mean.
 struct Options : CommonOptions {
   std::string a, b;
-  StopRule stop;
+  StopRule stop;                       // empty where none was given: usual_relative_error
+  std::optional<Estimator> estimator;  // none: chosen by a pilot
+  std::optional<Sequence> sequence;    // none: usual_sequence
   std::optional<Domain::Kind> domain;  // the best of ball and box where none was asked for
   OrientationLaw law;
   BackendKind backend;

@@ -22,22 +22,72 @@ std::vector<std::string> backend_names(const MeshRun& run) {
   return names;
 }
 
+// In length^3, of hit or miss: of shells what lies between the balls.
+double sampling_volume(const MeshRun& run) {
+  const Tally& tally = run.record.tally;
+  return run.estimator == Estimator::stratified && tally.n_trials > 0 ? tally.by_class.unit
+                                                                      : mean_sampling_volume(tally, run.domain);
+}
+
+// What the run's error cost, or would have cost with another estimator; on as many threads.
+double seconds_of(const Candidate& candidate, const MeshRun& run) {
+  return candidate.cost.seconds_to(run.estimate->relative_error()) / run.options.n_threads;
+}
+
+Json pilot_json(const MeshRun& run) {
+  Json list = Json::array();
+  for (const Candidate& candidate : run.candidates) {
+    list.push_back({{"estimator", name_of(candidate.estimator)},
+                    {"sequence", name_of(candidate.sequence)},
+                    {"runs_gjk", is_independent_of_formula(candidate.estimator)},
+                    {"trials", candidate.cost.n_trials},
+                    {"seconds_per_trial", candidate.cost.seconds_per_trial},
+                    {"relative_error", number_or_null(candidate.cost.relative_error)},
+                    {"slope", candidate.cost.slope},
+                    {"seconds_to_this_error", run.estimate ? number_or_null(seconds_of(candidate, run)) : Json()}});
+  }
+  return list;
+}
+
+std::string pilot_text(const MeshRun& run) {
+  std::string text =
+      "   chosen by a pilot                 rel. error " + short_number(run.estimate->relative_error(), 2);
+  for (const Candidate& candidate : run.candidates) {
+    if (candidate.estimator != Estimator::hit_or_miss) continue;
+    const double error = candidate.cost.relative_error_after(run.record.seconds * run.options.n_threads);
+    if (std::isfinite(error)) text += "; hit-or-miss would have " + short_number(error, 2) + " after as long";
+  }
+  for (const bool runs_gjk : {true, false}) {
+    std::string line;
+    for (const Candidate& candidate : run.candidates) {
+      if (is_independent_of_formula(candidate.estimator) != runs_gjk) continue;
+      const double seconds = seconds_of(candidate, run);
+      line += (line.empty() ? "" : ", ") + std::string(name_of(candidate.estimator)) + " " +
+              (std::isfinite(seconds) ? short_number(seconds, 2) + " s" : "unknown");
+    }
+    if (line.empty()) continue;
+    text += (runs_gjk ? "\n   to this error, with GJK, about    " : "\n   with the formula's geometry       ") + line;
+  }
+  return text + "\n";
+}
+
 Json estimate_json(const MeshRun& run) {
   const Tally& tally = run.record.tally;
   Json json;
-  json["estimator"] = estimator_name(run.domain.kind);
-  json["sequence"] = "random";
+  const bool has_hits = samples_poses(run.estimator);
+  json["estimator"] = name_of(run.estimator);
+  json["sequence"] = name_of(run.sequence);
   json["backend"] = run.options.backend.name;
   json["orientations"] = run.options.law.name();
   json["excluded_volume"] = run.estimate ? number_or_null(run.estimate->excluded_volume) : Json(nullptr);
   json["std_error"] = run.estimate ? number_or_null(run.estimate->std_error) : Json(nullptr);
   json["ci95"] = run.estimate ? Json{run.estimate->ci95.lower, run.estimate->ci95.upper} : Json(nullptr);
   json["trials"] = tally.n_trials;
-  json["hits"] = tally.n_hits;
+  json["hits"] = has_hits ? Json(tally.n_hits) : Json(nullptr);
   json["undecided"] = tally.n_undecided;
-  json["sampling_volume"] = mean_sampling_volume(tally, run.domain);
-  json["domain"] = name_of(run.domain.kind);
-  json["quick_verdicts"] = run.options.quick_verdicts && !run.options.backend.is_peer;
+  json["sampling_volume"] = has_hits ? Json(sampling_volume(run)) : Json(nullptr);
+  json["domain"] = has_hits ? Json(name_of(run.domain.kind)) : Json(nullptr);
+  json["quick_verdicts"] = has_hits && run.options.quick_verdicts && !run.options.backend.is_peer;
   json["isa"] = name_of(run.options.instruction_set);
   json["seconds"] = run.record.seconds;
   json["trials_per_second"] = number_or_null(static_cast<double>(tally.n_trials) / run.record.seconds);
@@ -152,14 +202,18 @@ constexpr double kComparable = 0.5;
 std::string verdict_on(const MeshRun& run) {
   const Tally& tally = run.record.tally;
   const double undecided = static_cast<double>(tally.n_undecided) / static_cast<double>(tally.n_trials);
-  if (0.5 * undecided * mean_sampling_volume(tally, run.domain) > 0.5 * run.estimate->std_error) {
+  const double half_width = tally.by_class.kind == ClassTally::Kind::none
+                                ? 0.5 * undecided * mean_sampling_volume(tally, run.domain)
+                                : half_width_of_undecided(tally);
+  if (half_width > 0.5 * run.estimate->std_error) {
     return "nothing is compared, for " + short_number(100.0 * undecided, 3) +
            " % of the trials are undecided, and that is most of the error";
   }
   std::string text = std::fabs(*run.z) <= run.options.max_z
                          ? "they agree"
                          : "THEY DISAGREE (more than --max-z " + short_number(run.options.max_z) + ")";
-  if (const std::uint64_t fewest = std::min(tally.n_hits, tally.n_misses()); fewest < kMinHitsAndMisses) {
+  const std::uint64_t fewest = std::min(tally.n_hits, tally.n_misses());
+  if (samples_poses(run.estimator) && fewest < kMinHitsAndMisses) {
     text += ", but " + std::to_string(fewest) + (tally.n_hits == fewest ? " hits" : " misses") + " say little";
   }
   return text;
@@ -185,8 +239,11 @@ void compare(MeshRun& run) {
   run.estimate = volume_estimate(run.record.tally, run.domain);
   if (!run.formula && !run.exact_average) {
     run.z_reason = run.formula_reason;
-  } else if (hits_by_construction(run.a.shape.body, run.b.shape.body, run.options.law, run.domain)) {
+  } else if (run.domain.volume > 0.0 &&
+             hits_by_construction(run.a.shape.body, run.b.shape.body, run.options.law, run.domain)) {
     run.z_reason = "every trial hits by construction: the domain is the excluded volume itself";
+  } else if (run.estimate->std_error <= run.record.tally.by_class.relative_rounding * run.estimate->excluded_volume) {
+    run.z_reason = "the values are all the same to rounding";
   } else if (run.formula) {
     run.z = (run.estimate->excluded_volume - run.formula->excluded_volume) / run.estimate->std_error;
   } else if (run.exact_average->error > kComparable * run.estimate->std_error) {
@@ -213,6 +270,7 @@ std::string report_json(const MeshRun& run) {
     }
   }
   json["estimate"] = estimate_json(run);
+  if (!run.candidates.empty()) json["pilot"] = pilot_json(run);
   if (run.z) {
     json["z"] = *run.z;
   } else {
@@ -254,31 +312,44 @@ std::string report_text(const MeshRun& run) {
   if (!run.no_run_reason.empty()) return text + "\nMonte Carlo  no run: " + run.no_run_reason + "\n";
 
   const Tally& tally = run.record.tally;
-  text += "\nMonte Carlo  " + std::string(estimator_name(run.domain.kind)) + ", " + run.options.law.name() +
-          " orientations, " + std::string(name_of(run.domain.kind)) +
-          (run.domain.kind == Domain::Kind::fitted ? " domains of mean volume " : " domain of volume ") +
-          short_number(mean_sampling_volume(tally, run.domain), 6) + ", " + run.options.backend.name + ", seed " +
+  const bool has_hits = samples_poses(run.estimator);
+  text += "\nMonte Carlo  " + std::string(name_of(run.estimator)) +
+          (run.sequence == Sequence::sobol ? ", Sobol' points, " : ", ") + run.options.law.name() + " orientations, ";
+  if (has_hits) {
+    text += std::string(run.estimator == Estimator::stratified ? "shells" : name_of(run.domain.kind)) +
+            (run.estimator == Estimator::hit_or_miss  ? " domain of volume "
+             : run.estimator == Estimator::stratified ? " of volume "
+                                                      : " domains of mean volume ") +
+            short_number(sampling_volume(run), 6) + ", ";
+  }
+  text += (is_independent_of_formula(run.estimator) ? run.options.backend.name : "no GJK") + ", seed " +
           std::to_string(run.options.seed) + "\n";
   if (run.estimate) {
     const VolumeEstimate& estimate = *run.estimate;
     text += "   <V_ex>                            " + with_error(estimate.excluded_volume, estimate.std_error) +
             "   95 %: " + short_number(estimate.ci95.lower, 8) + " ... " + short_number(estimate.ci95.upper, 8) + "\n";
-    text +=
-        "   hits / trials                     " + std::to_string(tally.n_hits) + " / " + std::to_string(tally.n_trials);
+    text += has_hits ? "   hits / trials                     " + std::to_string(tally.n_hits) + " / "
+                     : "   values                            ";
+    text += std::to_string(tally.n_trials);
     if (tally.n_undecided > 0) text += ", undecided " + std::to_string(tally.n_undecided);
     text += "\n";
-    if (tally.n_undecided < tally.n_trials)
+    if (has_hits && tally.n_undecided < tally.n_trials)
       text += "   decided by                        " + decided_by_text(tally) + "\n";
   }
   text += "   " + short_number(run.record.seconds, 3) + " s on " + std::to_string(run.options.n_threads) +
           (run.options.n_threads == 1 ? " thread, " : " threads, ") +
-          short_count(static_cast<double>(tally.n_trials) / run.record.seconds) + " trials/s";
+          short_count(static_cast<double>(tally.n_trials) / run.record.seconds) +
+          (has_hits ? " trials/s" : " values/s");
   if (run.record.stopped_by == StopReason::interrupted) text += " - interrupted: this is what was done until then";
   if (run.record.stopped_by == StopReason::undecided) {
     text += " - incomplete: undecided trials alone keep the error above what was asked for";
   }
+  if (run.record.stopped_by == StopReason::rounding) {
+    text += " - incomplete: rounding alone keeps the error above what was asked for";
+  }
   if (run.record.stopped_by == StopReason::max_trials) text += " - incomplete: --max-trials was reached first";
   text += "\n";
+  if (run.estimate && !run.candidates.empty()) text += pilot_text(run);
   if (run.options.is_cross_check) text += cross_check_text(run);
   if (run.options.verify) text += verification_text(run);
 

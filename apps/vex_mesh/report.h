@@ -24,7 +24,10 @@ struct MeshRun {
   std::string command;
   Options options;
   LoadedBody a, b;
-  Domain domain{};
+  Estimator estimator{};
+  Sequence sequence{};
+  std::vector<Candidate> candidates{};  // of the pilot, where the estimator was its choice
+  Domain domain{};                      // of hit or miss
   std::optional<FormulaResult> formula{};
   std::string formula_reason{};  // where there is none; then:
   std::optional<ExactAverage> exact_average{};

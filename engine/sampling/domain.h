@@ -33,11 +33,6 @@ constexpr std::string_view name_of(Domain::Kind kind) {
   return "fitted";
 }
 
-/// The estimator that samples such a domain.
-constexpr std::string_view estimator_name(Domain::Kind kind) {
-  return kind == Domain::Kind::fitted ? "hit-or-miss-fitted" : "hit-or-miss";
-}
-
 /// The ball about A's centre of the sum of the circumradii.
 Domain ball_domain(const ConvexBody& a, const ConvexBody& b);
 

@@ -459,6 +459,8 @@ class Run {
       stop(StopReason::relative_error);
     } else if (is_only_rule_ && is_out_of_reach(*settings_.stop.relative_error, record_.tally, settings_.domain)) {
       stop(StopReason::undecided);
+    } else if (is_only_rule_ && record_.tally.by_class.relative_rounding > *settings_.stop.relative_error) {
+      stop(StopReason::rounding);
     } else if (round_end_ == trial_limit()) {
       const bool as_asked = settings_.stop.trials && *settings_.stop.trials <= trial_limit();
       stop(as_asked ? StopReason::trials : StopReason::max_trials);

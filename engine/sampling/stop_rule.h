@@ -26,6 +26,7 @@ enum class StopReason {
   seconds,         // as long as asked for
   max_trials,      // given up: incomplete
   undecided,       // given up: undecided trials alone keep the error above what was asked for: incomplete
+  rounding,        // given up: an integrand's own rounding is above it: incomplete
   interrupted,     // by the user: incomplete
 };
 
@@ -36,6 +37,7 @@ constexpr std::string_view name_of(StopReason reason) {
     case StopReason::seconds: return "seconds";
     case StopReason::max_trials: return "max-trials";
     case StopReason::undecided: return "undecided";
+    case StopReason::rounding: return "rounding";
     case StopReason::interrupted: break;
   }
   return "interrupted";

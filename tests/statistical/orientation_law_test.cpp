@@ -41,9 +41,9 @@ void expect_truth(const std::string& a_text, const std::string& b_text, const Or
   const ConvexBody a = parse_shape(a_text).body, b = parse_shape(b_text).body;
   for (const Domain& domain : {best_domain(a, b), fitted_domain(a, b)}) {
     const Found found = run(a, b, law, domain, 100000);
-    EXPECT_GT(found.tally.n_hits, 1000u) << estimator_name(domain.kind);
+    EXPECT_GT(found.tally.n_hits, 1000u) << name_of(domain.kind);
     EXPECT_LE(std::fabs(found.z(truth)), 4.0) << found.estimate.excluded_volume << " +- " << found.estimate.std_error
-                                              << ", not " << truth << " by " << estimator_name(domain.kind);
+                                              << ", not " << truth << " by " << name_of(domain.kind);
   }
 }
 

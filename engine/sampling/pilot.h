@@ -1,0 +1,26 @@
+// What an estimator costs for a pair of bodies: variance times time, from a run of some milliseconds.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/sampling/monte_carlo.h"
+
+namespace vex {
+
+struct PilotCost {
+  std::uint64_t n_trials = 0;
+  double seconds_per_trial = 0.0;  // on one thread
+  double relative_error = 0.0;     // after n_trials; infinite where it has none
+  double slope = -0.5;             // of log error over log trials: of random points -1/2, of others from two lengths
+
+  /// On one thread, to a standard error relative to the estimate; infinite where the pilot found none.
+  double seconds_to(double relative_error) const;
+  double relative_error_after(double seconds) const;
+};
+
+/// Runs the settings on one thread with stop rules of its own: 2048 trials, or 16 384 where these take no
+/// longer than `most_seconds`. The numbers are not the run's: the seed is another one, so that a choice that is made by them leaves
+/// the run unbiased.
+PilotCost pilot(const ConvexBody& a, const ConvexBody& b, MonteCarloSettings settings, double most_seconds = 1e-3);
+
+}  // namespace vex
