@@ -6,7 +6,7 @@
 #include "apps/common/numbers.h"
 #include "engine/numeric/instruction_set.h"
 #include "tests/bench/best_peers.h"
-#include "tests/bench/processor.h"
+#include "apps/common/processor.h"
 
 namespace vex {
 namespace {

@@ -18,7 +18,7 @@
 #include "engine/query/packet_overlap.h"
 #include "engine/sampling/monte_carlo.h"
 #include "shapes/polytope.h"
-#include "tests/bench/processor.h"
+#include "apps/common/processor.h"
 #include "tests/referees/polytopes.h"
 
 namespace vex {

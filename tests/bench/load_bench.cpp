@@ -36,7 +36,7 @@
 #include "meshes/weld.h"
 #include "shapes/direction_map.h"
 #include "shapes/polytope.h"
-#include "tests/bench/processor.h"
+#include "apps/common/processor.h"
 #include "tests/bench/rounds.h"
 #include "tests/unit/meshes/soups.h"
 #include "tests/unit/meshes/temporary_folder.h"

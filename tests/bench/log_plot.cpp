@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/docs/svg.h"
+#include "apps/common/log_axis.h"
+#include "apps/common/svg.h"
 
 namespace vex {
 namespace {
@@ -12,35 +13,6 @@ namespace {
 constexpr int kWidth = 960, kHeight = 540;  // 16:9, as slides are
 constexpr double kLeft = 78.0, kRight = 700.0, kTop = 84.0, kBottom = 476.0;
 constexpr double kNameHeight = 17.0;  // of a line of a curve's name
-
-struct Axis {
-  double from, to;    // logarithms
-  double begin, end;  // pixels
-
-  double pixel(double value) const { return begin + (std::log10(value) - from) / (to - from) * (end - begin); }
-};
-
-std::string anchored(const char* anchor, const std::string& attributes) {
-  return "style=\"text-anchor:" + std::string(anchor) + "\" " + attributes;
-}
-
-// Powers of ten, or their multiples between.
-std::vector<double> values_within(const Axis& axis, bool powers) {
-  std::vector<double> values;
-  for (int decade = static_cast<int>(std::floor(axis.from)); decade <= static_cast<int>(axis.to); ++decade) {
-    for (int digit = powers ? 1 : 2; digit <= (powers ? 1 : 9); ++digit) {
-      const double value = digit * std::pow(10.0, decade), place = std::log10(value);
-      if (place > axis.from - 1e-9 && place < axis.to + 1e-9) values.push_back(value);
-    }
-  }
-  return values;
-}
-
-std::string power_of_ten(double value) {
-  const int exponent = static_cast<int>(std::lround(std::log10(value)));
-  if (exponent >= 0 && exponent <= 3) return std::to_string(std::lround(value));
-  return "10<tspan dy=\"-.45em\" font-size=\"75%\">" + std::to_string(exponent) + "</tspan>";
-}
 
 // Names at the curves' ends, pushed apart where they would touch; the order stays.
 std::vector<double> spread_out(std::vector<double> wanted, const std::vector<double>& heights) {
@@ -69,27 +41,10 @@ std::vector<std::string> lines_of(const std::string& name) {
   return lines;
 }
 
-void draw_axes(Svg& svg, const LogPlot& plot, const Axis& x, const Axis& y) {
-  const std::string major = "stroke=\"#cfd6df\" stroke-width=\"1\"", minor = "stroke=\"#eef1f5\" stroke-width=\"1\"";
-  const std::string text = "font-size=\"14\" fill=\"#333\"";
-  for (const bool is_major : {false, true}) {
-    const std::string& style = is_major ? major : minor;
-    for (const double value : values_within(x, is_major)) {
-      svg.line({x.pixel(value), y.begin}, {x.pixel(value), y.end}, style);
-      if (is_major) svg.label({x.pixel(value), y.begin + 18.0}, power_of_ten(value), text);
-    }
-    for (const double value : values_within(y, is_major)) {
-      svg.line({x.begin, y.pixel(value)}, {x.end, y.pixel(value)}, style);
-      if (is_major) svg.label({x.begin - 8.0, y.pixel(value)}, power_of_ten(value), anchored("end", text));
-    }
-  }
-  svg.path("M" + svg_number(x.begin) + "," + svg_number(y.end) + "V" + svg_number(y.begin) + "H" + svg_number(x.end),
-           "fill=\"none\" stroke=\"#333\" stroke-width=\"1.5\"");
+void draw_axes(Svg& svg, const LogPlot& plot, const LogAxis& x, const LogAxis& y) {
+  draw_log_axes(svg, x, y);
   svg.label({0.5 * (x.begin + x.end), y.begin + 44.0}, plot.x_label, "font-size=\"15\" fill=\"#111\"");
-  const Pixel middle{24.0, 0.5 * (y.begin + y.end)};
-  svg.label(middle, plot.y_label,
-            "font-size=\"15\" fill=\"#111\" transform=\"rotate(-90 " + svg_number(middle.x) + " " +
-                svg_number(middle.y) + ")\"");
+  upright_label(svg, {24.0, 0.5 * (y.begin + y.end)}, plot.y_label, "font-size=\"15\" fill=\"#111\"");
 }
 
 }  // namespace
@@ -103,8 +58,8 @@ std::string svg_of(const LogPlot& plot) {
     }
   }
   const double beside = 0.12, from_y = std::floor(std::log10(least_y));
-  const Axis x{std::log10(least_x) - beside, std::log10(most_x) + beside, kLeft, kRight};
-  const Axis y{from_y, std::max(std::ceil(std::log10(most_y)), from_y + 1.0), kBottom, kTop};
+  const LogAxis x{std::log10(least_x) - beside, std::log10(most_x) + beside, kLeft, kRight};
+  const LogAxis y{from_y, std::max(std::ceil(std::log10(most_y)), from_y + 1.0), kBottom, kTop};
 
   Svg svg(kWidth, kHeight, plot.title);
   svg.label({kLeft, 32.0}, plot.title, anchored("start", "font-size=\"20\" font-weight=\"bold\" fill=\"#111\""));

@@ -17,7 +17,7 @@
 #include "engine/sampling/fitted_domain.h"
 #include "engine/sampling/monte_carlo.h"
 #include "shapes/any_shape.h"
-#include "tests/bench/processor.h"
+#include "apps/common/processor.h"
 #include "tests/bench/unproven_filter.h"
 #include "tests/referees/polytopes.h"
 

@@ -10,7 +10,7 @@
 #include "engine/query/overlap_filter.h"
 #include "engine/sampling/domain.h"
 #include "shapes/any_shape.h"
-#include "tests/bench/processor.h"
+#include "apps/common/processor.h"
 #include "tests/referees/polytopes.h"
 #include "tests/referees/random_poses.h"
 

@@ -13,7 +13,7 @@
 #include "tests/bench/bench_pairs.h"
 #include "tests/bench/best_peers.h"
 #include "tests/bench/log_plot.h"
-#include "tests/bench/processor.h"
+#include "apps/common/processor.h"
 #include "tests/referees/polytopes.h"
 
 namespace vex {

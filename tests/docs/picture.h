@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/support/convex_body.h"
-#include "tests/docs/svg.h"
+#include "apps/common/svg.h"
 
 namespace vex {
 

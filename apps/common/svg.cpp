@@ -1,4 +1,4 @@
-#include "tests/docs/svg.h"
+#include "apps/common/svg.h"
 
 #include <array>
 #include <charconv>

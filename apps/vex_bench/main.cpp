@@ -1,0 +1,87 @@
+// vex_bench [BODY ...]: run time against error of every estimator and backend, in one run.
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <iostream>
+
+#include "apps/common/interrupt.h"
+#include "apps/common/output_file.h"
+#include "apps/common/run_program.h"
+#include "apps/vex_bench/options.h"
+#include "apps/vex_bench/report.h"
+#include "engine/numeric/errors.h"
+#include "shapes/excluded_volume.h"
+
+namespace vex {
+namespace {
+
+std::vector<BenchBody> bodies_of(const BenchOptions& options) {
+  std::vector<BenchBody> bodies;
+  if (options.standard) bodies = standard_bodies();
+  for (const std::string& word : options.bodies) {
+    LoadedBody loaded = load_body(word, options.body_options);
+    bodies.push_back({word, word, std::move(loaded.shape)});
+    const BenchBody& body = bodies.back();
+    if (average_excluded_volume(body.shape.measures, body.shape.measures) == 0.0) {
+      throw InputError("nothing to measure (" + word + "): two of it exclude no volume - leave it out");
+    }
+  }
+  return bodies;
+}
+
+void measure_all(BenchRun& run, const std::vector<BenchBody>& bodies) {
+  const auto start = std::chrono::steady_clock::now();
+  BenchSettings settings;
+  settings.seed = run.options.seed;
+  settings.n_threads = run.options.n_threads;
+  settings.seconds = run.options.seconds;
+  settings.interrupt = &interrupting_signal();
+  const bool shows = !run.options.quiet && isatty(STDERR_FILENO) != 0;
+  settings.on_curve = [shows](const std::string& what) {
+    if (shows) std::fprintf(stderr, "\r\033[K%s", what.c_str());
+  };
+  for (const BenchBody& body : bodies) {
+    run.bodies.push_back(measure(body, settings));
+    run.complete = interrupting_signal().load() == 0;
+    if (!run.complete) break;
+  }
+  if (shows) std::fputs("\r\033[K", stderr);
+  run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+int run_vex_bench(const BenchCommandLine& words, const std::string& command) {
+  BenchRun run{command, interpret(words)};
+  std::vector<std::string> inputs;
+  for (const std::string& body : run.options.bodies) inputs.push_back(file_named_by(body));
+  std::optional<OutputFile> json, csv, plot;
+  if (!run.options.json.empty()) json.emplace(run.options.json, inputs);
+  if (!run.options.csv.empty()) csv.emplace(run.options.csv, inputs);
+  if (!run.options.plot.empty()) plot.emplace(run.options.plot, inputs);
+  const std::vector<BenchBody> bodies = bodies_of(run.options);
+
+  catch_interrupts();
+  measure_all(run, bodies);
+  const auto is_standard_output = [](const std::optional<OutputFile>& file) {
+    return file && file->is_standard_output();
+  };
+  if (!run.options.quiet && !is_standard_output(json) && !is_standard_output(csv) && !is_standard_output(plot)) {
+    std::cout << report_text(run);
+  }
+  if (json) json->write(report_json(run));
+  if (csv) csv->write(report_csv(run));
+  if (plot) plot->write(picture_of(run));
+  return run.complete ? kSuccess : kSignalBase + interrupting_signal().load();
+}
+
+}  // namespace
+}  // namespace vex
+
+int main(int argc, char** argv) {
+  vex::OptionParser options("Run time against error of every estimator and backend of the excluded volume.",
+                            "vex_bench");
+  vex::BenchCommandLine words;
+  vex::declare_options(options, words);
+  return vex::run_program(options, argc, argv,
+                          [&] { return vex::run_vex_bench(words, vex::command_line(argc, argv)); });
+}

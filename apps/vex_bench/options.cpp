@@ -1,0 +1,63 @@
+#include "apps/vex_bench/options.h"
+
+#include <set>
+
+#include "apps/common/numbers.h"
+#include "engine/numeric/errors.h"
+
+namespace vex {
+
+void declare_options(OptionParser& options, BenchCommandLine& words) {
+  options
+      .add_option("BODY", words.bodies,
+                  "Mesh files or named bodies, each with itself; without any: cube, plate .01, needle 64, ellipsoid "
+                  "4:1:1, capsule, hull of 100 points")
+      .type_name("");
+  const std::string sampling = "Measurement";
+  options.add_flag("--standard", words.standard, "Those six too, before the bodies that are named").group(sampling);
+  options
+      .add_option("--seconds", words.seconds,
+                  "Time for each curve, about (default 1); longer runs reach smaller errors")
+      .type_name("S")
+      .group(sampling);
+  declare_seed_and_threads(options, words, sampling);
+  declare_body_options(options, words);
+  const std::string output = "Output";
+  options
+      .add_option("--json", words.json,
+                  "Write one JSON document; - is standard output, where then nothing else is printed")
+      .type_name("FILE")
+      .group(output);
+  options.add_option("--csv", words.csv, "Write every point of every curve as a row of numbers")
+      .type_name("FILE")
+      .group(output);
+  options.add_option("--plot", words.plot, "Draw error over run time (SVG)").type_name("FILE").group(output);
+  options.add_flag("--quiet", words.quiet, "Print no table and no progress").group(output);
+  options.footer(named_bodies_help() +
+                 "\n\nExit codes:"
+                 "\n  0  success"
+                 "\n  1  a fault of the program"
+                 "\n  2  wrong usage"
+                 "\n  3  input refused"
+                 "\n  130, 143  interrupted (what was measured is reported)");
+}
+
+BenchOptions interpret(const BenchCommandLine& words) {
+  BenchOptions options;
+  static_cast<CommonOptions&>(options) = interpret_common(words);
+  options.bodies = words.bodies;
+  options.standard = words.standard || words.bodies.empty();
+  if (!words.seconds.empty()) options.seconds = parse_positive_number(words.seconds, "--seconds");
+  options.csv = words.csv;
+  options.plot = words.plot;
+  options.body_options = interpret_bodies(words);
+  std::set<std::string> files;
+  for (const std::string& file : {words.json, words.csv, words.plot}) {
+    if (!file.empty() && !files.insert(file).second) {
+      throw UsageError("one file for two outputs (" + file + ") - give each its own");
+    }
+  }
+  return options;
+}
+
+}  // namespace vex
