@@ -50,7 +50,9 @@ PilotCost pilot(const ConvexBody& a, const ConvexBody& b, MonteCarloSettings set
   settings.verify = false;
   const Length shortest = run(a, b, settings, kLeast);
   Length last = shortest, first{0};
-  while (last.n_trials < kMost && (first.n_trials == 0 || last.seconds < most_seconds)) {
+  // Where a trial takes long a factor of two in its cost is known from the shortest run alone.
+  constexpr double kLong = 20.0;
+  while (last.n_trials < kMost && last.seconds < (first.n_trials == 0 ? kLong : 1.0) * most_seconds) {
     const Length next = run(a, b, settings, kApart * last.n_trials);
     if (next.n_trials <= last.n_trials) break;  // interrupted
     first = last;

@@ -13,7 +13,7 @@ using nlohmann::json;
 class BodyFiles : public ProgramTest {
  protected:
   json with_few_trials(Words words) const {
-    words.insert(words.end(), {"--trials", "1000"});
+    words.insert(words.end(), {"--trials", "1000", "--estimator", "hit-or-miss"});
     return json_of(words);
   }
 };
@@ -21,8 +21,8 @@ class BodyFiles : public ProgramTest {
 TEST_F(BodyFiles, TheSameBodyInFiveFormatsGivesTheSameNumbers) {
   json first;
   for (const char* extension : {"obj", "stl", "ply", "off", "gltf"}) {
-    const json document =
-        json_of({sample(std::string("icosahedron.") + extension), "--trials", "20000", "--seed", "5"});
+    const json document = json_of({sample(std::string("icosahedron.") + extension), "--trials", "20000", "--seed", "5",
+                                   "--estimator", "hit-or-miss"});
     json found = document.at("formula");
     for (const char* key : {"volume", "surface_area", "integrated_mean_curvature", "centre", "circumradius", "inradius",
                             "vertices", "faces"}) {
@@ -110,7 +110,8 @@ TEST_F(BodyFiles, TheHullOfWhateverIsThere) {
 
 TEST_F(BodyFiles, AScaledBodyIsMeasuredAnew) {
   const std::string gem = sample("gem.obj");
-  const json one = json_of({gem, "--trials", "20000"}), half = json_of({gem, "--trials", "20000", "--scale", "0.5"});
+  const json one = json_of({gem, "--trials", "20000", "--estimator", "hit-or-miss"}),
+             half = json_of({gem, "--trials", "20000", "--estimator", "hit-or-miss", "--scale", "0.5"});
   EXPECT_EQ(half.at("bodies")[0].at("scale"), 0.5);
   EXPECT_EQ(half.at("bodies")[0].at("volume").get<double>(), one.at("bodies")[0].at("volume").get<double>() / 8.0);
   EXPECT_EQ(half.at("estimate").at("hits"), one.at("estimate").at("hits")) << "a power of two changes no verdict";
@@ -168,9 +169,18 @@ TEST_F(BodyFiles, ALeadingDashNeedsAFolderOrASeparator) {
 }
 
 TEST_F(BodyFiles, OptionsStandAnywhereAndMayUseAnEqualsSign) {
-  const json first = json_of({"box:1,1,1", "box:1,2,3", "--trials", "3000", "--seed", "9"}).at("estimate").at("hits");
-  EXPECT_EQ(json_of({"--trials=3000", "box:1,1,1", "--seed=9", "box:1,2,3"}).at("estimate").at("hits"), first);
-  EXPECT_EQ(json_of({"--seed", "9", "--trials", "3e3", "box:1,1,1", "box:1,2,3"}).at("estimate").at("hits"), first);
+  const json first =
+      json_of({"box:1,1,1", "box:1,2,3", "--trials", "3000", "--seed", "9", "--estimator", "hit-or-miss"})
+          .at("estimate")
+          .at("hits");
+  EXPECT_EQ(json_of({"--trials=3000", "box:1,1,1", "--seed=9", "--estimator=hit-or-miss", "box:1,2,3"})
+                .at("estimate")
+                .at("hits"),
+            first);
+  EXPECT_EQ(json_of({"--estimator", "hit-or-miss", "--seed", "9", "--trials", "3e3", "box:1,1,1", "box:1,2,3"})
+                .at("estimate")
+                .at("hits"),
+            first);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ class Interrupt : public ProgramTest {
 
 TEST_F(Interrupt, ReportsWhatWasDone) {
   for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
-    const Finished finished = interrupted({"box:1,1,1", "--json", "result.json"}, signal);
+    const Finished finished = interrupted({"box:1,1,1", "--json", "result.json", "--estimator", "hit-or-miss"}, signal);
     EXPECT_EQ(finished.exit_code, code) << finished.err;
     EXPECT_LT(finished.seconds, kSoon);
     EXPECT_NE(finished.out.find("interrupted"), std::string::npos) << finished.out;
@@ -51,17 +51,19 @@ TEST_F(Interrupt, ReportsWhatWasDone) {
 }
 
 TEST_F(Interrupt, WritesTheDocumentToStandardOutput) {
-  const Finished finished = interrupted({"box:1,1,1", "ellipsoid:1,2,3", "--json", "-"}, SIGTERM);
+  const Finished finished =
+      interrupted({"box:1,1,1", "ellipsoid:1,2,3", "--json", "-", "--estimator", "hit-or-miss"}, SIGTERM);
   EXPECT_EQ(finished.exit_code, 143);
   expect_partial(json::parse(finished.out, nullptr, false));
 }
 
 TEST_F(Interrupt, ThePartialHitsAreThoseOfTheFirstTrials) {
-  const Finished finished = interrupted({"box:1,1,2", "--json", "-"}, SIGINT);
+  const Finished finished = interrupted({"box:1,1,2", "--json", "-", "--estimator", "hit-or-miss"}, SIGINT);
   const json partial = json::parse(finished.out, nullptr, false);
   expect_partial(partial);
   const std::string trials = std::to_string(partial.at("estimate").at("trials").get<std::uint64_t>());
-  EXPECT_EQ(json_of({"box:1,1,2", "--trials", trials}).at("estimate").at("hits"), partial.at("estimate").at("hits"));
+  EXPECT_EQ(json_of({"box:1,1,2", "--trials", trials, "--estimator", "hit-or-miss"}).at("estimate").at("hits"),
+            partial.at("estimate").at("hits"));
 }
 
 TEST_F(Interrupt, AnswersSoonWithAHeavyMesh) {
@@ -96,7 +98,8 @@ TEST_F(Interrupt, EndsTheLoadingOfAMesh) {
 }
 
 TEST_F(Interrupt, AnIgnoredInterruptStaysIgnored) {
-  const Finished finished = shell("trap '' INT; \"$VEX\" box:1,1,1 --seconds 1 & sleep 0.5; kill -INT $!; wait $!");
+  const Finished finished =
+      shell("trap '' INT; \"$VEX\" box:1,1,1 --seconds 1 --estimator hit-or-miss & sleep 0.5; kill -INT $!; wait $!");
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   EXPECT_NE(finished.out.find("hits / trials"), std::string::npos);
 }

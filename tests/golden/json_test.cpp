@@ -59,7 +59,8 @@ void expect_tally(const json& estimate) {
 }
 
 TEST_F(Document, HasEveryKeyForAPairOfNamedBodies) {
-  const json document = json_of({"box:1,2,3", "capsule:1,0.25", "--trials", "20000", "--seed", "7", "--threads", "2"});
+  const json document = json_of({"box:1,2,3", "capsule:1,0.25", "--trials", "20000", "--seed", "7", "--threads", "2",
+                                 "--estimator", "hit-or-miss"});
   EXPECT_TRUE(document.at("version").is_string());
   EXPECT_TRUE(document.at("stream_version").is_number_unsigned());
   EXPECT_NE(document.at("command").get<std::string>().find("box:1,2,3 capsule:1,0.25 --trials 20000"),
@@ -106,7 +107,7 @@ TEST_F(Document, HasEveryKeyForAPairOfNamedBodies) {
 
 TEST_F(Document, DescribesAMesh) {
   write_file("cube.obj", cube_obj());
-  const json document = json_of({"cube.obj", "--trials", "1000"});
+  const json document = json_of({"cube.obj", "--trials", "1000", "--estimator", "hit-or-miss"});
   const json& body = document.at("bodies")[0];
   expect_body(body);
   EXPECT_EQ(body.at("source"), "cube.obj");
@@ -197,7 +198,8 @@ TEST_F(Document, EveryOrientationLawIsNamedAsItWasWritten) {
            {"onsager:0", "onsager:0"},
            {"onsager:0.1", "onsager:0.1"},
            {"onsager:1e308", "onsager:1e+308"}}) {
-    const json document = json_of({"capsule:1,0.25", "--orientations", written, "--trials", "5000"});
+    const json document =
+        json_of({"capsule:1,0.25", "--orientations", written, "--trials", "5000", "--estimator", "hit-or-miss"});
     const json& estimate = document.at("estimate");
     EXPECT_EQ(estimate.at("orientations"), named);
     expect_tally(estimate);
@@ -230,7 +232,8 @@ TEST_F(Document, TheFittedEstimatorSaysWhatItSampled) {
   // The mean volume: at least the estimate, and far below the constant domain's.
   const double sampled = number(estimate.at("sampling_volume"));
   EXPECT_GT(sampled, value);
-  const json constant = json_of({"box:1,1,0.001", "capsule:2,0.01", "--trials", "20000"}).at("estimate");
+  const json constant =
+      json_of({"box:1,1,0.001", "capsule:2,0.01", "--trials", "20000", "--estimator", "hit-or-miss"}).at("estimate");
   EXPECT_LT(sampled, 0.5 * number(constant.at("sampling_volume")));
   EXPECT_LT(error, 0.7 * number(constant.at("std_error")));
   // Threads change nothing, the sums of volumes included.
@@ -257,7 +260,7 @@ TEST_F(Document, AlignedBoxesInTheirFittedDomainHitAlwaysAndClaimNoComparison) {
 }
 
 TEST_F(Document, ASpherePairInTheBallHitsAlwaysAndClaimsNoComparison) {
-  const json document = json_of({"sphere:1", "sphere:0.5", "--rel-error", "1e-3"});
+  const json document = json_of({"sphere:1", "sphere:0.5", "--rel-error", "1e-3", "--estimator", "hit-or-miss"});
   EXPECT_TRUE(document.at("z").is_null());
   EXPECT_TRUE(document.at("z_reason").is_string());
   const json& estimate = document.at("estimate");
@@ -271,7 +274,7 @@ TEST_F(Document, ASpherePairInTheBallHitsAlwaysAndClaimsNoComparison) {
 }
 
 TEST_F(Document, NoHitAtAllClaimsNoErrorOfZero) {
-  const json estimate = json_of({"box:1,1e-20,1e-20", "--trials", "2000"}).at("estimate");
+  const json estimate = json_of({"box:1,1e-20,1e-20", "--trials", "2000", "--estimator", "hit-or-miss"}).at("estimate");
   EXPECT_EQ(estimate.at("hits"), 0);
   EXPECT_EQ(number(estimate.at("excluded_volume")), 0.0);
   const double volume = number(estimate.at("sampling_volume"));

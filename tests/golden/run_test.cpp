@@ -35,23 +35,26 @@ TEST_F(Run, TheSeedFixesTheHitsForAnyNumberOfThreads) {
 }
 
 TEST_F(Run, WhatIsPrintedDoesNotChangeTheHits) {
-  const Words words = {"box:1,1,2", "--trials", "5000"};
+  const Words words = {"box:1,1,2", "--trials", "5000", "--estimator", "hit-or-miss"};
   const json plain = estimate_of(words);
   for (const Words& more : {Words{"--quiet"}, Words{"--cross-check"}, Words{"--max-z", "3"}}) {
     Words all = words;
     all.insert(all.end(), more.begin(), more.end());
     EXPECT_EQ(estimate_of(all).at("hits"), plain.at("hits")) << more[0];
   }
-  EXPECT_EQ(run({"box:1,1,2", "--trials", "5000", "--quiet", "--json", "result.json"}).out, "");
+  EXPECT_EQ(
+      run({"box:1,1,2", "--trials", "5000", "--quiet", "--json", "result.json", "--estimator", "hit-or-miss"}).out, "");
   EXPECT_EQ(json::parse(read_file("result.json")).at("estimate").at("hits"), plain.at("hits"));
   const Finished screen = run(words);
   EXPECT_NE(screen.out.find(std::to_string(plain.at("hits").get<int>()) + " / 5000"), std::string::npos) << screen.out;
 }
 
 TEST_F(Run, AnotherSeedGivesOtherHits) {
-  const Words words = {"box:1,1,1", "--trials", "100000"};
+  const Words words = {"box:1,1,1", "--trials", "100000", "--estimator", "hit-or-miss"};
   const auto hits = [&](const char* seed) {
-    return estimate_of({"box:1,1,1", "--trials", "100000", "--seed", seed}).at("hits").get<int>();
+    return estimate_of({"box:1,1,1", "--trials", "100000", "--seed", seed, "--estimator", "hit-or-miss"})
+        .at("hits")
+        .get<int>();
   };
   EXPECT_EQ(hits("1"), estimate_of(words).at("hits")) << "the default";
   EXPECT_NE(hits("1"), hits("2"));
@@ -61,12 +64,16 @@ TEST_F(Run, AnotherSeedGivesOtherHits) {
 
 // One integer for one seed, on every machine. Where these change, stream_version must.
 TEST_F(Run, StreamVersionOneGivesTheseHits) {
-  const json document = json_of({"box:1,1,1", "--trials", "1e5"});
+  const json document = json_of({"box:1,1,1", "--trials", "1e5", "--estimator", "hit-or-miss"});
   ASSERT_EQ(document.at("stream_version"), 1);
   EXPECT_EQ(document.at("estimate").at("domain"), "box");
   EXPECT_EQ(document.at("estimate").at("hits"), 53834);
-  EXPECT_EQ(estimate_of({"ellipsoid:1,2,3", "capsule:1,0.25", "--trials", "1e5"}).at("hits"), 37972);
-  EXPECT_EQ(estimate_of({"box:1,1,1", "--orientations", "aligned", "--trials", "1e5"}).at("hits"), 39258);
+  EXPECT_EQ(
+      estimate_of({"ellipsoid:1,2,3", "capsule:1,0.25", "--trials", "1e5", "--estimator", "hit-or-miss"}).at("hits"),
+      37972);
+  EXPECT_EQ(estimate_of({"box:1,1,1", "--orientations", "aligned", "--trials", "1e5", "--estimator", "hit-or-miss"})
+                .at("hits"),
+            39258);
 }
 
 TEST_F(Run, NoInstructionSetChangesAHit) {
@@ -108,7 +115,7 @@ TEST_F(Run, QuickVerdictsChangeNoVerdict) {
 }
 
 TEST_F(Run, PeersAnswerEveryPoseThemselves) {
-  const json ours = estimate_of({"box:1,1,1", "--trials", "20000"});
+  const json ours = estimate_of({"box:1,1,1", "--trials", "20000", "--estimator", "hit-or-miss"});
   const std::vector<std::string> backends = backends_of_this_build();
   for (const std::string& name : backends) {
     const json estimate = estimate_of({"box:1,1,1", "--trials", "20000", "--backend", name});
@@ -158,7 +165,10 @@ TEST_F(Run, APairThatExcludesNoVolumeIsReportedWithoutARun) {
     EXPECT_EQ(finished.exit_code, 0);
     EXPECT_NE(finished.out.find("no run: "), std::string::npos) << finished.out;
   }
-  EXPECT_GT(estimate_of({"plate:1,2", "needle:1", "--orientations", "aligned", "--trials", "2000"}).at("hits"), 0)
+  EXPECT_GT(estimate_of({"plate:1,2", "needle:1", "--orientations", "aligned", "--trials", "2000", "--estimator",
+                         "hit-or-miss"})
+                .at("hits"),
+            0)
       << "a needle across a plate does";
 }
 
@@ -239,14 +249,15 @@ TEST_F(Run, WhicheverRuleComesFirstStopsIt) {
 TEST_F(Run, MaxTrialsEndsItIncomplete) {
   for (const Words& rule :
        {Words{"--rel-error", "1e-9"}, Words{"--trials", "1e6"}, Words{"--seconds", "1000"}, Words{}}) {
-    Words words = {"box:1,1,1", "--max-trials", "5000"};
+    Words words = {"box:1,1,1", "--max-trials", "5000", "--estimator", "hit-or-miss"};
     words.insert(words.end(), rule.begin(), rule.end());
     const json document = json_of(words);
     EXPECT_EQ(document.at("estimate").at("trials"), 5000);
     EXPECT_EQ(document.at("complete"), false);
   }
   EXPECT_EQ(json_of({"box:1,1,1", "--max-trials", "5000", "--trials", "5000"}).at("complete"), true);
-  EXPECT_NE(run({"box:1,1,1", "--max-trials", "5000"}).out.find("incomplete"), std::string::npos);
+  EXPECT_NE(run({"box:1,1,1", "--max-trials", "5000", "--estimator", "hit-or-miss"}).out.find("incomplete"),
+            std::string::npos);
 }
 
 TEST_F(Run, ADisagreementExitsWithFourAndStillReports) {

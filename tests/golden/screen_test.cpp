@@ -45,7 +45,7 @@ TEST_F(Screen, TheReportHoldsTheNumbersOfTheDocument) {
   for (const Words& bodies : {Words{"box:1,2,3"}, Words{"ellipsoid:1,2,3", "sphere:0.5"},
                               Words{sample("icosahedron.obj")}, Words{"capsule:1e20,2e19"}}) {
     Words words = bodies;
-    words.insert(words.end(), {"--trials", "5000", "--json", "result.json"});
+    words.insert(words.end(), {"--trials", "5000", "--json", "result.json", "--estimator", "hit-or-miss"});
     const Finished finished = run(words);
     ASSERT_EQ(finished.exit_code, 0) << finished.err;
     const json document = json::parse(read_file("result.json"));
@@ -76,7 +76,7 @@ TEST_F(Screen, TheErrorReadsWellAtEveryScaleAndPrecision) {
   for (const char* body : {"box:1e-30,1e-30,1e-30", "box:1e-3,1e-3,1e-3", "box:.3,.3,.3", "box:1,1,1", "box:7,8,9",
                            "box:1e2,1e2,1e2", "box:1e4,1e4,1e4", "box:1e30,1e30,1e30", "box:1,1,1e-6", "sphere:1"}) {
     for (const char* trials : {"1", "2", "10", "100", "1000", "12345", "200000"}) {
-      const Finished finished = run({body, "--trials", trials, "--json", "result.json"});
+      const Finished finished = run({body, "--trials", trials, "--json", "result.json", "--estimator", "hit-or-miss"});
       const json estimate = json::parse(read_file("result.json")).at("estimate");
       const WithError shown = estimate_in(finished.out);
       EXPECT_NEAR(shown.value, estimate.at("excluded_volume"), 0.51 * shown.unit) << finished.out;

@@ -83,11 +83,22 @@ TEST_F(Usage, ANumberThatIsNone) {
   }
 }
 
+TEST_F(Usage, AnEstimatorWithoutVerdictsHasNoBackendAndNothingToCheck) {
+  for (const char* estimator : {"radial", "mixed-volume", "mean-width"}) {
+    for (const Words& words :
+         {Words{"--verify"}, Words{"--cross-check"}, Words{"--no-quick-verdicts"}, Words{"--backend", "specialised"}}) {
+      Words all = {"box:1,1,1", "--estimator", estimator};
+      all.insert(all.end(), words.begin(), words.end());
+      expect_wrong(all, words[0] + " is about overlap verdicts");
+    }
+  }
+  expect_wrong({"box:1,1,1", "--estimator", "radiant"},
+               "there are hit-or-miss, hit-or-miss-fitted, stratified, radial");
+  expect_wrong({"box:1,1,1", "--sequence", "halton"}, "there are random, sobol");
+}
+
 TEST_F(Usage, WhatIsNotBuiltYetSaysSo) {
-  const std::vector<Words> planned = {{"--checkpoint", "run.state"},   {"--resume", "run.state"},
-                                      {"--estimator", "stratified"},   {"--estimator", "radial"},
-                                      {"--estimator", "mixed-volume"}, {"--estimator", "mean-width"},
-                                      {"--sequence", "sobol"}};
+  const std::vector<Words> planned = {{"--checkpoint", "run.state"}, {"--resume", "run.state"}};
   for (const Words& words : planned) {
     Words all = {"box:1,1,1"};
     all.insert(all.end(), words.begin(), words.end());
@@ -144,10 +155,13 @@ TEST_F(Usage, OrientationsThatMeanNothing) {
   }
 }
 
-TEST_F(Usage, AFittedDomainIsNotChosen) {
-  for (const char* domain : {"ball", "box", "best"}) {
-    expect_wrong({"box:1,1,1", "--estimator", "hit-or-miss-fitted", "--domain", domain},
-                 std::string("has its own domains (\"") + domain + "\" for --domain)");
+TEST_F(Usage, OnlyHitOrMissHasAChoiceOfDomains) {
+  for (const char* estimator : {"hit-or-miss-fitted", "stratified", "radial", "mixed-volume", "mean-width"}) {
+    for (const char* domain : {"ball", "box", "best"}) {
+      expect_wrong(
+          {"box:1,1,1", "--estimator", estimator, "--domain", domain},
+          std::string("only hit-or-miss has a choice of domains (\"") + domain + "\" for --domain with " + estimator);
+    }
   }
   expect_wrong({"box:1,1,1", "--domain", "fitted"}, "there are ball, box, best");
 }

@@ -1,0 +1,43 @@
+#include "engine/sampling/pilot.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "engine/sampling/radial_estimator.h"
+#include "shapes/any_shape.h"
+
+namespace vex {
+namespace {
+
+TEST(Pilot, TellsTimeAndErrorOfALongerRun) {
+  const ConvexBody a = parse_shape("box:1,1,1").body;
+  MonteCarloSettings settings;
+  settings.domain = ball_domain(a, a);
+  const PilotCost hits = pilot(a, a, settings);
+  EXPECT_GT(hits.n_trials, 0u);
+  EXPECT_GT(hits.seconds_per_trial, 0.0);
+  EXPECT_EQ(hits.slope, -0.5);
+  // Of p = .505: sqrt((1 - p) / (p n))
+  EXPECT_NEAR(hits.relative_error * std::sqrt(static_cast<double>(hits.n_trials)), 0.99, 0.1);
+  EXPECT_NEAR(hits.seconds_to(0.1 * hits.relative_error) / hits.seconds_to(hits.relative_error), 100.0, 1e-9);
+  EXPECT_NEAR(hits.relative_error_after(hits.seconds_to(1e-5)), 1e-5, 1e-12);
+
+  settings.sequence = Sequence::sobol;
+  settings.integrand = [&a] { return std::make_unique<RadialEstimator>(a, a, OrientationLaw()); };
+  const PilotCost rays = pilot(a, a, settings);
+  EXPECT_LT(rays.relative_error, hits.relative_error);
+  EXPECT_LE(rays.slope, -0.5);
+  EXPECT_GE(rays.slope, -1.0);
+}
+
+TEST(Pilot, OfAPairThatNeverHitsTellsNoTime) {
+  const ConvexBody needle = parse_shape("capsule:1,1e-9").body;
+  MonteCarloSettings settings;
+  settings.domain = ball_domain(needle, needle);
+  EXPECT_TRUE(std::isinf(pilot(needle, needle, settings).seconds_to(1e-3)));
+}
+
+}  // namespace
+}  // namespace vex
