@@ -5,6 +5,8 @@
 #include <bit>
 #include <memory>
 #include <random>
+#include <string>
+#include <utility>
 
 #include "shapes/any_shape.h"
 #include "tests/referees/random_poses.h"
@@ -12,8 +14,15 @@
 namespace vex {
 namespace {
 
-TEST(RayColumns, OfEverySetAreBitForBitTheRaysOfTheMap) {
-  const ConvexBody a = parse_shape("cone:1,1").body, b = parse_shape("box:64,1,0.5").body;
+class RayColumnsOfPairs : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+INSTANTIATE_TEST_SUITE_P(Pairs, RayColumnsOfPairs,
+                         testing::Values(std::pair{"cone:1,1", "box:64,1,0.5"}, std::pair{"box:1,1,1", "tetrahedron:1"},
+                                         std::pair{"box:64,1,1", "capsule:4,0.5"}, std::pair{"disc:1", "box:9,1,1"},
+                                         std::pair{"tetrahedron:1", "needle:1"}),
+                         [](const auto& pair) { return "Pair" + std::to_string(pair.index); });
+
+TEST_P(RayColumnsOfPairs, OfEverySetAreBitForBitTheRaysOfTheMap) {
+  const ConvexBody a = parse_shape(GetParam().first).body, b = parse_shape(GetParam().second).body;
   const auto columns = std::make_unique<RayColumns>();
   for (const OrientationLaw& law :
        {OrientationLaw::isotropic(), OrientationLaw::aligned(), OrientationLaw::fixed(1, 2, 3, 4),
@@ -44,7 +53,7 @@ TEST(RayColumns, OfEverySetAreBitForBitTheRaysOfTheMap) {
           expect_same(rotation.row_z, ray.rotation.row_z);
           expect_same(table.dir(k), ray.dir);
           for (std::size_t j = 0; j < 3; ++j) expect_same(table.at(RayTable::kNormals + 3 * j, k), ray.normals[j]);
-          EXPECT_EQ(columns->rays[RayTable::kPick][k], point[dimension - 1]);
+          EXPECT_EQ(columns->rays[RayTable::kPick][k], ray.pick);
           EXPECT_EQ(columns->weights[k], ray.weight);
         }
       }
