@@ -1,4 +1,4 @@
-#include "apps/referees/ellipsoid_excluded_volume.h"
+#include "shapes/estimators/ellipsoid_excluded_volume.h"
 
 #include <Eigen/Eigenvalues>
 #include <boost/math/special_functions/ellint_rg.hpp>
