@@ -1,6 +1,7 @@
 #include "shapes/estimators/mixed_volume_estimator.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -51,6 +52,42 @@ std::optional<Axes> axes_of(const MeasuredBody& a, const MeasuredBody& b) {
   return Axes{*axes_a, *axes_b};
 }
 
+/// The axis along which a body is longest or shortest, whichever tells it more from the two others; z unless another
+/// one is clearly the better.
+std::size_t main_axis_of(const CoreHeights& heights) {
+  const std::array<Vec3d, 3> axes{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+  std::array<double, 3> widths;
+  for (std::size_t k = 0; k < 3; ++k) {
+    widths[k] = (heights(axes[k]) + heights(-axes[k])) + 2.0 * heights.ball_radius();
+  }
+  const auto apart = [&widths](std::size_t k) {
+    const auto [thin, wide] = std::minmax(widths[(k + 1) % 3], widths[(k + 2) % 3]);
+    return std::max(widths[k] / wide, thin / widths[k]);  // a NaN of a needle's or a point's 0 / 0 is no axis
+  };
+  constexpr double kClearly = 1.01;
+  std::size_t best = 2;
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+    if (apart(k) > kClearly * apart(best)) best = k;
+  }
+  return best;
+}
+
+/// Uniform over all rotations: Rz(f) Ry(t) Rz(p), cos t uniform, of frames that have the bodies' main axes as z. Of a
+/// body that is alike about that axis the value does not hang on f or p, and of others less than on t; while
+/// uniform_rotation's angles are f + p and f - p. Sobol' points are best where few coordinates matter together.
+Transformd rotation_of_angles(std::span<const double> point, std::size_t axis_a, std::size_t axis_b) {
+  const double cos = (point[0] + point[0]) - 1.0, sin = 2.0 * square_root(point[0] * (1.0 - point[0]));
+  const SinCos<double> f = sincospi(point[1] + point[1]), p = sincospi(point[2] + point[2]);
+  const auto row = [&](double x, double y, double z) -> Vec3d {
+    const double x_turned = x * p.cos + y * p.sin, y_turned = y * p.cos - x * p.sin;
+    return axis_b == 2 ? Vec3d{x_turned, y_turned, z}
+                       : (axis_b == 1 ? Vec3d{y_turned, z, x_turned} : Vec3d{z, x_turned, y_turned});
+  };
+  const Vec3d x = row(f.cos * cos, -f.sin, f.cos * sin), y = row(f.sin * cos, f.cos, f.sin * sin),
+              z = row(-sin, 0.0, cos);
+  return axis_a == 2 ? Transformd{x, y, z, {}} : (axis_a == 1 ? Transformd{y, z, x, {}} : Transformd{z, x, y, {}});
+}
+
 NormalNodes nodes_of(const MeasuredBody& body, const OrientationLaw& law, bool none) {
   return {none ? NormalMeasure{} : body.normals.area(), spins_about_z(law)};
 }
@@ -63,6 +100,7 @@ struct MixedVolumeEstimator::Plan {
   NormalNodes nodes_a, nodes_b;
   CoreHeights heights_a, heights_b;
   NormalCoordinates at_a, at_b;
+  std::size_t axis_a, axis_b;
   double certain = 0.0;  // what every value has
   double scale = 0.0, least_mean = 0.0, support_rounding = 0.0;
   int n_components = 0;
@@ -73,7 +111,9 @@ struct MixedVolumeEstimator::Plan {
         nodes_a(nodes_of(a, law, ellipsoids.has_value())),
         nodes_b(nodes_of(b, law, ellipsoids.has_value())),
         heights_a(a.body),
-        heights_b(b.body) {
+        heights_b(b.body),
+        axis_a(main_axis_of(heights_a)),
+        axis_b(main_axis_of(heights_b)) {
     const double s_a = a.measures.surface_area, s_b = b.measures.surface_area;
     if (!ellipsoids) {
       certain = a.measures.volume + b.measures.volume;
@@ -164,18 +204,6 @@ double MixedVolumeEstimator::cost() const {
 
 namespace {
 
-/// Rz(f) Ry(t) Rz(p), uniform over all rotations for cos t uniform: of a body that is alike about its z axis the value
-/// does not hang on f or p, while uniform_rotation's angles are f + p and f - p. Sobol' points are best where few
-/// coordinates matter together.
-Transformd rotation_of_angles(std::span<const double> point) {
-  const double cos = (point[0] + point[0]) - 1.0, sin = 2.0 * square_root(point[0] * (1.0 - point[0]));
-  const SinCos<double> f = sincospi(point[1] + point[1]), p = sincospi(point[2] + point[2]);
-  const auto row = [&p](double x, double y, double z) -> Vec3d {
-    return {x * p.cos + y * p.sin, y * p.cos - x * p.sin, z};
-  };
-  return {row(f.cos * cos, -f.sin, f.cos * sin), row(f.sin * cos, f.cos, f.sin * sin), row(-sin, 0.0, cos), {}};
-}
-
 /// The integral of h of the other body over the nodes, which are at their places.
 double sum_over(const NormalColumns& normals, const CoreHeights& other, const Transformd& r, bool of_b,
                 std::span<double> buffer) {
@@ -204,8 +232,9 @@ double sum_over(const NormalColumns& normals, const CoreHeights& other, const Tr
 
 double MixedVolumeEstimator::value_at(std::span<const double> point) {
   const Plan& plan = *plan_;
-  const Transformd r =
-      plan.law.kind() == OrientationLaw::Kind::isotropic ? rotation_of_angles(point) : plan.law.rotation<double>(point);
+  const Transformd r = plan.law.kind() == OrientationLaw::Kind::isotropic
+                           ? rotation_of_angles(point, plan.axis_a, plan.axis_b)
+                           : plan.law.rotation<double>(point);
   if (plan.ellipsoids) return ellipsoid_excluded_volume(plan.ellipsoids->a, plan.ellipsoids->b, r);
   plan.nodes_a.place(point, plan.at_a, normals_a_);
   plan.nodes_b.place(point, plan.at_b, normals_b_);

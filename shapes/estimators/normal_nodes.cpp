@@ -266,6 +266,7 @@ void NormalNodes::place_all(std::span<const NormalMeasure::Component> components
 }
 
 void NormalNodes::place(std::span<const double> point, const NormalCoordinates& at, NormalColumns& columns) const {
+  if (columns.size() == face_pairs_.size() + single_faces_.size()) return;  // all faces, each counted
   const auto coordinate = [point](int i) { return i < 0 ? 0.5 : point[static_cast<std::size_t>(i)]; };
   const double v = coordinate(at.v), w = coordinate(at.w);
   place_all(even_, n_of_even_, v, w, true, face_pairs_.size(), columns);

@@ -46,7 +46,7 @@ class NormalNodes {
   static constexpr std::size_t kMostSummed = 64;
   static constexpr std::size_t kPicks = 32;
   static constexpr std::size_t kPlacesAlong = 16;   // of all parts together that one coordinate is enough for
-  static constexpr std::size_t kPlacesAcross = 32;  // of those that take two
+  static constexpr std::size_t kPlacesAcross = 64;  // of those that take two
 
   /// `spins`: the orientations are such that an angle about the body's z axis is redundant.
   NormalNodes(const NormalMeasure& area, bool spins);
@@ -70,8 +70,8 @@ class NormalNodes {
 
   /// As large as every point needs; what is the same at all of them is there.
   NormalColumns columns() const;
-  /// The rest of one point: for uniform coordinates, the mean of the sum of weight * f(normal) is the integral of f
-  /// over the measure less its uniform part.
+  /// The rest of one point, where there is a rest: for uniform coordinates, the mean of the sum of weight * f(normal)
+  /// is the integral of f over the measure less its uniform part.
   void place(std::span<const double> point, const NormalCoordinates& at, NormalColumns& columns) const;
 
  private:

@@ -28,10 +28,10 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// Enough for these tests, and an eighth of what is taken unless told.
+// Enough for these tests, and a sixteenth of what is taken unless told.
 ExactAverageSettings quick() {
   ExactAverageSettings settings;
-  settings.log2_n_points = 12;
+  settings.log2_n_points = 11;
   return settings;
 }
 
