@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <cmath>
 #include <limits>
@@ -42,6 +43,12 @@ MeasuredBody hull_on_an_ellipsoid(int n_points) {
 }
 
 double formula(const MeasuredBody& a, const MeasuredBody& b) { return average_excluded_volume(a.measures, b.measures); }
+
+// Of a law that has but one.
+Transformd rotation_of(const OrientationLaw& law) {
+  const std::array<double, OrientationLaw::kMaxDimension> unused{};
+  return law.rotation<double>(unused);
+}
 
 class MixedVolumeEstimatorOfPairs : public testing::TestWithParam<BodyPair> {};
 
@@ -108,7 +115,7 @@ TEST(MixedVolumeEstimator, OfTwoBoxesIsExactAtEachOrientation) {
   for (int i = 0; i < 50; ++i) {
     const double w = normal(random), x = normal(random), y = normal(random), z = normal(random);
     const OrientationLaw law = OrientationLaw::fixed(w, x, y, z);
-    const Transformd r = law.rotation<double>({});
+    const Transformd r = rotation_of(law);
     const double matrix[3][3] = {
         {r.row_x.x, r.row_x.y, r.row_x.z}, {r.row_y.x, r.row_y.y, r.row_y.z}, {r.row_z.x, r.row_z.y, r.row_z.z}};
     double truth = a.measures.volume + b.measures.volume;
@@ -132,7 +139,7 @@ TEST(MixedVolumeEstimator, OfTwoCylindersIsOnsagersAtEachOrientation) {
   const MeasuredBody a = parse_shape("cylinder:2,0.5"), b = parse_shape("cylinder:0.7,0.8");
   const double l1 = 2.0, d1 = 1.0, l2 = 0.7, d2 = 1.6;
   const OrientationLaw law = OrientationLaw::fixed(0.3, 0.5, -0.2, 0.7);
-  const double cos = std::fabs(law.rotation<double>({}).row_z.z), sin = std::sqrt(1.0 - cos * cos);
+  const double cos = std::fabs(rotation_of(law).row_z.z), sin = std::sqrt(1.0 - cos * cos);
   const double truth =
       kPi / 4.0 * (d1 * d2 * (d1 + d2) * sin + d1 * d1 * l1 + d2 * d2 * l2 + (d1 * d1 * l2 + d2 * d2 * l1) * cos) +
       (l1 + l2) * d1 * d2 * boost::math::ellint_2(sin) + (d1 + d2) * l1 * l2 * sin;
