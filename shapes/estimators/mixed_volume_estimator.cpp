@@ -20,8 +20,7 @@
 namespace vex {
 namespace {
 
-// What the measures of a mesh are good to (meshes/convex_mesh.h), and more than the matrix of a law is off a rotation
-// by.
+// What the measures of a mesh are good to (meshes/convex_mesh.h), and the masses of its faces.
 constexpr double kMeasuresError = 1e-12;
 
 void require_normals(const MeasuredBody& body) {
@@ -134,7 +133,8 @@ struct MixedVolumeEstimator::Plan {
     least_mean = law.kind() == OrientationLaw::Kind::isotropic
                      ? average_excluded_volume(a.measures, b.measures)
                      : (a.measures.volume + b.measures.volume) + (s_a * b.body.inradius() + s_b * a.body.inradius());
-    support_rounding = s_a * heights_b.error() + s_b * heights_a.error();
+    support_rounding = s_a * (heights_b.error() + kDrawnRotationError * reach_b) +
+                       s_b * (heights_a.error() + kDrawnRotationError * reach_a);
     n_components =
         static_cast<int>(std::min<std::size_t>(nodes_a.columns().size() + nodes_b.columns().size(), 1u << 30));
   }

@@ -38,8 +38,8 @@ class MixedVolumeEstimator final : public Integrand {
   /// smaller yet, as of flat bodies that are all but aligned, it is no bound.
   double relative_rounding() const override;
   /// What the mean over points is off by besides their choice, for a mean of this size; length^3. V, S and the masses
-  /// of a mesh are good to 1e-12, which is far above what a rotation's entries are off by; to that come the additions
-  /// and the support errors of each body times the other's surface area.
+  /// of a mesh are good to 1e-12; to that come the additions and, times the other body's surface area, each body's
+  /// support error and what its height changes by where a drawn matrix is off a rotation.
   double rounding(double mean) const;
   /// Of a value, in about nanoseconds: counted, not measured.
   double cost() const;

@@ -79,10 +79,10 @@ TEST(Structure, EveryThirdPartyHasItsOnePlace) {
       {"ccd/", {"apps/peers/ccd_"}},
       {"fcl/", {"apps/peers/fcl_"}},
       {"Random123/", {"engine/sampling/random_stream.cpp"}},
-      {"Eigen/", {"engine/numeric/eigen.h", "apps/referees/", "shapes/estimators/ellipsoid_excluded_volume.cpp"}},
+      {"Eigen/", {"engine/numeric/eigen.h", "apps/referees/"}},
       {"boost/",
-       {"engine/numeric/whole.h", "engine/sampling/sobol.cpp", "shapes/ellipsoid.cpp",
-        "shapes/estimators/ellipsoid_excluded_volume.cpp", "apps/referees/", "apps/vex_paper/"}},
+       {"engine/numeric/whole.h", "engine/sampling/sobol.cpp", "shapes/ellipsoid.cpp", "apps/referees/",
+        "apps/vex_paper/"}},
       {"CLI/", {"apps/common/"}},
       {"nlohmann/", {"apps/"}},
   };
