@@ -108,7 +108,7 @@ struct MixedVolumeEstimator::Plan {
       : law(orientations),
         ellipsoids(axes_of(a, b)),
         nodes_a(nodes_of(a, law, ellipsoids.has_value())),
-        nodes_b(nodes_of(b, law, ellipsoids.has_value())),
+        nodes_b(&a == &b ? nodes_a : nodes_of(b, law, ellipsoids.has_value())),
         heights_a(a.body),
         heights_b(b.body),
         axis_a(main_axis_of(heights_a)),

@@ -70,23 +70,25 @@ double fraction(double x) { return x - std::floor(x); }
 
 }  // namespace
 
-NormalNodes::Sort::Sort(std::vector<NormalMeasure::Component> components) : components_(std::move(components)) {
+template <class Component>
+NormalNodes::Sort<Component>::Sort(std::vector<Component> components) : components_(std::move(components)) {
   if (components_.size() <= kMostSummed) return;
   std::vector<std::pair<std::uint64_t, std::size_t>> places;
   places.reserve(components_.size());
   for (std::size_t i = 0; i < components_.size(); ++i)
     places.emplace_back(place_on_sphere(middle_normal(components_[i])), i);
   std::ranges::sort(places);
-  std::vector<NormalMeasure::Component> sorted;
+  std::vector<Component> sorted;
   sorted.reserve(components_.size());
   for (const auto& place : places) sorted.push_back(components_[place.second]);
   components_ = std::move(sorted);
   shares_.reserve(components_.size());
-  for (const NormalMeasure::Component& component : components_) shares_.push_back(mass_of(component));
+  for (const Component& component : components_) shares_.push_back(component.mass);
   normalise_shares();
 }
 
-void NormalNodes::Sort::normalise_shares() {
+template <class Component>
+void NormalNodes::Sort<Component>::normalise_shares() {
   DoubleDouble total, sum;
   for (const double share : shares_) total += share;
   share_up_to_.clear();
@@ -105,13 +107,14 @@ void NormalNodes::Sort::normalise_shares() {
   }
 }
 
-void NormalNodes::Sort::favour(const std::function<double(const Vec3d&)>& typical) {
+template <class Component>
+void NormalNodes::Sort<Component>::favour(const std::function<double(const Vec3d&)>& typical) {
   if (!picks()) return;
   std::vector<double> favoured;
   favoured.reserve(components_.size());
   double sum = 0.0;
-  for (const NormalMeasure::Component& component : components_) {
-    favoured.push_back(mass_of(component) * typical(middle_normal(component)));
+  for (const Component& component : components_) {
+    favoured.push_back(component.mass * typical(middle_normal(component)));
     sum += favoured.back();
   }
   if (!(sum > 0.0)) return;
@@ -119,7 +122,9 @@ void NormalNodes::Sort::favour(const std::function<double(const Vec3d&)>& typica
   normalise_shares();
 }
 
-void NormalNodes::Sort::place_picks(double pick, double v, double w, std::size_t first, NormalColumns& columns) const {
+template <class Component>
+void NormalNodes::Sort<Component>::place_picks(double pick, double v, double w, std::size_t first,
+                                               NormalColumns& columns) const {
   constexpr double kStep = 1.0 / static_cast<double>(kPicks);
   const auto begin = share_up_to_.begin();
   for (std::size_t step = 0; step < kPicks; ++step) {
@@ -132,7 +137,11 @@ void NormalNodes::Sort::place_picks(double pick, double v, double w, std::size_t
 }
 
 NormalNodes::NormalNodes(const NormalMeasure& area, bool spins) {
-  std::vector<NormalMeasure::Component> faces, edges;
+  std::vector<NormalAtom> faces;
+  std::vector<NormalArc> edges;
+  faces.reserve(static_cast<std::size_t>(std::ranges::count_if(
+      area.components(), [](const auto& component) { return std::holds_alternative<NormalAtom>(component); })));
+  bool is_even_across = false, is_curved_across = false;
   DoubleDouble uniform, rest;
   for (const NormalMeasure::Component& component : area.components()) {
     const double mass = mass_of(component);
@@ -145,43 +154,39 @@ NormalNodes::NormalNodes(const NormalMeasure& area, bool spins) {
     const CoordinatesUsed used = coordinates_used(component);
     coordinates_.v = coordinates_.v || used.v;
     coordinates_.w = coordinates_.w || (used.w && !(spins && is_alike_about_z(component)));
-    if (std::holds_alternative<NormalAtom>(component)) {
-      faces.push_back(component);
-    } else if (std::holds_alternative<NormalArc>(component)) {
-      edges.push_back(component);
+    if (const auto* const face = std::get_if<NormalAtom>(&component)) {
+      faces.push_back(*face);
+    } else if (const auto* const edge = std::get_if<NormalArc>(&component)) {
+      edges.push_back(*edge);
     } else {
-      (is_even(component) ? even_ : curved_).push_back(component);
+      const bool even = is_even(component);
+      (even ? even_ : curved_).push_back(component);
+      if (used.v && used.w) (even ? is_even_across : is_curved_across) = true;
     }
   }
   uniform_mass_ = uniform.value();
   mass_ = rest.value();
   // One place of a part that is even counts for its opposite too.
-  n_of_even_ = std::max<std::size_t>(1, n_places(even_) / 2);
-  n_of_curved_ = n_places(curved_);
-  n_of_edge_ = n_places(edges);
-  faces_ = Sort(std::move(faces));
-  edges_ = Sort(std::move(edges));
+  n_of_even_ = std::max<std::size_t>(1, n_places(is_even_across, even_.size()) / 2);
+  n_of_curved_ = n_places(is_curved_across, curved_.size());
+  n_of_edge_ = n_places(false, edges.size());
+  faces_ = Sort<NormalAtom>(std::move(faces));
+  edges_ = Sort<NormalArc>(std::move(edges));
   if (!faces_.picks()) pair_faces();
 }
 
-std::size_t NormalNodes::n_places(std::span<const NormalMeasure::Component> components) {
-  bool is_across = false;
-  for (const NormalMeasure::Component& component : components) {
-    const CoordinatesUsed used = coordinates_used(component);
-    is_across = is_across || (used.v && used.w);
-  }
-  return std::max<std::size_t>(
-      1, (is_across ? kPlacesAcross : kPlacesAlong) / std::max<std::size_t>(1, components.size()));
+std::size_t NormalNodes::n_places(bool is_across, std::size_t n_components) {
+  const std::size_t of_all = is_across ? kPlacesAcross : kPlacesAlong;
+  return std::max<std::size_t>(1, of_all / std::max<std::size_t>(1, n_components));
 }
 
 double NormalNodes::take_out_faces(const std::function<double(const Vec3d&)>& f) {
   DoubleDouble total;
-  for (const NormalMeasure::Component& component : faces_.components()) {
-    const NormalAtom& face = std::get<NormalAtom>(component);
+  for (const NormalAtom& face : faces_.components()) {
     total += face.mass * f(face.unit_normal);
     mass_ -= face.mass;
   }
-  faces_ = Sort();
+  faces_ = {};
   face_pairs_.clear();
   single_faces_.clear();
   return total.value();
@@ -198,8 +203,7 @@ void NormalNodes::pair_faces() {
     double mass;
   };
   std::vector<Face> faces;
-  for (const NormalMeasure::Component& component : faces_.components()) {
-    const NormalAtom& atom = std::get<NormalAtom>(component);
+  for (const NormalAtom& atom : faces_.components()) {
     const bool turned = is_turned(atom.unit_normal);
     faces.push_back({turned ? -atom.unit_normal : atom.unit_normal, turned, atom.mass});
   }
@@ -248,10 +252,11 @@ NormalColumns NormalNodes::columns() const {
   return columns;
 }
 
-void NormalNodes::place_all(std::span<const NormalMeasure::Component> components, std::size_t n, double v, double w,
-                            bool halved, std::size_t first, NormalColumns& columns) {
+template <class Component>
+void NormalNodes::place_all(const std::vector<Component>& components, std::size_t n, double v, double w, bool halved,
+                            std::size_t first, NormalColumns& columns) {
   const double step = 1.0 / static_cast<double>(n);
-  for (const NormalMeasure::Component& component : components) {
+  for (const Component& component : components) {
     const bool is_arc = !coordinates_used(component).w, is_ring = !coordinates_used(component).v;
     // Half a turn of a part that is even is the opposites'.
     const double turn = is_arc ? 0.0 : (is_ring ? (halved ? 0.5 * step : step) : kGoldenTurn);

@@ -76,14 +76,15 @@ class NormalNodes {
 
  private:
   /// Components of one sort: all of them, or some picked by mass.
+  template <class Component>
   class Sort {
    public:
     Sort() = default;
-    explicit Sort(std::vector<NormalMeasure::Component> components);
+    explicit Sort(std::vector<Component> components);
 
     bool picks() const { return !shares_.empty(); }
     std::size_t n_components() const { return components_.size(); }
-    const std::vector<NormalMeasure::Component>& components() const { return components_; }
+    const std::vector<Component>& components() const { return components_; }
     void favour(const std::function<double(const Vec3d&)>& typical);
     /// kPicks of them.
     void place_picks(double pick, double v, double w, std::size_t first, NormalColumns& columns) const;
@@ -91,7 +92,7 @@ class NormalNodes {
    private:
     void normalise_shares();
 
-    std::vector<NormalMeasure::Component> components_;
+    std::vector<Component> components_;
     std::vector<double> shares_, share_up_to_;  // of the picks; empty where all are summed
     std::vector<std::uint32_t> first_of_step_;  // where the search begins, of each of the kPicks steps and at the end
   };
@@ -101,13 +102,15 @@ class NormalNodes {
     double along = 0.0, against = 0.0;
   };
   void pair_faces();
-  static std::size_t n_places(std::span<const NormalMeasure::Component> components);
+  static std::size_t n_places(bool is_across, std::size_t n_components);
   /// n evenly spread places of every component of a sort, from index `first`.
-  static void place_all(std::span<const NormalMeasure::Component> components, std::size_t n, double v, double w,
-                        bool halved, std::size_t first, NormalColumns& columns);
+  template <class Component>
+  static void place_all(const std::vector<Component>& components, std::size_t n, double v, double w, bool halved,
+                        std::size_t first, NormalColumns& columns);
 
   double uniform_mass_ = 0.0, mass_ = 0.0;
-  Sort faces_, edges_;
+  Sort<NormalAtom> faces_;
+  Sort<NormalArc> edges_;
   std::vector<Pair> face_pairs_;                         // of faces that are all summed: those that have an opposite,
   std::vector<NormalAtom> single_faces_;                 // and those that have none
   std::vector<NormalMeasure::Component> even_, curved_;  // curved parts that look like their mirror image, and others
