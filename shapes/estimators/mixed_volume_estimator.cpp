@@ -196,7 +196,7 @@ double MixedVolumeEstimator::relative_rounding() const {
 }
 
 double MixedVolumeEstimator::cost() const {
-  constexpr double kCostOfCoordinate = 25.0, kCostOfNormal = 40.0, kCostOfEllipsoids = 3000.0;
+  constexpr double kCostOfCoordinate = 25.0, kCostOfNormal = 40.0, kCostOfEllipsoids = 1000.0;
   return kCostOfCoordinate * dimension() +
          (plan_->ellipsoids ? kCostOfEllipsoids
                             : kCostOfNormal * static_cast<double>(normals_a_.size() + normals_b_.size()));
