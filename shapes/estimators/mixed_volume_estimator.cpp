@@ -197,9 +197,11 @@ double MixedVolumeEstimator::relative_rounding() const {
 
 double MixedVolumeEstimator::cost() const {
   constexpr double kCostOfCoordinate = 25.0, kCostOfNormal = 40.0, kCostOfEllipsoids = 1000.0;
+  constexpr double kCostOfMeshsNormal = 150.0;  // bodies of many faces have many vertices
+  const bool has_mesh = plan_->nodes_a.picks() || plan_->nodes_b.picks();
+  const auto n_normals = static_cast<double>(normals_a_.size() + normals_b_.size());
   return kCostOfCoordinate * dimension() +
-         (plan_->ellipsoids ? kCostOfEllipsoids
-                            : kCostOfNormal * static_cast<double>(normals_a_.size() + normals_b_.size()));
+         (plan_->ellipsoids ? kCostOfEllipsoids : (has_mesh ? kCostOfMeshsNormal : kCostOfNormal) * n_normals);
 }
 
 namespace {
