@@ -29,8 +29,8 @@ struct NormalAt {
 
   WeightedNormal operator()(const NormalAtom& atom) const { return {atom.unit_normal, atom.mass}; }
   WeightedNormal operator()(const NormalArc& arc) const {
-    const double angle = v * arc.angle_rad;
-    return {std::cos(angle) * arc.unit_from + std::sin(angle) * arc.unit_across, arc.mass};
+    const SinCos<double> angle = sincospi(v * (arc.angle_rad / kPi));
+    return {angle.cos * arc.unit_from + angle.sin * arc.unit_across, arc.mass};
   }
   WeightedNormal operator()(const NormalRing& ring) const {
     return {around_z(ring.cos_polar, ring.sin_polar, w), ring.mass};
@@ -40,8 +40,9 @@ struct NormalAt {
     return {around_z(cos_polar, std::sqrt((1.0 - cos_polar) * (1.0 + cos_polar)), w), zone.mass};
   }
   WeightedNormal operator()(const NormalRim& rim) const {
-    const double polar = rim.polar_from_rad + v * (rim.polar_to_rad - rim.polar_from_rad);
-    return {around_z(std::cos(polar), std::sin(polar), w), rim.mass};
+    const double from = rim.polar_from_rad / kPi, to = rim.polar_to_rad / kPi;
+    const SinCos<double> polar = sincospi(from + v * (to - from));
+    return {around_z(polar.cos, polar.sin, w), rim.mass};
   }
   WeightedNormal operator()(const EllipsoidNormals& ellipsoid) const {
     const auto [a, b, c] = ellipsoid.semi_axes;
@@ -58,7 +59,8 @@ struct NormalAt {
     Vec3d p{1.0, 1.0, 1.0};
     (axes.x == longest ? p.x : axes.y == longest ? p.y : p.z) = shrink;
     const double shortest = std::min({axes.x, axes.y, axes.z});
-    const Vec3d about_z = around_z(std::cos(kPi * v), std::sin(kPi * v), w);
+    const SinCos<double> polar = sincospi(v);
+    const Vec3d about_z = around_z(polar.cos, polar.sin, w);
     const Vec3d u = axes.z == shortest   ? about_z
                     : axes.y == shortest ? Vec3d{about_z.x, about_z.z, about_z.y}
                                          : Vec3d{about_z.z, about_z.x, about_z.y};
@@ -66,7 +68,7 @@ struct NormalAt {
     const double length = norm(dir_normal);
     const Vec3d unit_normal = (1.0 / length) * dir_normal;
     // Of u to uniform ones, and of uniform u to uniform normals.
-    const double density_ratio = 0.5 * kPi * std::sin(kPi * v) * (shrink / (length * length * length));
+    const double density_ratio = 0.5 * kPi * polar.sin * (shrink / (length * length * length));
     return {unit_normal, 2.0 * kPi * ellipsoid.factor * density_ratio * sum_of_radii_of_curvature(axes, unit_normal)};
   }
 };

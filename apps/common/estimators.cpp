@@ -7,6 +7,8 @@
 #include "engine/numeric/expect.h"
 #include "engine/sampling/fitted_domain.h"
 #include "engine/sampling/radial_estimator.h"
+#include "shapes/estimators/mean_width_estimator.h"
+#include "shapes/estimators/mixed_volume_estimator.h"
 
 namespace vex {
 namespace {
@@ -32,16 +34,22 @@ std::optional<std::string> why_not(Estimator estimator, const MeasuredBody& a, c
                                    const OrientationLaw& law) {
   switch (estimator) {
     case Estimator::hit_or_miss:
-    case Estimator::hit_or_miss_fitted:
-    case Estimator::radial: return std::nullopt;
+    case Estimator::hit_or_miss_fitted: return std::nullopt;
+    case Estimator::radial:
+      if (RadialMap(a.body, b.body, law).is_too_thin()) {
+        return "A - B is thinner than 2^-22 of its length, and double precision does not tell rays in it apart";
+      }
+      return std::nullopt;
     case Estimator::stratified:
       if (is_ball(a.body) && is_ball(b.body)) return "between the balls in and about two balls there is nothing";
       return std::nullopt;
     case Estimator::mixed_volume:
+      if (!a.normals.area || !b.normals.area) return "a body is without its measures on normals";
+      return std::nullopt;
     case Estimator::mean_width: break;
   }
-  (void)law;
-  return "not built yet";
+  if (law.kind() == OrientationLaw::Kind::isotropic) return std::nullopt;
+  return "mean widths are of random orientations, not of " + law.name() + " ones";
 }
 
 void set_estimator(MonteCarloSettings& settings, Estimator estimator, const MeasuredBody& a, const MeasuredBody& b,
@@ -66,7 +74,14 @@ void set_estimator(MonteCarloSettings& settings, Estimator estimator, const Meas
       };
       return;
     case Estimator::mixed_volume:
-    case Estimator::mean_width: break;
+      // What the faces were sorted into is shared by the threads' copies.
+      settings.integrand = [whole = std::make_shared<const MixedVolumeEstimator>(a, b, settings.law)] {
+        return std::make_unique<MixedVolumeEstimator>(*whole);
+      };
+      return;
+    case Estimator::mean_width:
+      settings.integrand = [&a, &b] { return std::make_unique<MeanWidthEstimator>(a, b); };
+      return;
   }
 }
 

@@ -1,9 +1,7 @@
 // The excluded volume at a fixed orientation, exactly, and its mean over any orientation law: the answer to which hit
 // or miss is held where the formula for random orientations does not apply.
 //
-// V_ex(R) = |A + (-R B)| = V_A + V_B + integral of h_(-RB) over S_A + integral of h_A over S_(-RB): mixed volumes, with
-// the surface area measures of shapes/normal_measure.h (H. Minkowski, Math. Ann. 57, 447, 1903; R. Schneider, Convex
-// Bodies: The Brunn-Minkowski Theory, 2nd ed., section 5.1). Neither overlap queries nor positions are involved.
+// Mixed volumes, or Legendre polynomials: neither overlap queries nor positions are involved.
 #pragma once
 
 #include <atomic>
@@ -39,22 +37,11 @@ struct ExactAverageSettings {
 /// The mean of V_ex(R) over the law.
 ///
 /// For the laws cone and onsager and most named bodies it is a series (legendre_average.h), its error a bound.
-/// Otherwise: randomised quasi-Monte Carlo, scrambled Sobol' points (engine/sampling/sobol.h) over the law's
-/// coordinates and, for each body, up to two for a normal on a curved part and one that picks a face and an edge where
-/// there are more than 64 of either (those of a mesh, in the order of a Hilbert curve over the sphere, so that
-/// neighbours of the coordinate are neighbours on the sphere). Half of the picks go by area, half by area times
-/// a typical height: the rim of a thin body has next to no area but may have most of the integral. The error is the
-/// standard error of the mean over the independent randomisations. Where nothing is random (one orientation; flat faces
-/// or two ellipsoids; not more than `largest_cost`) it is one sum, and the error its rounding bound alone.
-///
-/// What a law or a body makes superfluous is not drawn: over uniform rotations every normal of a body has the same
-/// mean; laws that spin each body about its z axis do what the angle about z of a ring's or a rim's normal would do;
-/// the integral of h over the uniform normals of a ball part is M of the other body; two ellipsoids have a closed form
-/// at each orientation.
-///
-/// The rounding bound: gamma(256 + number of faces) and 1e-12 relative (what meshes promise of V and S, far above what
-/// a rotation's entries are off by), and the bodies' support errors times the other's surface area. Throws UsageError
-/// where a body comes without its measures on normals.
+/// Otherwise: randomised quasi-Monte Carlo, scrambled Sobol' points (engine/sampling/sobol.h), of the estimator that
+/// sums mixed volumes (shapes/estimators/mixed_volume_estimator.h). The error is the standard error of the mean over
+/// the independent randomisations, and a bound on rounding. Where nothing is random (one orientation; flat faces or two
+/// ellipsoids) it is one sum, and the error its rounding bound alone. Throws UsageError where a body comes without its
+/// measures on normals.
 ExactAverage exact_average(const MeasuredBody& a, const MeasuredBody& b, const OrientationLaw& law,
                            const ExactAverageSettings& settings = {});
 

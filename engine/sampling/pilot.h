@@ -19,8 +19,8 @@ struct PilotCost {
 };
 
 /// Runs the settings on one thread with stop rules of its own: 2048 trials, or 16 384 where these take no
-/// longer than `most_seconds`. The numbers are not the run's: the seed is another one, so that a choice that is made by them leaves
-/// the run unbiased.
+/// longer than `most_seconds`. The numbers are not the run's: the seed is another one, so that a choice that is made by
+/// them leaves the run unbiased.
 PilotCost pilot(const ConvexBody& a, const ConvexBody& b, MonteCarloSettings settings, double most_seconds = 1e-3);
 
 }  // namespace vex

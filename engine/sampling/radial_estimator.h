@@ -29,9 +29,7 @@ class RadialEstimator final : public Integrand {
   /// what PacketRays picks. What packets leave open is found by `radial_function`; undecided are those whose bounds it
   /// cannot close, where verdicts are undecided or coordinates too large beside the bodies.
   ///
-  /// Not for an A - B that is thinner than 2^-24 of its length at most orientations, as that of a needle and a ball of
-  /// 1e-8: double precision does not tell the frame in which it is round (RadialMap), and few rays have most of the
-  /// volume.
+  /// Not where RadialMap::is_too_thin.
   Doubts evaluate(std::span<const double> points, std::span<double> values) override;
 
   /// Rays so far that packets left open.

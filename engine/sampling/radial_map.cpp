@@ -1,5 +1,7 @@
 #include "engine/sampling/radial_map.h"
 
+#include <Eigen/Eigenvalues>
+#include <cmath>
 #include <utility>
 
 namespace vex {
@@ -16,6 +18,32 @@ RadialMap::RadialMap(const ConvexBody& a, const ConvexBody& b, const Orientation
   } else if (a_.form == Form::slab && b_.form == Form::rod) {
     long_body_ = LongBody::b;
   }
+}
+
+bool RadialMap::is_too_thin() const {
+  constexpr int kRays = 63;
+  constexpr double kThinnest = 0x1p-44;  // of squares
+  int n_thin = 0;
+  for (int k = 0; k < kRays; ++k) {
+    std::array<double, kMaxDimension> point;
+    // Multiples of the powers of a root of x^9 = x + 1, which spread over every coordinate.
+    constexpr double kRatio = 1.0 / 1.0850702454914508;
+    double step = 1.0;
+    for (double& coordinate : point) {
+      step *= kRatio;
+      const double at = 0.5 + (k + 1) * step;
+      coordinate = at - std::floor(at);
+    }
+    Transformd r = (*this)(std::span<const double>(point)).rotation;
+    if (is_swapped_) r = transposed(r);
+    const Symmetric<double> q = of_difference(in_own_axes(r));
+    Eigen::Matrix3d m;
+    m << q.xx, q.xy, q.xz, q.xy, q.yy, q.yz, q.xz, q.yz, q.zz;
+    const Eigen::Vector3d squares =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(m, Eigen::EigenvaluesOnly).eigenvalues();
+    if (!(squares[0] > kThinnest * squares[2])) ++n_thin;
+  }
+  return 2 * n_thin > kRays;
 }
 
 }  // namespace vex

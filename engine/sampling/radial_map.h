@@ -100,6 +100,10 @@ class RadialMap {
     return ray;
   }
 
+  /// Whether K is thinner than 2^-22 of its length at most orientations, as of a needle and a ball of 1e-8: double
+  /// precision does not tell the frame in which it is round, and few rays have most of the volume.
+  bool is_too_thin() const;
+
   /// Whether K is compared with a parallelepiped rather than with an ellipsoid.
   bool has_block() const { return long_body_ != LongBody::none; }
 

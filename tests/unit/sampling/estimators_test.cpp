@@ -219,7 +219,7 @@ TEST(AveragingRun, TakesValuesOfEitherSign) {
 }
 
 TEST(AveragingRun, RefusesValuesThatAreLostToRounding) {
-  for (const double value : {std::nan("") * 0.0 + 1e30, std::numeric_limits<double>::infinity()}) {
+  for (const double value : {1e30, std::numeric_limits<double>::infinity()}) {
     const MonteCarloSettings settings = averaging(
         1, [value](std::span<const double>) { return value; }, Sequence::random, 100);
     EXPECT_THROW(run_monte_carlo(kNobody, kNobody, settings), UsageError);

@@ -10,43 +10,14 @@
 #include <vector>
 
 #include "engine/query/radial_steps.h"
-#include "engine/sampling/sobol.h"
 #include "shapes/any_shape.h"
 #include "shapes/excluded_volume.h"
 #include "shapes/polytope.h"
 #include "tests/referees/bodies.h"
+#include "tests/referees/randomised_mean.h"
 
 namespace vex {
 namespace {
-
-// Mean and standard error over independent scramblings of a Sobol' net.
-struct Mean {
-  double value = 0.0, std_error = 0.0;
-  double half_width_sum = 0.0;
-};
-Mean mean_of(RadialEstimator& estimator, int log2_n_points, std::uint64_t seed) {
-  constexpr int kScramblings = 32;
-  const auto dimension = static_cast<std::size_t>(estimator.dimension());
-  const SobolPoints net(estimator.dimension());
-  const std::size_t n = std::size_t{1} << log2_n_points;
-  std::vector<double> points(dimension * n), point(dimension), values(n);
-  double sum = 0.0, sum_sq = 0.0, half_width_sum = 0.0;
-  for (std::uint64_t k = 0; k < kScramblings; ++k) {
-    const SobolPoints::Scrambling keys = net.scrambling(seed, k);
-    for (std::size_t i = 0; i < n; ++i) {
-      net.scrambled(keys, i, point);
-      for (std::size_t c = 0; c < dimension; ++c) points[c * n + i] = point[c];
-    }
-    half_width_sum += estimator.scale() * estimator.evaluate(points, values).half_widths.value();
-    double of_net = 0.0;
-    for (const double value : values) of_net += value;
-    of_net /= static_cast<double>(n);
-    sum += of_net;
-    sum_sq += of_net * of_net;
-  }
-  const double mean = sum / kScramblings;
-  return {mean, std::sqrt((sum_sq / kScramblings - mean * mean) / (kScramblings - 1)), half_width_sum};
-}
 
 class RadialEstimatorOfPairs : public testing::TestWithParam<BodyPair> {};
 
@@ -55,7 +26,7 @@ TEST_P(RadialEstimatorOfPairs, AgreesWithTheFormula) {
   const MeasuredBody a = parse_shape(GetParam().a), b = parse_shape(GetParam().b);
   const double truth = average_excluded_volume(a.measures, b.measures);
   RadialEstimator estimator(a.body, b.body, {});
-  const Mean found = mean_of(estimator, 7, 11);
+  const RandomisedMean found = mean_of(estimator, 7, 11);
   EXPECT_LE(std::fabs(found.value - truth), 5.0 * found.std_error + kRadialRounding * truth);
   EXPECT_LE(found.std_error, 0.02 * truth);
 }
@@ -66,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(Pairs, RadialEstimatorOfPairs, testing::ValuesIn(unorde
 TEST(RadialEstimator, SeesABiasOfATwoHundredth) {
   const MeasuredBody cube = parse_shape("box:1,1,1");
   RadialEstimator estimator(cube.body, cube.body, {});
-  const Mean found = mean_of(estimator, 10, 1);
+  const RandomisedMean found = mean_of(estimator, 10, 1);
   EXPECT_LE(std::fabs(found.value - 11.0), 5.0 * found.std_error);
   EXPECT_GT(std::fabs(1.005 * found.value - 11.0), 5.0 * found.std_error);
 }
@@ -82,7 +53,7 @@ TEST(RadialEstimator, GainsOnRandomPointsAsTheNetGrows) {
 TEST(RadialEstimator, GainsForTetrahedra) {
   const MeasuredBody body = parse_shape("tetrahedron:1");
   RadialEstimator estimator(body.body, body.body, {});
-  const Mean found = mean_of(estimator, 12, 1);
+  const RandomisedMean found = mean_of(estimator, 12, 1);
   const double truth = average_excluded_volume(body.measures, body.measures);
   EXPECT_LE(std::fabs(found.value - truth), 5.0 * found.std_error);
   EXPECT_LE(found.std_error, 0.6 * 0.47 / std::sqrt(32.0 * 4096.0) * truth);
@@ -94,7 +65,7 @@ TEST(RadialEstimator, GainsForLongBodies) {
   for (const auto& [shape, bound] : {std::pair{"capsule:64,0.5", 5e-5}, std::pair{"box:64,1,1", 1.5e-4}}) {
     const MeasuredBody body = parse_shape(shape);
     RadialEstimator estimator(body.body, body.body, {});
-    const Mean found = mean_of(estimator, 12, 1);
+    const RandomisedMean found = mean_of(estimator, 12, 1);
     const double truth = average_excluded_volume(body.measures, body.measures);
     EXPECT_LE(std::fabs(found.value - truth), 5.0 * found.std_error + kRadialRounding * truth) << shape;
     EXPECT_LE(found.std_error, bound * truth) << shape;
@@ -111,14 +82,14 @@ TEST(RadialEstimator, OfAlignedBodiesIsTheirSum) {
     SCOPED_TRACE(std::string(first) + " " + second);
     const ConvexBody a = parse_shape(first).body, b = parse_shape(second).body;
     RadialEstimator boxes(a, b, OrientationLaw::aligned());
-    const Mean sum = mean_of(boxes, 10, 1);
+    const RandomisedMean sum = mean_of(boxes, 10, 1);
     EXPECT_LE(std::fabs(sum.value - truth), 5.0 * sum.std_error + kRadialRounding * truth);
     EXPECT_LE(sum.std_error, 1e-3 * sum.value);
   }
   // Of like ellipsoids every ray has the same weight: nothing is left to vary but the pick.
   const ConvexBody ellipsoid = parse_shape("ellipsoid:1,2,3").body;
   RadialEstimator ellipsoids(ellipsoid, ellipsoid, OrientationLaw::aligned());
-  const Mean of_ellipsoids = mean_of(ellipsoids, 8, 1);
+  const RandomisedMean of_ellipsoids = mean_of(ellipsoids, 8, 1);
   EXPECT_NEAR(of_ellipsoids.value, 8.0 * 8.0 * std::numbers::pi, 1e-3 * of_ellipsoids.value);
 }
 
@@ -127,7 +98,7 @@ TEST(RadialEstimator, OfALongThinBodyHasNoBias) {
   const MeasuredBody a = parse_shape("ellipsoid:1,1e-5,1e-5"), b = parse_shape("sphere:1e-6");
   const double truth = average_excluded_volume(a.measures, b.measures);
   RadialEstimator estimator(a.body, b.body, {});
-  const Mean found = mean_of(estimator, 9, 1);
+  const RandomisedMean found = mean_of(estimator, 9, 1);
   EXPECT_GT(estimator.n_one_by_one(), 100u);
   EXPECT_LE(std::fabs(found.value - truth), 5.0 * found.std_error);
   EXPECT_LE(found.std_error, 1e-4 * truth);
@@ -155,14 +126,14 @@ TEST(RadialEstimator, OfAPointIsTheOtherBody) {
   const std::vector<Vec3d> vertices(3, Vec3d{1.0, 2.0, 3.0});
   const ConvexBody point = Polytope(vertices, vertices[0], 0.0);
   RadialEstimator estimator(box, point, {});
-  const Mean found = mean_of(estimator, 9, 1);
+  const RandomisedMean found = mean_of(estimator, 9, 1);
   EXPECT_LE(std::fabs(found.value - 6.0), 5.0 * found.std_error);
 }
 
 TEST(RadialEstimator, OfBodiesWithoutPacketsGivesTheSameButForThePicks) {
   const ConvexBody a = parse_shape("cylinder:1,0.5").body, b = parse_shape("ellipsoid:1,2,3").body;
   RadialEstimator packets(a, b, {}), one_by_one(a, b, {}, InstructionSet::scalar);
-  const Mean x = mean_of(packets, 6, 1), y = mean_of(one_by_one, 6, 1);
+  const RandomisedMean x = mean_of(packets, 6, 1), y = mean_of(one_by_one, 6, 1);
   EXPECT_EQ(packets.n_one_by_one(), 0u);
   EXPECT_EQ(one_by_one.n_one_by_one(), 32u * 64u);
   EXPECT_NEAR(x.value, y.value, 3.0 * kRadialGap / std::sqrt(32.0 * 64.0) * y.value);
