@@ -58,6 +58,7 @@ std::string pilot_text(const MeshRun& run) {
     if (std::isfinite(error)) text += "; hit-or-miss would have " + short_number(error, 2) + " after as long";
   }
   for (const bool runs_gjk : {true, false}) {
+    if (!(run.estimate->relative_error() < 1.0)) break;  // no error that a time could be told to
     std::string line;
     for (const Candidate& candidate : run.candidates) {
       if (is_independent_of_formula(candidate.estimator) != runs_gjk) continue;

@@ -122,8 +122,9 @@ VolumeEstimate class_estimate(const Tally& tally) {
     sampling_error = std::numeric_limits<double>::infinity();
   }
   if (by_class.are_hits && !by_strata && (tally.n_hits == 0 || tally.n_misses() == 0)) {
-    sampling_error =
-        std::hypot(sampling_error, one_sigma_half_width(tally.n_hits + tally.n_undecided / 2, tally.n_trials));
+    const double shares = tally.all.first.value();  // of a fitted domain
+    const double unseen = one_sigma_half_width(tally.n_hits + tally.n_undecided / 2, tally.n_trials);
+    sampling_error = std::hypot(sampling_error, (shares > 0.0 ? shares / n : 1.0) * unseen);
   }
   const double half_width = half_width_of_undecided(tally);
   const double volume = by_class.offset + by_class.unit * mean;

@@ -24,7 +24,9 @@ Length run(const ConvexBody& a, const ConvexBody& b, MonteCarloSettings& setting
   Length length{record.tally.n_trials, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC};
   if (length.n_trials > 0) {
     const VolumeEstimate estimate = volume_estimate(record.tally, settings.domain);
-    if (estimate.excluded_volume > 0.0) length.relative_error = estimate.relative_error();
+    constexpr double kSaysNothing = 0.5;
+    const double error = estimate.relative_error();
+    if (estimate.excluded_volume > 0.0 && error < kSaysNothing) length.relative_error = error;
   }
   return length;
 }

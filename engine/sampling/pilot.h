@@ -10,7 +10,7 @@ namespace vex {
 struct PilotCost {
   std::uint64_t n_trials = 0;
   double seconds_per_trial = 0.0;  // on one thread
-  double relative_error = 0.0;     // after n_trials; infinite where it has none
+  double relative_error = 0.0;     // after n_trials; infinite where it says nothing
   double slope = -0.5;             // of log error over log trials: of random points -1/2, of others from two lengths
 
   /// On one thread, to a standard error relative to the estimate; infinite where the pilot found none.

@@ -103,6 +103,12 @@ PrincipalAxes principal_axes(const Symmetric<double>& q) {
   return found;
 }
 
+}  // namespace
+
+std::array<double, 3> principal_values(const Symmetric<double>& q) { return principal_axes(q).values; }
+
+namespace {
+
 // Of squared lengths: beyond the first ratio an axis is told from the others, beyond the second it makes a rod or slab.
 constexpr double kTold = 1.2, kLong = 3.0;
 

@@ -2,6 +2,7 @@
 // which it is likely to be symmetric. Nothing but support points is asked for.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "engine/numeric/lane.h"
@@ -63,6 +64,9 @@ Root<L> root_of(const Symmetric<L>& q) {
   root.one_by_zz = L(1.0) / root.zz;
   return root;
 }
+
+/// Its eigenvalues, from the largest on, to within 2^-50 of that.
+std::array<double, 3> principal_values(const Symmetric<double>& q);
 
 /// An ellipsoid like the body, of which nothing but its support points is asked: the directions that are uniform
 /// normals of the ellipsoid have support points with the mean `centre`, a point of the body, and Q is 3 times the mean

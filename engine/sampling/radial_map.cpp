@@ -1,6 +1,6 @@
 #include "engine/sampling/radial_map.h"
 
-#include <Eigen/Eigenvalues>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -36,12 +36,8 @@ bool RadialMap::is_too_thin() const {
     }
     Transformd r = (*this)(std::span<const double>(point)).rotation;
     if (is_swapped_) r = transposed(r);
-    const Symmetric<double> q = of_difference(in_own_axes(r));
-    Eigen::Matrix3d m;
-    m << q.xx, q.xy, q.xz, q.xy, q.yy, q.yz, q.xz, q.yz, q.zz;
-    const Eigen::Vector3d squares =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(m, Eigen::EigenvaluesOnly).eigenvalues();
-    if (!(squares[0] > kThinnest * squares[2])) ++n_thin;
+    const std::array<double, 3> squares = principal_values(of_difference(in_own_axes(r)));
+    if (!(squares[2] > kThinnest * squares[0])) ++n_thin;
   }
   return 2 * n_thin > kRays;
 }

@@ -118,7 +118,8 @@ TEST_F(Run, PeersAnswerEveryPoseThemselves) {
   const json ours = estimate_of({"box:1,1,1", "--trials", "20000", "--estimator", "hit-or-miss"});
   const std::vector<std::string> backends = backends_of_this_build();
   for (const std::string& name : backends) {
-    const json estimate = estimate_of({"box:1,1,1", "--trials", "20000", "--backend", name});
+    const json estimate =
+        estimate_of({"box:1,1,1", "--trials", "20000", "--backend", name, "--estimator", "hit-or-miss"});
     EXPECT_EQ(estimate.at("backend"), name);
     if (name != "gjk") {
       EXPECT_EQ(estimate.at("decided_by").at("peer").get<int>() + estimate.at("undecided").get<int>(), 20000);
@@ -207,15 +208,120 @@ TEST_F(Run, StopsAtExactlyTheTrialsAskedFor) {
 }
 
 TEST_F(Run, StopsAtTheRelativeErrorAskedFor) {
-  const json estimate = estimate_of({"box:1,1,1", "--rel-error", "1e-2"});
+  const json estimate = estimate_of({"box:1,1,1", "--rel-error", "1e-2", "--estimator", "hit-or-miss"});
   const double reached = estimate.at("std_error").get<double>() / estimate.at("excluded_volume").get<double>();
   EXPECT_LE(reached, 1e-2);
   EXPECT_GT(reached, 0.8e-2) << "and not much later";
-  const json by_default = estimate_of({"box:1,1,1"});
-  const double default_error =
-      by_default.at("std_error").get<double>() / by_default.at("excluded_volume").get<double>();
-  EXPECT_LE(default_error, 1e-3);
-  EXPECT_GT(default_error, 0.9e-3);
+  const auto error_without_rule = [&](const Words& words) {
+    const json by_default = estimate_of(words);
+    return by_default.at("std_error").get<double>() / by_default.at("excluded_volume").get<double>();
+  };
+  const double of_hits = error_without_rule({"box:1,1,1", "--estimator", "hit-or-miss"});
+  EXPECT_LE(of_hits, 1e-3);
+  EXPECT_GT(of_hits, 0.9e-3);
+  for (const Words& words : {Words{"box:1,1,1"}, Words{sample("gem.obj")}, Words{"box:1,1,1", "--estimator", "radial"},
+                             Words{"box:1,1,1", "--estimator", "mixed-volume"}}) {
+    const double error = error_without_rule(words);
+    EXPECT_LE(error, 1e-4) << words.back();
+    EXPECT_GT(error, 1e-5) << words.back();
+  }
+}
+
+TEST_F(Run, TheDefaultEstimatorRunsGjkAndSaysWhatOthersCost) {
+  const json document = json_of({"box:1,1,1", "capsule:1,0.25"});
+  const json& estimate = document.at("estimate");
+  EXPECT_EQ(estimate.at("estimator"), "radial");
+  EXPECT_EQ(estimate.at("sequence"), "sobol");
+  EXPECT_EQ(estimate.at("backend"), "gjk");
+  EXPECT_TRUE(estimate.at("hits").is_null());
+  EXPECT_TRUE(estimate.at("sampling_volume").is_null());
+  EXPECT_TRUE(estimate.at("domain").is_null());
+  EXPECT_EQ(estimate.at("decided_by").at("gjk"), estimate.at("trials"));
+  EXPECT_LE(std::fabs(document.at("z").get<double>()), 5.0);
+  // Student's t of 31 degrees of freedom.
+  const double value = estimate.at("excluded_volume"), error = estimate.at("std_error");
+  EXPECT_NEAR(estimate.at("ci95")[0].get<double>(), value - 2.0395134464 * error, 1e-9 * value);
+  EXPECT_NEAR(estimate.at("ci95")[1].get<double>(), value + 2.0395134464 * error, 1e-9 * value);
+  std::vector<std::string> names;
+  for (const json& candidate : document.at("pilot")) {
+    names.push_back(candidate.at("estimator"));
+    const bool shares_geometry = names.back() == "mixed-volume" || names.back() == "mean-width";
+    EXPECT_EQ(candidate.at("runs_gjk"), !shares_geometry);
+    EXPECT_GT(candidate.at("seconds_per_trial"), 0.0);
+    EXPECT_GT(candidate.at("relative_error"), 0.0);
+    EXPECT_GT(candidate.at("seconds_to_this_error"), 0.0);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"radial", "hit-or-miss-fitted", "hit-or-miss", "stratified",
+                                             "mixed-volume", "mean-width"}));
+  const Finished screen = run({"box:1,1,1", "capsule:1,0.25"});
+  EXPECT_NE(screen.out.find("radial, Sobol' points, isotropic orientations, gjk"), std::string::npos) << screen.out;
+  EXPECT_NE(screen.out.find("hit-or-miss would have"), std::string::npos) << screen.out;
+  EXPECT_NE(screen.out.find("with the formula's geometry"), std::string::npos) << screen.out;
+  EXPECT_FALSE(json_of({"box:1,1,1", "--estimator", "radial", "--trials", "4096"}).contains("pilot"));
+}
+
+TEST_F(Run, WhatIsAboutPosesIsHitOrMiss) {
+  for (const Words& about : {Words{"--verify"}, Words{"--cross-check"}, Words{"--no-quick-verdicts"},
+                             Words{"--domain", "ball"}, Words{"--backend", "specialised"}}) {
+    Words words = {"box:1,1,1", "--trials", "500"};
+    words.insert(words.end(), about.begin(), about.end());
+    const json document = json_of(words);
+    EXPECT_EQ(document.at("estimate").at("estimator"), "hit-or-miss") << about[0];
+    EXPECT_FALSE(document.contains("pilot")) << about[0];
+  }
+}
+
+// Each by the sequence it has without asking, and by the other one; on one thread and on three.
+TEST_F(Run, EveryEstimatorAgreesWithTheFormulaOnAnyNumberOfThreads) {
+  for (const char* estimator :
+       {"hit-or-miss", "hit-or-miss-fitted", "stratified", "radial", "mixed-volume", "mean-width"}) {
+    for (const char* sequence : {"random", "sobol"}) {
+      const Words words = {"box:1,2,3",  "cone:1,1", "--estimator", estimator,
+                           "--sequence", sequence,   "--trials",    "20000"};
+      const json document = json_of(words);
+      const json& estimate = document.at("estimate");
+      EXPECT_EQ(estimate.at("estimator"), estimator);
+      EXPECT_EQ(estimate.at("sequence"), sequence);
+      EXPECT_EQ(estimate.at("trials"), 20000);
+      EXPECT_LE(std::fabs(document.at("z").get<double>()), 5.0) << estimator << " " << sequence;
+      EXPECT_LE(estimate.at("std_error").get<double>(), 0.03 * estimate.at("excluded_volume").get<double>());
+      Words again = words;
+      again.insert(again.end(), {"--threads", "3"});
+      const json other = estimate_of(again);
+      for (const char* key : {"excluded_volume", "std_error", "hits", "undecided", "decided_by"}) {
+        EXPECT_EQ(other.at(key), estimate.at(key)) << estimator << " " << sequence << " " << key;
+      }
+    }
+  }
+}
+
+TEST_F(Run, EveryEstimatorKeepsToTheOrientationsAskedFor) {
+  for (const char* law : {"aligned", "fixed:1,2,3,4", "cone:20", "onsager:5"}) {
+    for (const char* estimator : {"hit-or-miss-fitted", "stratified", "radial", "mixed-volume"}) {
+      const json document = json_of(
+          {"capsule:2,0.5", "ellipsoid:1,1,2", "--orientations", law, "--estimator", estimator, "--trials", "30000"});
+      if (!document.at("z").is_null()) {
+        EXPECT_LE(std::fabs(document.at("z").get<double>()), 5.0) << law << " " << estimator;
+      }
+    }
+  }
+  expect_refusal(run({"box:1,2,3", "--estimator", "mean-width", "--orientations", "cone:20"}), 2,
+                 "mean widths are of random orientations, not of cone:20 ones");
+}
+
+TEST_F(Run, AnErrorBelowAnEstimatorsRoundingEndsIncomplete) {
+  const json document = json_of({"sphere:1", "--estimator", "radial", "--rel-error", "1e-12"});
+  EXPECT_EQ(document.at("complete"), false);
+  EXPECT_EQ(document.at("estimate").at("stopped_by"), "rounding");
+  EXPECT_NE(run({"sphere:1", "--estimator", "radial", "--rel-error", "1e-12"}).out.find("rounding alone"),
+            std::string::npos);
+}
+
+TEST_F(Run, RaysThatDoublePrecisionDoesNotTellApartAreRefused) {
+  expect_refusal(run({"capsule:1,1e-8", "--estimator", "radial"}), 2, "thinner than 2^-22 of its length");
+  EXPECT_NE(estimate_of({"capsule:1,1e-8", "--trials", "1000"}).at("estimator"), "radial");
+  EXPECT_EQ(estimate_of({"disc:1", "needle:1", "--trials", "1000"}).at("estimator"), "radial") << "not thin together";
+  expect_refusal(run({"sphere:1", "sphere:2", "--estimator", "stratified"}), 2, "there is nothing");
 }
 
 TEST_F(Run, DoesNotTrustARelativeErrorOfFewHitsOrFewMisses) {
