@@ -5,10 +5,12 @@
 
 #include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
+#include "engine/sampling/control_variate.h"
 #include "engine/sampling/fitted_domain.h"
 #include "engine/sampling/radial_estimator.h"
 #include "shapes/estimators/mean_width_estimator.h"
 #include "shapes/estimators/mixed_volume_estimator.h"
+#include "shapes/excluded_volume.h"
 
 namespace vex {
 namespace {
@@ -83,6 +85,27 @@ void set_estimator(MonteCarloSettings& settings, Estimator estimator, const Meas
       settings.integrand = [&a, &b] { return std::make_unique<MeanWidthEstimator>(a, b); };
       return;
   }
+}
+
+double set_control_variate(MonteCarloSettings& settings, Estimator estimator, const MeasuredBody& control_a,
+                           const MeasuredBody& control_b) {
+  if (samples_poses(estimator)) {
+    throw UsageError("hits and misses have no control variate (" + std::string(name_of(estimator)) +
+                     " for --estimator) - use radial or mixed-volume");
+  }
+  if (settings.law.kind() != OrientationLaw::Kind::isotropic) {
+    throw UsageError("the formula of a control variate holds for random orientations (" + settings.law.name() +
+                     " for --orientations) - leave out --control-variate");
+  }
+  MonteCarloSettings of_control = settings;
+  set_estimator(of_control, estimator, control_a, control_b);
+  const double mean = average_excluded_volume(control_a.measures, control_b.measures);
+  const MakeIntegrand make_f = settings.integrand, make_g = of_control.integrand;
+  const double weight = control_weight(*make_f(), *make_g(), settings.seed);
+  settings.integrand = [make_f, make_g, mean, weight] {
+    return std::make_unique<ControlledIntegrand>(make_f(), make_g(), mean, weight);
+  };
+  return weight;
 }
 
 std::vector<Candidate> measure_candidates(const MeasuredBody& a, const MeasuredBody& b,

@@ -62,6 +62,12 @@ std::optional<std::string> why_not(Estimator estimator, const MeasuredBody& a, c
 void set_estimator(MonteCarloSettings& settings, Estimator estimator, const MeasuredBody& a, const MeasuredBody& b,
                    std::optional<Domain::Kind> domain = {});
 
+/// The settings' integrand with that of two simpler bodies as a control variate (control_variate.h), whose mean over
+/// random orientations is the formula's. Returns its weight. Only where there is an integrand and the law is isotropic;
+/// throws UsageError otherwise, and where `why_not`.
+double set_control_variate(MonteCarloSettings& settings, Estimator estimator, const MeasuredBody& control_a,
+                           const MeasuredBody& control_b);
+
 /// One way to the answer, and what it costs.
 struct Candidate {
   Estimator estimator{};

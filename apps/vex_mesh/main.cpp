@@ -89,6 +89,10 @@ MonteCarloSettings choose_settings(MeshRun& run) {
   }
   settings.sequence = run.sequence;
   set_estimator(settings, run.estimator, a, b, options.domain);
+  if (!run.control_bodies.empty()) {
+    run.control_weight =
+        set_control_variate(settings, run.estimator, run.control_bodies.front().shape, run.control_bodies.back().shape);
+  }
   if (!options.stop.trials && !options.stop.relative_error && !options.stop.seconds) {
     settings.stop.relative_error = usual_relative_error(options.estimator.value_or(Estimator::radial));
   }
@@ -109,11 +113,14 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
 
   std::optional<OutputFile> json;
   if (!options.json.empty()) {
-    json.emplace(options.json, std::vector<std::string>{file_named_by(options.a), file_named_by(options.b)});
+    std::vector<std::string> inputs = {file_named_by(options.a), file_named_by(options.b)};
+    for (const std::string& word : options.control_variate) inputs.push_back(file_named_by(word));
+    json.emplace(options.json, inputs);
   }
 
   const LoadedBody loaded_a = load_body(options.a, options.bodies);
   MeshRun run{command, options, loaded_a, options.a == options.b ? loaded_a : load_body(options.b, options.bodies)};
+  for (const std::string& word : options.control_variate) run.control_bodies.push_back(load_body(word, options.bodies));
   if (options.dump_vertices) require_vertices_to_list(run.a, run.b);
   choose_backends(run);
   const ConvexBody& a = run.a.shape.body;

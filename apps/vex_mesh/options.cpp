@@ -123,6 +123,12 @@ void declare_options(OptionParser& options, CommandLine& words) {
       .add_option("--domain", words.domain, "Sampling domain of hit-or-miss: ball, box, or best (default): the smaller")
       .type_name("NAME")
       .group(sampling);
+  options
+      .add_option("--control-variate", words.control_variate,
+                  "A simpler body, like A and B and with a formula of its own, whose known mean makes the error of "
+                  "radial or mixed-volume smaller; given twice: like A, and like B. The run then leans on that formula")
+      .type_name("BODY")
+      .group(sampling);
   declare_seed_and_threads(options, words, sampling);
 
   const std::string query = "Overlap query";
@@ -196,6 +202,11 @@ Options interpret(const CommandLine& words) {
   options.estimator = estimator_of(words);
   if (!words.sequence.empty()) options.sequence = words.sequence == "sobol" ? Sequence::sobol : Sequence::random;
   if (domain != "best") options.domain = domain == "ball" ? Domain::Kind::ball : Domain::Kind::box;
+  options.control_variate = words.control_variate;
+  if (options.control_variate.size() > 2) {
+    throw UsageError("too many bodies (" + options.control_variate.back() + " for --control-variate) - at most two");
+  }
+  if (!options.control_variate.empty() && !options.estimator) options.estimator = Estimator::radial;
   options.law = parse_orientations(orientations, "--orientations");
   options.instruction_set = instruction_set_named(or_default(words.isa, "best"));
   options.backend = backend_named(backend);

@@ -17,6 +17,7 @@ struct CommandLine : CommonWords, BodyWords {
   std::string a, b;
   std::string trials, relative_error, seconds, max_trials;
   std::string estimator, sequence, domain, backend, orientations, isa;
+  std::vector<std::string> control_variate;
   std::string checkpoint, resume;
   bool no_quick_verdicts = false, cross_check = false;
   bool verify = false;
@@ -28,10 +29,11 @@ void declare_options(OptionParser& options, CommandLine& words);
 /// What the words mean.
 struct Options : CommonOptions {
   std::string a, b;
-  StopRule stop;                       // empty where none was given: usual_relative_error
-  std::optional<Estimator> estimator;  // none: chosen by a pilot
-  std::optional<Sequence> sequence;    // none: usual_sequence
-  std::optional<Domain::Kind> domain;  // the best of ball and box where none was asked for
+  StopRule stop;                             // empty where none was given: usual_relative_error
+  std::optional<Estimator> estimator;        // none: chosen by a pilot
+  std::optional<Sequence> sequence;          // none: usual_sequence
+  std::optional<Domain::Kind> domain;        // the best of ball and box where none was asked for
+  std::vector<std::string> control_variate;  // none, one body for both, or one for each
   OrientationLaw law;
   BackendKind backend;
   bool is_cross_check = false;

@@ -72,6 +72,24 @@ std::string pilot_text(const MeshRun& run) {
   return text + "\n";
 }
 
+double control_mean(const MeshRun& run) {
+  return average_excluded_volume(run.control_bodies.front().shape.measures, run.control_bodies.back().shape.measures);
+}
+
+Json control_json(const MeshRun& run) {
+  if (run.control_bodies.empty()) return nullptr;
+  return {{"bodies", {run.control_bodies.front().source, run.control_bodies.back().source}},
+          {"excluded_volume", control_mean(run)},
+          {"weight", run.control_weight}};
+}
+
+std::string control_text(const MeshRun& run) {
+  const std::string &a = run.control_bodies.front().source, &b = run.control_bodies.back().source;
+  return "   control variate                   " + printable(a == b ? a : a + ", " + b) +
+         ", <V_ex> = " + short_number(control_mean(run), 10) + " by the formula, weight " +
+         short_number(run.control_weight, 3) + "\n";
+}
+
 Json estimate_json(const MeshRun& run) {
   const Tally& tally = run.record.tally;
   Json json;
@@ -87,6 +105,7 @@ Json estimate_json(const MeshRun& run) {
   json["hits"] = has_hits ? Json(tally.n_hits) : Json(nullptr);
   json["undecided"] = tally.n_undecided;
   json["sampling_volume"] = has_hits ? Json(sampling_volume(run)) : Json(nullptr);
+  if (!run.control_bodies.empty()) json["control_variate"] = control_json(run);
   json["domain"] = has_hits ? Json(name_of(run.domain.kind)) : Json(nullptr);
   json["quick_verdicts"] = has_hits && run.options.quick_verdicts && !run.options.backend.is_peer;
   json["isa"] = name_of(run.options.instruction_set);
@@ -350,6 +369,7 @@ std::string report_text(const MeshRun& run) {
   }
   if (run.record.stopped_by == StopReason::max_trials) text += " - incomplete: --max-trials was reached first";
   text += "\n";
+  if (!run.control_bodies.empty()) text += control_text(run);
   if (run.estimate && !run.candidates.empty()) text += pilot_text(run);
   if (run.options.is_cross_check) text += cross_check_text(run);
   if (run.options.verify) text += verification_text(run);

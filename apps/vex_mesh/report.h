@@ -26,8 +26,10 @@ struct MeshRun {
   LoadedBody a, b;
   Estimator estimator{};
   Sequence sequence{};
-  std::vector<Candidate> candidates{};  // of the pilot, where the estimator was its choice
-  Domain domain{};                      // of hit or miss
+  std::vector<Candidate> candidates{};       // of the pilot, where the estimator was its choice
+  std::vector<LoadedBody> control_bodies{};  // of a control variate: of both, or one for each
+  double control_weight = 0.0;
+  Domain domain{};  // of hit or miss
   std::optional<FormulaResult> formula{};
   std::string formula_reason{};  // where there is none; then:
   std::optional<ExactAverage> exact_average{};

@@ -16,6 +16,7 @@ inline constexpr int kStreamVersion = 1;
 enum class Stream : std::uint32_t {
   pose = 0,
   scrambling = 1,  // of quasi-random points (sobol.h); index is that of the scrambling, block the coordinate
+  pilot = 2,       // of choices that must not depend on what a run draws
 };
 
 /// A block of 128 bits: a function of (seed, stream, index, block).

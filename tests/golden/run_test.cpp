@@ -309,6 +309,30 @@ TEST_F(Run, EveryEstimatorKeepsToTheOrientationsAskedFor) {
                  "mean widths are of random orientations, not of cone:20 ones");
 }
 
+TEST_F(Run, AControlVariateIsNamedAndMakesTheErrorSmaller) {
+  const Words words = {"rounded:0.1,box:1,1,1", "--estimator", "radial", "--trials", "65536"};
+  Words controlled = words;
+  controlled.insert(controlled.end(), {"--control-variate", "box:1,1,1"});
+  const json document = json_of(controlled);
+  const json& estimate = document.at("estimate");
+  EXPECT_LE(std::fabs(document.at("z").get<double>()), 5.0);
+  EXPECT_LT(estimate.at("std_error").get<double>(), 0.6 * estimate_of(words).at("std_error").get<double>());
+  EXPECT_EQ(estimate.at("control_variate").at("bodies"), json({"box:1,1,1", "box:1,1,1"}));
+  EXPECT_NEAR(estimate.at("control_variate").at("excluded_volume").get<double>(), 11.0, 1e-13);
+  EXPECT_NE(run(controlled).out.find("control variate                   box:1,1,1, <V_ex> = 11 by the formula"),
+            std::string::npos);
+  EXPECT_EQ(estimate_of({"box:1,1,1", "--control-variate", "box:1,1,0.9", "--trials", "100"}).at("estimator"),
+            "radial");
+  expect_refusal(run({"box:1,1,1", "--control-variate", "sphere:1", "--estimator", "hit-or-miss"}), 2,
+                 "hits and misses have no control variate");
+  expect_refusal(run({"box:1,1,1", "--control-variate", "sphere:1", "--orientations", "aligned"}), 2,
+                 "holds for random orientations");
+  expect_refusal(run({"box:1,1,1", "--control-variate", "sphere:1", "--control-variate", "sphere:2",
+                      "--control-variate", "sphere:3"}),
+                 2, "at most two");
+  expect_refusal(run({"box:1,1,1", "--control-variate", "missing.obj"}), 3, "missing.obj");
+}
+
 TEST_F(Run, AnErrorBelowAnEstimatorsRoundingEndsIncomplete) {
   const json document = json_of({"sphere:1", "--estimator", "radial", "--rel-error", "1e-12"});
   EXPECT_EQ(document.at("complete"), false);

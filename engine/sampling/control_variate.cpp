@@ -1,0 +1,61 @@
+#include "engine/sampling/control_variate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/sampling/random_stream.h"
+
+namespace vex {
+
+ControlledIntegrand::ControlledIntegrand(std::unique_ptr<Integrand> f, std::unique_ptr<Integrand> g, double mean_of_g,
+                                         double weight)
+    : f_(std::move(f)), g_(std::move(g)), mean_of_g_(mean_of_g), weight_(weight) {}
+
+int ControlledIntegrand::dimension() const { return std::max(f_->dimension(), g_->dimension()); }
+
+double ControlledIntegrand::scale() const { return f_->scale() + std::fabs(weight_) * (g_->scale() + mean_of_g_); }
+
+// Of g's mean, which f's need not be larger than.
+double ControlledIntegrand::relative_rounding() const {
+  return f_->relative_rounding() + 2.0 * std::fabs(weight_) * g_->relative_rounding();
+}
+
+Doubts ControlledIntegrand::evaluate(std::span<const double> points, std::span<double> values) {
+  of_g_.resize(values.size());
+  const auto first = [&](const Integrand& one) {
+    return points.first(static_cast<std::size_t>(one.dimension()) * values.size());
+  };
+  const Doubts of_f = f_->evaluate(first(*f_), values), of_g = g_->evaluate(first(*g_), of_g_);
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] -= weight_ * (of_g_[k] - mean_of_g_);
+  Doubts doubts;
+  doubts.n_undecided = of_f.n_undecided + of_g.n_undecided;
+  doubts.half_widths.add(
+      (f_->scale() * of_f.half_widths.value() + std::fabs(weight_) * g_->scale() * of_g.half_widths.value()) / scale());
+  return doubts;
+}
+
+double control_weight(Integrand& f, Integrand& g, std::uint64_t seed) {
+  constexpr std::size_t kPoints = 2048;
+  const auto dimension = static_cast<std::size_t>(std::max(f.dimension(), g.dimension()));
+  std::vector<double> points(dimension * kPoints), point(dimension), of_f(kPoints), of_g(kPoints);
+  for (std::size_t k = 0; k < kPoints; ++k) {
+    draw_unit_cube(seed, Stream::pilot, k, point);
+    for (std::size_t c = 0; c < dimension; ++c) points[c * kPoints + k] = point[c];
+  }
+  f.evaluate(std::span<const double>(points).first(static_cast<std::size_t>(f.dimension()) * kPoints), of_f);
+  g.evaluate(std::span<const double>(points).first(static_cast<std::size_t>(g.dimension()) * kPoints), of_g);
+  double mean_f = 0.0, mean_g = 0.0;
+  for (std::size_t k = 0; k < kPoints; ++k) {
+    mean_f += of_f[k] / kPoints;
+    mean_g += of_g[k] / kPoints;
+  }
+  double both = 0.0, squares = 0.0;
+  for (std::size_t k = 0; k < kPoints; ++k) {
+    both += (of_f[k] - mean_f) * (of_g[k] - mean_g);
+    squares += (of_g[k] - mean_g) * (of_g[k] - mean_g);
+  }
+  return squares > 0x1p-60 * kPoints * mean_g * mean_g ? both / squares : 0.0;
+}
+
+}  // namespace vex
