@@ -67,18 +67,20 @@ void draw_slope(Svg& svg, const LogAxis& x, const LogAxis& y, double slope, doub
     return Pixel{x.pixel(std::pow(10.0, place)), y.pixel(std::pow(10.0, height(place)))};
   };
   svg.line(pixel(from), pixel(to), "stroke=\"#111\" stroke-width=\"1\" stroke-dasharray=\"1 4\"");
-  Pixel label = pixel(from + 0.12 * (to - from));
-  label.y -= 9.0;
-  svg.label(label, name, "font-size=\"12\" fill=\"#111\"");
+  // Beside its lower end, where the curves are not.
+  Pixel label = pixel(to);
+  const bool ends_below = label.y > y.begin - 20.0;
+  svg.label({ends_below ? label.x - 8.0 : label.x - 4.0, ends_below ? y.begin - 12.0 : label.y - 10.0}, name,
+            anchored("end", "font-size=\"12\" fill=\"#111\""));
 }
 
 void draw_panel(Svg& svg, const BodyCurves& body, const LogAxis& x, const LogAxis& y) {
   draw_log_axes(svg, x, y, 12);
   svg.label({0.5 * (x.begin + x.end), y.end - 12.0}, body.body.name,
             "font-size=\"15\" font-weight=\"bold\" fill=\"#111\"");
-  // From the upper right: clear of the curves' beginnings, which are at the upper left.
-  draw_slope(svg, x, y, -0.5, x.from, y.from + 0.55 * (y.to - y.from), "slope &#8722;1/2");
-  draw_slope(svg, x, y, -1.0, x.from, y.from + 0.42 * (y.to - y.from), "slope &#8722;1");
+  const double at_y = y.from + 0.45 * (y.to - y.from);
+  draw_slope(svg, x, y, -0.5, x.from, at_y, "slope &#8722;1/2");
+  draw_slope(svg, x, y, -1.0, x.from, at_y, "slope &#8722;1");
   for (const ErrorCurve& curve : body.curves) {
     const Style style = style_of(curve);
     std::vector<Pixel> pixels;
