@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "apps/common/numbers.h"
+#include "apps/common/processor.h"
 #include "engine/numeric/instruction_set.h"
 #include "tests/bench/best_peers.h"
-#include "apps/common/processor.h"
 
 namespace vex {
 namespace {

@@ -13,12 +13,12 @@
 #include <string>
 #include <vector>
 
+#include "apps/common/processor.h"
 #include "engine/query/overlap.h"
 #include "engine/query/overlap_backend.h"
 #include "engine/query/packet_overlap.h"
 #include "engine/sampling/monte_carlo.h"
 #include "shapes/polytope.h"
-#include "apps/common/processor.h"
 #include "tests/referees/polytopes.h"
 
 namespace vex {

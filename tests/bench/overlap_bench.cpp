@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
+#include "apps/common/processor.h"
 #include "apps/referees/specialised_backend.h"
 #include "engine/query/overlap.h"
 #include "engine/query/overlap_filter.h"
 #include "engine/sampling/fitted_domain.h"
 #include "engine/sampling/monte_carlo.h"
 #include "shapes/any_shape.h"
-#include "apps/common/processor.h"
 #include "tests/bench/unproven_filter.h"
 #include "tests/referees/polytopes.h"
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "apps/common/processor.h"
 #include "engine/query/overlap.h"
 #include "engine/query/overlap_filter.h"
 #include "engine/sampling/domain.h"
 #include "shapes/any_shape.h"
-#include "apps/common/processor.h"
 #include "tests/referees/polytopes.h"
 #include "tests/referees/random_poses.h"
 

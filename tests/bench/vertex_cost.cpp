@@ -6,6 +6,7 @@
 #include <map>
 
 #include "apps/common/numbers.h"
+#include "apps/common/processor.h"
 #include "apps/peers/peers.h"
 #include "meshes/exact_hull.h"
 #include "shapes/direction_map.h"
@@ -13,7 +14,6 @@
 #include "tests/bench/bench_pairs.h"
 #include "tests/bench/best_peers.h"
 #include "tests/bench/log_plot.h"
-#include "apps/common/processor.h"
 #include "tests/referees/polytopes.h"
 
 namespace vex {

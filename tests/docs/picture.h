@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/support/convex_body.h"
 #include "apps/common/svg.h"
+#include "engine/support/convex_body.h"
 
 namespace vex {
 

@@ -1,0 +1,84 @@
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/numeric/errors.h"
+#include "engine/sampling/integrand.h"
+#include "engine/sampling/trial_runner.h"
+
+namespace vex {
+namespace {
+
+class AveragingRunner final : public TrialRunner {
+ public:
+  explicit AveragingRunner(const MonteCarloSettings& settings)
+      : settings_(settings),
+        integrand_(settings.integrand()),
+        points_(settings.seed, settings.sequence, integrand_->dimension(), {}, settings.instruction_set),
+        columns_(static_cast<std::size_t>(integrand_->dimension() + 1) * kStride) {}
+
+  BlockRecord run(std::uint64_t begin, std::uint64_t end) override {
+    BlockRecord record;
+    ClassTally& by_class = record.tally.by_class = empty_classes(settings_, points_.n_classes());
+    by_class.unit = integrand_->scale();
+    by_class.relative_rounding = integrand_->relative_rounding();
+    for (std::uint64_t k = 0; k < points_.n_classes(); ++k) {
+      const Trials trials = trials_of_class(k, points_.n_classes(), begin, end);
+      for (std::size_t done = 0; done < trials.n; done += kBatch) {
+        add(trials.part(done, kBatch), record.tally, by_class.classes[k]);
+      }
+    }
+    return record;
+  }
+
+ private:
+  static constexpr std::size_t kBatch = 256, kStride = kBatch + TrialPoints::kSpare;
+
+  void add(const Trials& trials, Tally& tally, ClassSums& sums) {
+    const std::size_t n = trials.n;
+    points_.many(trials.first, n, columns_.data(), kStride);
+    const auto dimension = static_cast<std::size_t>(integrand_->dimension());
+    for (std::size_t c = 1; c < dimension; ++c) std::copy_n(&columns_[c * kStride], n, &columns_[c * n]);
+    const std::span<double> values(values_.data(), n);
+    const Doubts doubts = integrand_->evaluate(std::span<const double>(columns_).first(dimension * n), values);
+    const double unit = tally.by_class.unit;
+    for (double& value : values) {
+      value /= unit;
+      if (!(std::fabs(value) <= Integrand::kLargestValue)) {
+        throw UsageError("values of this estimator are lost to rounding (one is " + std::to_string(value) +
+                         " times what the bodies can have) - use hit-or-miss-fitted");
+      }
+    }
+    sums.n += n;
+    sums.values.add(values);
+    tally.n_trials += n;
+    tally.n_undecided += doubts.n_undecided;
+    tally.n_decided_by[static_cast<std::size_t>(DecidedBy::gjk)] += n - doubts.n_undecided;
+    tally.by_class.half_widths += doubts.half_widths;
+  }
+
+  const MonteCarloSettings& settings_;
+  std::unique_ptr<Integrand> integrand_;
+  TrialPoints points_;
+  std::vector<double> columns_;
+  std::array<double, kBatch> values_{};
+};
+
+}  // namespace
+
+ClassTally empty_classes(const MonteCarloSettings& settings, std::uint64_t n_classes) {
+  ClassTally by_class;
+  by_class.kind = settings.sequence == Sequence::sobol ? ClassTally::Kind::scramblings
+                  : settings.stratified                ? ClassTally::Kind::strata
+                                                       : ClassTally::Kind::one;
+  by_class.classes.resize(n_classes);
+  return by_class;
+}
+
+std::unique_ptr<TrialRunner> make_averaging_runner(const MonteCarloSettings& settings) {
+  return std::make_unique<AveragingRunner>(settings);
+}
+
+}  // namespace vex

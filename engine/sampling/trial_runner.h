@@ -1,0 +1,60 @@
+// One thread's part of a run: blocks of trials answered one way or the other, and what it brings home from each.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "engine/sampling/monte_carlo.h"
+#include "engine/sampling/trial_points.h"
+#include "engine/scene/quick_verdict.h"
+
+namespace vex {
+
+/// Trials first, first + step, ..., n of them.
+struct Trials {
+  std::uint64_t first, step;
+  std::size_t n;
+
+  std::uint64_t index(std::size_t k) const { return first + k * step; }
+  Trials part(std::size_t from, std::size_t most) const { return {index(from), step, std::min(most, n - from)}; }
+};
+
+/// Those of begin ... end - 1 that are of class k, begin being a multiple of the number of classes.
+inline Trials trials_of_class(std::uint64_t k, std::uint64_t n_classes, std::uint64_t begin, std::uint64_t end) {
+  const std::uint64_t first = begin + k;
+  return {first, n_classes, first < end ? static_cast<std::size_t>((end - first - 1) / n_classes + 1) : 0};
+}
+
+/// From a block of consecutive trials.
+struct BlockRecord {
+  Tally tally;
+  FirstOf<UndecidedTrial> undecided;
+  FirstOf<Disagreement> disagreements;
+  std::vector<Comparison> comparisons;
+  std::uint64_t n_proven_again = 0;
+  FirstOf<UnprovenTrial> unproven;
+};
+
+class TrialRunner {
+ public:
+  virtual ~TrialRunner() = default;
+  /// `begin` is a multiple of the number of classes.
+  virtual BlockRecord run(std::uint64_t begin, std::uint64_t end) = 0;
+};
+
+/// The classes of a run before its first trial.
+ClassTally empty_classes(const MonteCarloSettings& settings, std::uint64_t n_classes);
+
+/// Values of the settings' integrand. The settings must outlive it, here and below.
+std::unique_ptr<TrialRunner> make_averaging_runner(const MonteCarloSettings& settings);
+
+/// Hit or miss; `quick` of the pair, or none.
+std::unique_ptr<TrialRunner> make_pose_runner(const ConvexBody& a, const ConvexBody& b,
+                                              const MonteCarloSettings& settings, const QuickVerdict* quick);
+
+/// What its poses are made of.
+TrialPoints points_of_poses(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings);
+
+}  // namespace vex
