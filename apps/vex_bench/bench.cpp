@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "apps/peers/peers.h"
+#include "apps/referees/specialised_backend.h"
 #include "engine/numeric/errors.h"
 #include "meshes/convex_mesh.h"
 #include "shapes/excluded_volume.h"
@@ -19,6 +20,7 @@ struct Contender {
   Estimator estimator;
   Sequence sequence;
   BackendKind backend;
+  bool is_library = false;
 };
 
 std::vector<Contender> contenders(const MeasuredBody& body) {
@@ -31,7 +33,10 @@ std::vector<Contender> contenders(const MeasuredBody& body) {
                                 {Estimator::hit_or_miss, Sequence::sobol, gjk},
                                 {Estimator::hit_or_miss, Sequence::random, gjk}};
   for (const BackendKind& peer : peer_backends()) {
-    if (peer.takes(body.body, body.body)) all.push_back({Estimator::hit_or_miss, Sequence::random, peer});
+    if (peer.takes(body.body, body.body)) all.push_back({Estimator::hit_or_miss, Sequence::random, peer, true});
+  }
+  if (const BackendKind special = specialised_backend(); special.takes(body.body, body.body)) {
+    all.push_back({Estimator::hit_or_miss, Sequence::random, special});
   }
   all.push_back({Estimator::mixed_volume, Sequence::sobol, gjk});
   all.push_back({Estimator::mean_width, Sequence::sobol, gjk});
@@ -132,7 +137,7 @@ BodyCurves measure(const BenchBody& body, const BenchSettings& bench) {
     settings.backend = one.backend;
     settings.interrupt = bench.interrupt;
     set_estimator(settings, one.estimator, body.shape, body.shape);
-    ErrorCurve curve{one.estimator, one.sequence, one.backend.name};
+    ErrorCurve curve{one.estimator, one.sequence, one.backend.name, one.is_library};
     double spent = 0.0;
     settings.stop.trials = kFirst;
     settings.seed = bench.seed;

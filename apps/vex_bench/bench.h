@@ -40,6 +40,7 @@ struct ErrorCurve {
   Estimator estimator{};
   Sequence sequence{};
   std::string backend;
+  bool is_library = false;  // another library answers: libccd or FCL
   std::vector<Rung> rungs{};
 
   std::string name() const;

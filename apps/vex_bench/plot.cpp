@@ -23,6 +23,7 @@ struct Style {
 // A colour for each estimator, dashes for random points, grey for peers: told apart in black and white too.
 Style style_of(const ErrorCurve& curve) {
   if (curve.backend != gjk_backend().name) {
+    if (!curve.is_library) return {"#c07a9a", "2 2", 1.8};
     if (curve.backend == "fcl") return {"#6b7280", "9 3 2 3", 1.8};
     return {curve.backend == "ccd-gjk" ? "#9ca3af" : "#374151", curve.backend == "ccd-gjk" ? "2 3" : "6 3", 1.8};
   }

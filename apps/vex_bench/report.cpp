@@ -31,7 +31,7 @@ std::string time_text(const TimeToError& time) {
 std::optional<double> fastest_peer(const BodyCurves& body, double error) {
   std::optional<double> least;
   for (const ErrorCurve& curve : body.curves) {
-    if (curve.backend == gjk_backend().name) continue;
+    if (!curve.is_library) continue;
     const double seconds = curve.time_to(error).seconds;
     if (std::isfinite(seconds) && (!least || seconds < *least)) least = seconds;
   }

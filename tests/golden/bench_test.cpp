@@ -67,9 +67,7 @@ TEST_F(Bench, MeasuresEveryEstimatorAndBackendOfABody) {
     EXPECT_TRUE(names.contains(name)) << name;
   }
   for (const std::string& backend : backends_of_this_build()) {
-    if (backend != "specialised") {
-      EXPECT_TRUE(names.contains("hit-or-miss random " + backend)) << backend;
-    }
+    EXPECT_TRUE(names.contains("hit-or-miss random " + backend)) << backend;
   }
 }
 
