@@ -259,6 +259,8 @@ void compare(MeshRun& run) {
   run.estimate = volume_estimate(run.record.tally, run.domain);
   if (!run.formula && !run.exact_average) {
     run.z_reason = run.formula_reason;
+  } else if (!std::isfinite(run.estimate->std_error)) {
+    run.z_reason = "fewer than 32 trials tell no error";
   } else if (run.domain.volume > 0.0 &&
              hits_by_construction(run.a.shape.body, run.b.shape.body, run.options.law, run.domain)) {
     run.z_reason = "every trial hits by construction: the domain is the excluded volume itself";
@@ -346,8 +348,10 @@ std::string report_text(const MeshRun& run) {
           std::to_string(run.options.seed) + "\n";
   if (run.estimate) {
     const VolumeEstimate& estimate = *run.estimate;
-    text += "   <V_ex>                            " + with_error(estimate.excluded_volume, estimate.std_error) +
-            "   95 %: " + short_number(estimate.ci95.lower, 8) + " ... " + short_number(estimate.ci95.upper, 8) + "\n";
+    text += "   <V_ex>                            " + with_error(estimate.excluded_volume, estimate.std_error);
+    text += std::isfinite(estimate.std_error) ? "   95 %: " + short_number(estimate.ci95.lower, 8) + " ... " +
+                                                    short_number(estimate.ci95.upper, 8) + "\n"
+                                              : "   (fewer than 32 trials: no error is known)\n";
     text += has_hits ? "   hits / trials                     " + std::to_string(tally.n_hits) + " / "
                      : "   values                            ";
     text += std::to_string(tally.n_trials);

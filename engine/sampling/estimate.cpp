@@ -117,8 +117,8 @@ VolumeEstimate class_estimate(const Tally& tally) {
     quantile = boost::math::quantile(boost::math::students_t(n_used - 1.0), 0.975);
   }
   double sampling_error = std::sqrt(variance);
-  if ((by_strata && n_used < static_cast<int>(by_class.classes.size())) ||
-      (by_class.kind == ClassTally::Kind::scramblings && n_used < 2)) {
+  // Of two or three means the spread tells next to nothing, and of one value nothing.
+  if (n_used < static_cast<int>(by_class.classes.size()) || tally.n_trials < 2) {
     sampling_error = std::numeric_limits<double>::infinity();
   }
   if (by_class.are_hits && !by_strata && (tally.n_hits == 0 || tally.n_misses() == 0)) {

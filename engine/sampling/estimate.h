@@ -40,7 +40,7 @@ VolumeEstimate fitted_estimate(const Tally& tally, double domain_volume);
 /// scramblings that of the classes' means, of strata the sum of the classes' own variances. The interval is Student's
 /// of as many degrees of freedom as there are scramblings less one, otherwise the normal one. What undecided values lie
 /// between, and hits or misses that have not come yet, add to it as above; rounding is what `std_error` is not below.
-/// Of fewer than two scramblings, or a stratum without a trial, the error is infinite.
+/// Where a scrambling or a stratum is without a trial, and of a single trial, the error is infinite.
 VolumeEstimate class_estimate(const Tally& tally);
 
 /// Of values in classes: half of what the undecided ones lie between, over the number of all; length^3.

@@ -51,9 +51,13 @@ TEST(ClassEstimate, OfStrataIsTheMeanOfTheirsWhateverTheirNumbers) {
   EXPECT_NEAR(estimate.std_error, 0.5 * std::sqrt(first + second), 1e-14);
 }
 
-TEST(ClassEstimate, WithoutTwoScramblingsOrWithAnEmptyStratumHasNoError) {
-  EXPECT_TRUE(std::isinf(class_estimate(tally_of(ClassTally::Kind::scramblings, {{0.5, 0.6}, {}, {}})).std_error));
-  EXPECT_TRUE(std::isinf(class_estimate(tally_of(ClassTally::Kind::strata, {{0.5, 0.6}, {}})).std_error));
+TEST(ClassEstimate, WhereAClassIsEmptyOrOneValueIsAllThereIsNoError) {
+  using Kind = ClassTally::Kind;
+  for (const Kind kind : {Kind::scramblings, Kind::strata}) {
+    EXPECT_TRUE(std::isinf(class_estimate(tally_of(kind, {{0.5, 0.6}, {0.7}, {}})).std_error));
+    EXPECT_TRUE(std::isfinite(class_estimate(tally_of(kind, {{0.5, 0.6}, {0.7}})).std_error));
+  }
+  EXPECT_TRUE(std::isinf(class_estimate(tally_of(Kind::one, {{0.5}})).std_error));
 }
 
 TEST(ClassEstimate, OfHitsAloneInAStratumExpectsMisses) {
