@@ -111,7 +111,11 @@ double set_control_variate(MonteCarloSettings& settings, Estimator estimator, co
 std::vector<Candidate> measure_candidates(const MeasuredBody& a, const MeasuredBody& b,
                                           const MonteCarloSettings& settings) {
   std::vector<Candidate> candidates;
+  // Of meshes with more faces than this the others' set-up would take as long as the run.
+  constexpr std::size_t kMostFaces = 20000;
   const auto measure = [&](Estimator estimator, Sequence sequence) {
+    if (settings.interrupt != nullptr && settings.interrupt->load() != 0 && !candidates.empty()) return;
+    if (!is_independent_of_formula(estimator) && a.n_faces + b.n_faces > kMostFaces) return;
     if (why_not(estimator, a, b, settings.law)) return;
     MonteCarloSettings with = settings;
     with.sequence = sequence;

@@ -75,8 +75,8 @@ struct Candidate {
   PilotCost cost;
 };
 
-/// Measures the estimators for this pair: those among which `chosen_of` chooses, then the ones that share the formula's
-/// geometry. What is not for the pair is left out.
+/// Measures the estimators for this pair: those among which `chosen_of` chooses, then, but for large meshes, the ones
+/// that share the formula's geometry. What is not for the pair is left out, and what an interrupt came before.
 std::vector<Candidate> measure_candidates(const MeasuredBody& a, const MeasuredBody& b,
                                           const MonteCarloSettings& settings);
 

@@ -73,7 +73,10 @@ std::string progress_line(const Progress& progress, const StopRule& stop, std::s
   const double n = static_cast<double>(progress.tally.n_trials);
   std::string text = short_number(std::floor(100.0 * fraction), 3) + " %  ";
   if (fraction > 0.0) text += duration(progress.seconds * (1.0 - fraction) / fraction) + " left  ";
-  text += short_count(n) + " trials  " + short_count(n / progress.seconds) + "/s";
+  text += short_count(n) +
+          (progress.tally.by_class.kind == ClassTally::Kind::none || progress.tally.by_class.are_hits ? " trials  "
+                                                                                                      : " values  ") +
+          short_count(n / progress.seconds) + "/s";
   if (std::isfinite(progress.relative_error)) {
     text += "  rel. error " + short_number(progress.relative_error, 2);
   }

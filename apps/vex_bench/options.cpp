@@ -1,5 +1,6 @@
 #include "apps/vex_bench/options.h"
 
+#include <filesystem>
 #include <set>
 
 #include "apps/common/numbers.h"
@@ -50,6 +51,11 @@ BenchOptions interpret(const BenchCommandLine& words) {
   if (!words.seconds.empty()) options.seconds = parse_positive_number(words.seconds, "--seconds");
   options.csv = words.csv;
   options.plot = words.plot;
+  if (const std::string suffix = std::filesystem::path(words.plot).extension().string();
+      !suffix.empty() && suffix != ".svg" && words.plot != "-") {
+    throw UsageError("only SVG is drawn (" + words.plot +
+                     " for --plot) - name it .svg; rsvg-convert makes other formats");
+  }
   options.body_options = interpret_bodies(words);
   std::set<std::string> files;
   for (const std::string& file : {words.json, words.csv, words.plot}) {

@@ -1,6 +1,7 @@
 // The picture of vex_bench: error over run time, a panel for each body, one legend for all.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "apps/common/log_axis.h"
 #include "apps/common/numbers.h"
 #include "apps/common/processor.h"
+#include "apps/common/text.h"
 #include "apps/vex_bench/report.h"
 
 namespace vex {
@@ -39,13 +41,22 @@ Style style_of(const ErrorCurve& curve) {
   return {"#6a8f00", dashes};
 }
 
+// Of XML.
+std::string escaped(const std::string& text) {
+  std::string safe;
+  for (const char c : printable(text)) safe += c == '&' ? std::string("&amp;") : c == '<' ? "&lt;" : std::string(1, c);
+  return safe;
+}
+
 std::string stroke(const Style& style) {
   return "fill=\"none\" stroke=\"" + style.colour + "\" stroke-width=\"" + short_number(style.width, 3) +
          "\" stroke-linejoin=\"round\"" + (style.dashes.empty() ? "" : " stroke-dasharray=\"" + style.dashes + "\"");
 }
 
+// Nothing outside the axes: an error above 1 is none, and below the last that anybody asks for is rounding.
 bool is_drawn(const Rung& rung) {
-  return rung.relative_error > 0.0 && std::isfinite(rung.relative_error) && rung.seconds > 0.0;
+  constexpr double kLeast = 1e-8;
+  return rung.relative_error >= kLeast && rung.relative_error <= 1.0 && rung.seconds > 0.0;
 }
 
 struct Range {
@@ -77,7 +88,7 @@ void draw_slope(Svg& svg, const LogAxis& x, const LogAxis& y, double slope, doub
 
 void draw_panel(Svg& svg, const BodyCurves& body, const LogAxis& x, const LogAxis& y) {
   draw_log_axes(svg, x, y, 12);
-  svg.label({0.5 * (x.begin + x.end), y.end - 12.0}, body.body.name,
+  svg.label({0.5 * (x.begin + x.end), y.end - 12.0}, escaped(std::filesystem::path(body.body.name).filename().string()),
             "font-size=\"15\" font-weight=\"bold\" fill=\"#111\"");
   const double at_y = y.from + 0.45 * (y.to - y.from);
   draw_slope(svg, x, y, -0.5, x.from, at_y, "slope &#8722;1/2");
@@ -93,7 +104,7 @@ void draw_panel(Svg& svg, const BodyCurves& body, const LogAxis& x, const LogAxi
       if (!is_drawn(rung)) continue;
       svg.dot({x.pixel(rung.seconds), y.pixel(rung.relative_error)}, 2.6, "fill=\"" + style.colour + "\"");
       const double off = std::log10(rung.true_relative_error);
-      if (off > y.from && off < y.to) {
+      if (off > y.from && off < y.to) {  // a circle may lie below
         svg.dot({x.pixel(rung.seconds), y.pixel(rung.true_relative_error)}, 2.6,
                 "fill=\"#fff\" stroke=\"" + style.colour + "\" stroke-width=\"1\"");
       }

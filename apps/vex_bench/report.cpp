@@ -22,8 +22,11 @@ std::string padded_right(std::string text, std::size_t width) {
   return text;
 }
 
+constexpr double kForever = 1e7;  // seconds: some months
+
 std::string time_text(const TimeToError& time) {
   if (!std::isfinite(time.seconds)) return "-";
+  if (time.seconds > kForever) return "never";
   return (time.is_extrapolated ? "~" : "") + short_number(time.seconds, 2);
 }
 
@@ -62,7 +65,8 @@ std::string body_table(const BodyCurves& body) {
     const Rung& last = curve.rungs.back();
     text += padded_right("   " + curve.name(), 34);
     text += padded(short_number(1e9 * last.seconds / static_cast<double>(last.n_trials), 3), 9);
-    text += padded(short_number(last.relative_error, 2), 9) + padded(short_number(last.true_relative_error, 2), 9);
+    const auto error_text = [](double error) { return error < 1.0 ? short_number(error, 2) : std::string("none"); };
+    text += padded(error_text(last.relative_error), 9) + padded(error_text(last.true_relative_error), 9);
     text += padded(curve.slope() ? fixed_number(2, *curve.slope()) : "-", 9);
     text += padded(short_number(curve.figure_of_merit(), 2), 9);
     for (const double error : kErrorsAskedFor) text += padded(time_text(curve.time_to(error)), 9);

@@ -1,4 +1,5 @@
 // vex_mesh A [B]: the orientation-averaged excluded volume of two convex bodies, by Monte Carlo and by the formula.
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -62,6 +63,8 @@ void average_exactly(MeshRun& run) {
   if (std::isfinite(average.error)) run.exact_average = average;
 }
 
+bool is_stopped_by_rule(const StopRule& stop) { return stop.trials || stop.relative_error || stop.seconds; }
+
 // The driver's settings, by the estimator that was asked for or that a pilot chose.
 MonteCarloSettings choose_settings(MeshRun& run) {
   const Options& options = run.options;
@@ -86,6 +89,12 @@ MonteCarloSettings choose_settings(MeshRun& run) {
         chosen_of(run.candidates, options.stop.relative_error.value_or(usual_relative_error(Estimator::radial)));
     run.estimator = chosen.estimator;
     run.sequence = options.sequence.value_or(chosen.sequence);
+    // Where no pilot had an error, nothing but a limit would end a run without a rule.
+    constexpr std::uint64_t kMostInVain = 10'000'000;
+    const bool is_hopeless = !std::isfinite(chosen.cost.relative_error);
+    if (is_hopeless && !is_stopped_by_rule(options.stop)) {
+      settings.stop.max_trials = std::min(settings.stop.max_trials, kMostInVain);
+    }
   }
   settings.sequence = run.sequence;
   set_estimator(settings, run.estimator, a, b, options.domain);
@@ -93,7 +102,7 @@ MonteCarloSettings choose_settings(MeshRun& run) {
     run.control_weight =
         set_control_variate(settings, run.estimator, run.control_bodies.front().shape, run.control_bodies.back().shape);
   }
-  if (!options.stop.trials && !options.stop.relative_error && !options.stop.seconds) {
+  if (!is_stopped_by_rule(options.stop)) {
     settings.stop.relative_error = usual_relative_error(options.estimator.value_or(Estimator::radial));
   }
   run.domain = settings.domain;

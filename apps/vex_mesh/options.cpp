@@ -147,7 +147,8 @@ void declare_options(OptionParser& options, CommandLine& words) {
       .add_option(
           "--isa", words.isa,
           "Instruction set of the kernels that draw poses and decide them by packets: scalar (none), sse2, avx2, "
-          "avx512, or the best that this machine has (default); changes nothing but the time")
+          "avx512, or the best that this machine has (default); changes nothing but the time, and by scalar the last "
+          "digits of radial")
       .type_name("NAME")
       .group(query);
   options.add_flag("--cross-check", words.cross_check, "Ask every backend about every pose and list each disagreement")

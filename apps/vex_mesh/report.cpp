@@ -63,11 +63,12 @@ std::string pilot_text(const MeshRun& run) {
     for (const Candidate& candidate : run.candidates) {
       if (is_independent_of_formula(candidate.estimator) != runs_gjk) continue;
       const double seconds = seconds_of(candidate, run);
+      if (candidate.estimator == run.estimator) continue;  // this one's is known
       line += (line.empty() ? "" : ", ") + std::string(name_of(candidate.estimator)) + " " +
               (std::isfinite(seconds) ? short_number(seconds, 2) + " s" : "unknown");
     }
     if (line.empty()) continue;
-    text += (runs_gjk ? "\n   to this error, with GJK, about    " : "\n   with the formula's geometry       ") + line;
+    text += (runs_gjk ? "\n   others to this error, about       " : "\n   with the formula's geometry       ") + line;
   }
   return text + "\n";
 }
@@ -96,7 +97,8 @@ Json estimate_json(const MeshRun& run) {
   const bool has_hits = samples_poses(run.estimator);
   json["estimator"] = name_of(run.estimator);
   json["sequence"] = name_of(run.sequence);
-  json["backend"] = run.options.backend.name;
+  const bool runs_gjk = is_independent_of_formula(run.estimator);
+  json["backend"] = runs_gjk ? run.options.backend.name : "none";
   json["orientations"] = run.options.law.name();
   json["excluded_volume"] = run.estimate ? number_or_null(run.estimate->excluded_volume) : Json(nullptr);
   json["std_error"] = run.estimate ? number_or_null(run.estimate->std_error) : Json(nullptr);
@@ -113,8 +115,9 @@ Json estimate_json(const MeshRun& run) {
   json["trials_per_second"] = number_or_null(static_cast<double>(tally.n_trials) / run.record.seconds);
   json["stopped_by"] = run.no_run_reason.empty() ? std::string(name_of(run.record.stopped_by)) : "no-volume";
   for (const DecidedBy by : kAllDecidedBy) {
-    json["decided_by"][std::string(name_of(by))] = tally.n_decided_by[static_cast<std::size_t>(by)];
+    json["decided_by"][std::string(name_of(by))] = runs_gjk ? tally.n_decided_by[static_cast<std::size_t>(by)] : 0;
   }
+  if (!runs_gjk) json["decided_by"]["support_values"] = tally.n_trials;
   json["undecided_trials"] = Json::array();
   for (const UndecidedTrial& trial : run.record.undecided.kept) {
     json["undecided_trials"].push_back({{"index", trial.index}, {"reason", name_of(trial.reason)}});
@@ -234,7 +237,11 @@ std::string verdict_on(const MeshRun& run) {
                          : "THEY DISAGREE (more than --max-z " + short_number(run.options.max_z) + ")";
   const std::uint64_t fewest = std::min(tally.n_hits, tally.n_misses());
   if (samples_poses(run.estimator) && fewest < kMinHitsAndMisses) {
-    text += ", but " + std::to_string(fewest) + (tally.n_hits == fewest ? " hits" : " misses") + " say little";
+    text += ", but " + std::to_string(fewest) + (tally.n_hits == fewest ? " hit" : " miss") +
+            (fewest == 1              ? " says"
+             : tally.n_hits == fewest ? "s say"
+                                      : "es say") +
+            " little";
   }
   return text;
 }

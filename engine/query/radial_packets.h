@@ -70,7 +70,7 @@ class PacketRays {
   virtual void find(const RayTable& rays, RadialAnswers& answers) = 0;
 };
 
-inline constexpr double kRadialGap = 0x1p-8;
+inline constexpr double kRadialGap = 0x1p-10;
 
 using RayKernel = PacketRays* (*)(const PacketPairForms& forms, const BodyPoints& points);
 

@@ -6,6 +6,7 @@
 
 #include "engine/numeric/errors.h"
 #include "engine/sampling/integrand.h"
+#include "engine/sampling/random_stream.h"
 #include "engine/sampling/trial_runner.h"
 
 namespace vex {
@@ -16,12 +17,20 @@ class AveragingRunner final : public TrialRunner {
   explicit AveragingRunner(const MonteCarloSettings& settings)
       : settings_(settings),
         integrand_(settings.integrand()),
-        points_(settings.seed, settings.sequence, integrand_->dimension(), {}, settings.instruction_set),
-        columns_(static_cast<std::size_t>(integrand_->dimension() + 1) * kStride) {}
+        points_(settings.seed, settings.sequence, integrand_->dimension(), {}, settings.instruction_set,
+                integrand_->n_independent_coordinates()),
+        columns_(static_cast<std::size_t>(integrand_->dimension() + 1) * kStride) {
+    // Of values that hardly vary the sum of squares would lose all digits.
+    std::vector<double> any_point(static_cast<std::size_t>(integrand_->dimension()));
+    draw_unit_cube(0, Stream::pilot, 0, any_point);
+    integrand_->evaluate(any_point, {&reference_, 1});
+    if (!(std::fabs(reference_) <= Integrand::kLargestValue * integrand_->scale())) reference_ = 0.0;
+  }
 
   BlockRecord run(std::uint64_t begin, std::uint64_t end) override {
     BlockRecord record;
     ClassTally& by_class = record.tally.by_class = empty_classes(settings_, points_.n_classes());
+    by_class.offset = reference_;
     by_class.unit = integrand_->scale();
     by_class.relative_rounding = integrand_->relative_rounding();
     for (std::uint64_t k = 0; k < points_.n_classes(); ++k) {
@@ -45,7 +54,7 @@ class AveragingRunner final : public TrialRunner {
     const Doubts doubts = integrand_->evaluate(std::span<const double>(columns_).first(dimension * n), values);
     const double unit = tally.by_class.unit;
     for (double& value : values) {
-      value /= unit;
+      value = (value - reference_) / unit;
       if (!(std::fabs(value) <= Integrand::kLargestValue)) {
         throw UsageError("values of this estimator are lost to rounding (one is " + std::to_string(value) +
                          " times what the bodies can have) - use hit-or-miss-fitted");
@@ -64,6 +73,7 @@ class AveragingRunner final : public TrialRunner {
   TrialPoints points_;
   std::vector<double> columns_;
   std::array<double, kBatch> values_{};
+  double reference_ = 0.0;  // of a fixed point, which values are counted from
 };
 
 }  // namespace

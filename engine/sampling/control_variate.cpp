@@ -14,6 +14,14 @@ ControlledIntegrand::ControlledIntegrand(std::unique_ptr<Integrand> f, std::uniq
 
 int ControlledIntegrand::dimension() const { return std::max(f_->dimension(), g_->dimension()); }
 
+int ControlledIntegrand::n_independent_coordinates() const {
+  // From the first one on that is such of f or of g.
+  const int first_of_f = f_->dimension() - f_->n_independent_coordinates(),
+            first_of_g = g_->dimension() - g_->n_independent_coordinates();
+  return dimension() - std::min(f_->n_independent_coordinates() > 0 ? first_of_f : dimension(),
+                                g_->n_independent_coordinates() > 0 ? first_of_g : dimension());
+}
+
 double ControlledIntegrand::scale() const { return f_->scale() + std::fabs(weight_) * (g_->scale() + mean_of_g_); }
 
 // Of g's mean, which f's need not be larger than.

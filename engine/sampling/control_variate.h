@@ -17,6 +17,7 @@ class ControlledIntegrand final : public Integrand {
 
   /// The larger of the two: both see the same first coordinates.
   int dimension() const override;
+  int n_independent_coordinates() const override;
   double scale() const override;
   double relative_rounding() const override;
   Doubts evaluate(std::span<const double> points, std::span<double> values) override;

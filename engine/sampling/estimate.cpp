@@ -19,6 +19,12 @@ double one_sigma_half_width(std::uint64_t n_hits, std::uint64_t n_trials) {
   return 0.5 * (one_sigma.upper - one_sigma.lower);
 }
 
+// So few that a variance of values, or of the means of classes, may not know of the next ones.
+bool has_few_hits_or_misses(const Tally& tally) {
+  constexpr std::uint64_t kFew = 25;
+  return tally.n_hits < kFew || tally.n_misses() < kFew;
+}
+
 // Standard error of the mean of n numbers of which `first` is the sum and `second` that of their squares, each square
 // short of the truth by less than FixedPointSum::kUnit.
 double error_of_mean(double first, double second, double n) {
@@ -65,7 +71,7 @@ VolumeEstimate fitted_estimate(const Tally& tally, double domain_volume) {
   const double mean = (hits + 0.5 * undecided) / n;
   double sampling_error =
       error_of_mean(hits + 0.5 * undecided, tally.hits.second.value() + 0.25 * tally.undecided.second.value(), n);
-  if (tally.n_hits == 0 || tally.n_misses() == 0) {
+  if (has_few_hits_or_misses(tally)) {
     const double unseen = one_sigma_half_width(tally.n_hits + tally.n_undecided / 2, tally.n_trials);
     sampling_error = std::hypot(sampling_error, tally.all.first.value() / n * unseen);
   }
@@ -108,6 +114,10 @@ VolumeEstimate class_estimate(const Tally& tally) {
   const bool by_strata = by_class.kind == ClassTally::Kind::strata;
   const double mean = by_strata ? sum_of_means / n_used : sum / n;
   double quantile = kZ95;
+  constexpr std::uint64_t kFewValues = 1000;
+  if (by_class.kind == ClassTally::Kind::one && tally.n_trials > 1 && tally.n_trials < kFewValues) {
+    quantile = boost::math::quantile(boost::math::students_t(n - 1.0), 0.975);
+  }
   if (by_class.kind == ClassTally::Kind::scramblings && n_used > 1) {
     for (const ClassSums& one : by_class.classes) {
       if (one.n == 0) continue;
@@ -121,7 +131,7 @@ VolumeEstimate class_estimate(const Tally& tally) {
   if (n_used < static_cast<int>(by_class.classes.size()) || tally.n_trials < 2) {
     sampling_error = std::numeric_limits<double>::infinity();
   }
-  if (by_class.are_hits && !by_strata && (tally.n_hits == 0 || tally.n_misses() == 0)) {
+  if (by_class.are_hits && !by_strata && has_few_hits_or_misses(tally)) {
     const double shares = tally.all.first.value();  // of a fitted domain
     const double unseen = one_sigma_half_width(tally.n_hits + tally.n_undecided / 2, tally.n_trials);
     sampling_error = std::hypot(sampling_error, (shares > 0.0 ? shares / n : 1.0) * unseen);

@@ -33,12 +33,14 @@ VolumeEstimate hit_or_miss_estimate(const Tally& tally, double domain_volume);
 
 /// The excluded volume by hit-or-miss-fitted: the mean over the trials of the volume that the trial's position was
 /// drawn from times 1 for a hit, 1/2 for an undecided trial, 0 for a miss. `std_error` from the sample variance; what
-/// undecided trials, and hits or misses that have not come yet, add to it is as above. The interval is the normal one.
+/// undecided trials add to it is as above; of hits or misses that are none or few (25), what Wilson's interval leaves
+/// open is added too. The interval is the normal one.
 VolumeEstimate fitted_estimate(const Tally& tally, double domain_volume);
 
 /// The excluded volume from values in classes. `std_error` from the sample variance of independent trials; of
 /// scramblings that of the classes' means, of strata the sum of the classes' own variances. The interval is Student's
-/// of as many degrees of freedom as there are scramblings less one, otherwise the normal one. What undecided values lie
+/// of as many degrees of freedom as there are scramblings, or fewer than 1000 independent trials, less one; otherwise
+/// the normal one. What undecided values lie
 /// between, and hits or misses that have not come yet, add to it as above; rounding is what `std_error` is not below.
 /// Where a scrambling or a stratum is without a trial, and of a single trial, the error is infinite.
 VolumeEstimate class_estimate(const Tally& tally);

@@ -24,6 +24,11 @@ class Integrand {
   /// Coordinates of a point, at least 1.
   virtual int dimension() const = 0;
 
+  /// How many of the last coordinates must be random on their own, also where the points are a net. A coordinate that
+  /// only decides with a probability is one: of a net the share of points below the probability is always nearly the
+  /// same, in every scrambling, and their means would agree on a number that is off.
+  virtual int n_independent_coordinates() const { return 0; }
+
   /// A length^3 that few values exceed, and none more than kLargestValue times, up or down. Sums keep 2^-448 of it.
   virtual double scale() const = 0;
   static constexpr double kLargestValue = 0x1p23;

@@ -119,6 +119,13 @@ class Run {
     ended_.notify_all();
   }
 
+  // Whether the error asked for is below the integrand's own rounding, and all else is nearly so.
+  bool rounding_is_most() const {
+    const double rounding = record_.tally.by_class.relative_rounding;
+    return rounding > *settings_.stop.relative_error &&
+           volume_estimate(record_.tally, settings_.domain).relative_error() <= 2.0 * rounding;
+  }
+
   // Called with the lock held, when all trials up to round_end_ are done.
   void evaluate() {
     if (settings_.stop.relative_error &&
@@ -126,7 +133,7 @@ class Run {
       stop(StopReason::relative_error);
     } else if (is_only_rule_ && is_out_of_reach(*settings_.stop.relative_error, record_.tally, settings_.domain)) {
       stop(StopReason::undecided);
-    } else if (is_only_rule_ && record_.tally.by_class.relative_rounding > *settings_.stop.relative_error) {
+    } else if (is_only_rule_ && rounding_is_most()) {
       stop(StopReason::rounding);
     } else if (round_end_ == trial_limit()) {
       const bool as_asked = settings_.stop.trials && *settings_.stop.trials <= trial_limit();

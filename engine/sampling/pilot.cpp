@@ -39,7 +39,10 @@ double PilotCost::relative_error_after(double seconds) const {
 
 double PilotCost::seconds_to(double wanted) const {
   if (!(relative_error < std::numeric_limits<double>::infinity())) return relative_error;
-  return seconds_per_trial * static_cast<double>(n_trials) * std::pow(wanted / relative_error, 1.0 / slope);
+  // No run is shorter than one evaluation, and a tenth of a millisecond to set it up.
+  constexpr double kLeastTrials = 2048.0, kSetUp = 1e-4;
+  const double trials = static_cast<double>(n_trials) * std::pow(wanted / relative_error, 1.0 / slope);
+  return kSetUp + seconds_per_trial * std::max(kLeastTrials, trials);
 }
 
 PilotCost pilot(const ConvexBody& a, const ConvexBody& b, MonteCarloSettings settings, double most_seconds) {
@@ -72,7 +75,8 @@ PilotCost pilot(const ConvexBody& a, const ConvexBody& b, MonteCarloSettings set
     // Beyond what can be is the noise of short runs. Hits and misses in d dimensions: -1/2 - 1/(2 d) (Z. He, X. Wang,
     // SIAM J. Numer. Anal. 53, 2488, 2015); values with kinks seldom better than -1 over the errors asked for.
     const double steepest = settings.integrand ? -1.0 : -0.5 - 0.5 / (3.0 + settings.law.dimension());
-    if (std::isfinite(slope)) cost.slope = std::clamp(slope, steepest, -0.5);
+    // Half of what is beyond -1/2: slopes flatten as often as not.
+    if (std::isfinite(slope)) cost.slope = 0.5 * (std::clamp(slope, steepest, -0.5) - 0.5);
   }
   return cost;
 }

@@ -21,9 +21,11 @@ class RadialEstimator final : public Integrand {
                   InstructionSet set = best_instruction_set());
 
   int dimension() const override { return map_.dimension(); }
+  /// The pick.
+  int n_independent_coordinates() const override { return 1; }
   double scale() const override;
-  /// Of r three times.
-  double relative_rounding() const override { return 4.0 * kRadialRounding; }
+  /// Of r three times; and of bounds that are as close as they come, with what is added to them for rounding.
+  double relative_rounding() const override { return 8.0 * kRadialRounding; }
 
   /// With <V_ex> of the law as the mean over the cube. The same bits for every set but `scalar`, whose values differ by
   /// what PacketRays picks. What packets leave open is found by `radial_function`; undecided are those whose bounds it

@@ -29,10 +29,11 @@ PointKernels point_kernels(InstructionSet set) {
 }  // namespace
 
 TrialPoints::TrialPoints(std::uint64_t seed, Sequence sequence, int dimension, std::optional<Strata> strata,
-                         InstructionSet set)
-    : seed_(seed), dimension_(dimension), strata_(strata), set_(set) {
+                         InstructionSet set, int n_independent)
+    : seed_(seed), dimension_(dimension), n_independent_(n_independent), strata_(strata), set_(set) {
+  VEX_EXPECT(n_independent >= 0 && n_independent <= 2 && n_independent < dimension);
   if (sequence == Sequence::random) return;
-  Scrambled scrambled{SobolPoints(dimension), {}};
+  Scrambled scrambled{SobolPoints(dimension - n_independent), {}};
   for (std::uint64_t k = 0; k < kClasses; ++k) scrambled.scramblings.push_back(scrambled.points.scrambling(seed, k));
   sobol_ = std::make_shared<const Scrambled>(std::move(scrambled));
 }
@@ -45,7 +46,9 @@ double TrialPoints::in_stratum(double u, std::uint64_t index) const {
 void TrialPoints::one(std::uint64_t index, std::span<double> point) const {
   VEX_EXPECT(point.size() == static_cast<std::size_t>(dimension_));
   if (sobol_) {
-    sobol_->points.scrambled(sobol_->scramblings[index % kClasses], index / kClasses, point);
+    const std::size_t n_of_net = point.size() - static_cast<std::size_t>(n_independent_);
+    sobol_->points.scrambled(sobol_->scramblings[index % kClasses], index / kClasses, point.first(n_of_net));
+    draw_unit_cube(seed_, Stream::pose, index, point.subspan(n_of_net));
   } else {
     draw_unit_cube(seed_, Stream::pose, index, point);
   }
@@ -64,6 +67,10 @@ void TrialPoints::many(std::uint64_t first, std::size_t n, double* columns, std:
     return;
   }
   if (sobol_) {
+    if (n_independent_ > 0) {
+      kernels.random(seed_, first, kLog2Classes, n_independent_, n,
+                     columns + static_cast<std::size_t>(dimension_ - n_independent_) * stride, stride);
+    }
     kernels.sobol(sobol_->points, sobol_->scramblings[first % kClasses].data(), first / kClasses, n, columns, stride);
   } else {
     kernels.random(seed_, first, n_classes() == 1 ? 0 : kLog2Classes, dimension_, n, columns, stride);

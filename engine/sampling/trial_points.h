@@ -33,8 +33,9 @@ struct Strata {
 
 class TrialPoints {
  public:
+  /// The last `n_independent` coordinates are random in either sequence, at most 2 and fewer than `dimension`.
   TrialPoints(std::uint64_t seed, Sequence sequence, int dimension, std::optional<Strata> strata = {},
-              InstructionSet set = best_instruction_set());
+              InstructionSet set = best_instruction_set(), int n_independent = 0);
 
   /// Trials of a Sobol' sequence, of which each scrambling has 2^32 points.
   static constexpr std::uint64_t kMostSobolTrials = kClasses << SobolPoints::kBits;
@@ -46,7 +47,7 @@ class TrialPoints {
   void one(std::uint64_t index, std::span<double> point) const;
 
   /// The trials first, first + n_classes(), ..., n of them: coordinate c of trial k at columns[c * stride + k]. The
-  /// same bits as `one`. Writes up to kSpare numbers more to each column.
+  /// same bits as `one`. Writes up to kSpare numbers more to each column, and one column more.
   void many(std::uint64_t first, std::size_t n, double* columns, std::size_t stride) const;
   static constexpr std::size_t kSpare = 32;
 
@@ -61,6 +62,7 @@ class TrialPoints {
 
   std::uint64_t seed_;
   int dimension_;
+  int n_independent_;
   std::optional<Strata> strata_;
   InstructionSet set_;
   std::shared_ptr<const Scrambled> sobol_;  // none of random points

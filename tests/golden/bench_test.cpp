@@ -105,6 +105,7 @@ TEST_F(Bench, RefusesWhatItCannotMeasure) {
   expect_refusal(run({"box:1,1,1", "--seconds", "0"}), 2, "--seconds", "vex_bench");
   expect_refusal(run({"box:1,1,1", "--secnds", "1"}), 2, "did you mean --seconds?", "vex_bench");
   expect_refusal(run({"box:1,1,1", "--json", "-", "--csv", "-"}), 2, "one file for two outputs", "vex_bench");
+  expect_refusal(run({"box:1,1,1", "--plot", "bench.png"}), 2, "only SVG is drawn", "vex_bench");
   expect_refusal(run({"box:1,1,1", "--plot", "no/folder/bench.svg"}), 2, "no/folder", "vex_bench");
 }
 

@@ -337,14 +337,38 @@ TEST_F(Run, AnErrorBelowAnEstimatorsRoundingEndsIncomplete) {
   const json document = json_of({"sphere:1", "--estimator", "radial", "--rel-error", "1e-12"});
   EXPECT_EQ(document.at("complete"), false);
   EXPECT_EQ(document.at("estimate").at("stopped_by"), "rounding");
+  const json& estimate = document.at("estimate");
+  EXPECT_LE(estimate.at("std_error").get<double>(), 3e-7 * estimate.at("excluded_volume").get<double>())
+      << "not before rounding is most of the error";
   EXPECT_NE(run({"sphere:1", "--estimator", "radial", "--rel-error", "1e-12"}).out.find("rounding alone"),
             std::string::npos);
+}
+
+TEST_F(Run, FewerTrialsThanScramblingsClaimNoErrorAndNoAgreement) {
+  for (const char* estimator : {"radial", "mixed-volume", "mean-width"}) {
+    for (const char* trials : {"1", "2", "31"}) {
+      const json document = json_of({"box:1,2,3", "--estimator", estimator, "--trials", trials});
+      EXPECT_TRUE(document.at("estimate").at("std_error").is_null()) << estimator << " " << trials;
+      EXPECT_TRUE(document.at("z").is_null());
+      EXPECT_TRUE(document.at("z_reason").is_string());
+    }
+  }
+  const Finished one = run({"box:1,2,3", "--estimator", "radial", "--sequence", "random", "--trials", "1"});
+  EXPECT_NE(one.out.find("no error is known"), std::string::npos) << one.out;
+}
+
+TEST_F(Run, WhatRunsNoGjkDoesNotSayThatItDoes) {
+  const json estimate = estimate_of({"box:1,1,1", "--estimator", "mean-width", "--trials", "2048"});
+  EXPECT_EQ(estimate.at("backend"), "none");
+  EXPECT_EQ(estimate.at("decided_by").at("gjk"), 0);
+  EXPECT_EQ(estimate.at("decided_by").at("support_values"), 2048);
 }
 
 TEST_F(Run, RaysThatDoublePrecisionDoesNotTellApartAreRefused) {
   expect_refusal(run({"capsule:1,1e-8", "--estimator", "radial"}), 2, "thinner than 2^-22 of its length");
   EXPECT_NE(estimate_of({"capsule:1,1e-8", "--trials", "1000"}).at("estimator"), "radial");
-  EXPECT_EQ(estimate_of({"disc:1", "needle:1", "--trials", "1000"}).at("estimator"), "radial") << "not thin together";
+  EXPECT_EQ(run({"disc:1", "needle:1", "--trials", "1000", "--estimator", "radial"}).exit_code, 0)
+      << "not thin together";
   expect_refusal(run({"sphere:1", "sphere:2", "--estimator", "stratified"}), 2, "there is nothing");
 }
 

@@ -144,7 +144,7 @@ TEST_F(Screen, TheProgressBarIsDrawnOnATerminalAndErased) {
       EXPECT_LT(line.size(), columns == 0 ? 80u : columns) << "it would wrap: " << line;
       EXPECT_EQ(line.find('\n'), std::string::npos);
       if (columns >= 50) {
-        EXPECT_TRUE(std::regex_search(line, std::regex("[0-9]+ %  [0-9]+:[0-9][0-9] left  .* trials  [0-9.e]+/s")))
+        EXPECT_TRUE(std::regex_search(line, std::regex("[0-9]+ %  [0-9]+:[0-9][0-9] left  .* (trials|values)  [0-9.e]+/s")))
             << line;
       }
       if (columns >= 80) {

@@ -74,7 +74,7 @@ void expect_cubes(const ConvexBody& a, const ConvexBody& b) {
           continue;
         }
         const RadialBounds truth = radial_function(a, b, map.points(), rays.table().rotation(k), rays.table().dir(k));
-        // Between the cubes of bounds that are within 2^-8 of each other and hold the truth.
+        // Between the cubes of bounds that are within kRadialGap of each other and hold the truth.
         EXPECT_GE(std::cbrt(cubes[k]), truth.lower * (1.0 - kRadialGap)) << k;
         EXPECT_LE(std::cbrt(cubes[k]), truth.upper * (1.0 + 2.0 * kRadialGap)) << k;
       }

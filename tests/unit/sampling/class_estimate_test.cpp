@@ -30,7 +30,8 @@ TEST(ClassEstimate, OfIndependentTrialsIsTheSampleMean) {
   EXPECT_NEAR(estimate.excluded_volume, 1.2, 1e-14);
   const double variance = (0.09 + 0.04 + 0.04 + 0.09) / 3.0 * 9.0;
   EXPECT_NEAR(estimate.std_error, std::sqrt(variance / 4.0), 1e-14);
-  EXPECT_NEAR(estimate.ci95.upper - estimate.excluded_volume, 1.959963984540054 * estimate.std_error, 1e-13);
+  EXPECT_NEAR(estimate.ci95.upper - estimate.excluded_volume, 3.18244630528 * estimate.std_error, 1e-9)
+      << "Student's t of three degrees of freedom";
 }
 
 TEST(ClassEstimate, OfScramblingsIsOfTheirMeansAlone) {

@@ -21,8 +21,9 @@ TEST(Pilot, TellsTimeAndErrorOfALongerRun) {
   EXPECT_EQ(hits.slope, -0.5);
   // Of p = .505: sqrt((1 - p) / (p n))
   EXPECT_NEAR(hits.relative_error * std::sqrt(static_cast<double>(hits.n_trials)), 0.99, 0.1);
-  EXPECT_NEAR(hits.seconds_to(0.1 * hits.relative_error) / hits.seconds_to(hits.relative_error), 100.0, 1e-9);
-  EXPECT_NEAR(hits.relative_error_after(hits.seconds_to(1e-5)), 1e-5, 1e-12);
+  EXPECT_NEAR(hits.seconds_to(1e-6) / hits.seconds_to(1e-5), 100.0, 0.1);
+  EXPECT_NEAR(hits.relative_error_after(hits.seconds_to(1e-5)), 1e-5, 1e-8);
+  EXPECT_GT(hits.seconds_to(0.9), 1e-5) << "no run takes no time";
 
   settings.sequence = Sequence::sobol;
   settings.integrand = [&a] { return std::make_unique<RadialEstimator>(a, a, OrientationLaw()); };
