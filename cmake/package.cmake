@@ -28,8 +28,8 @@ verdicts that are proven against rounding, and by the formula from the
 bodies' volume, surface and integrated mean curvature. vex_pair answers
 whether two bodies overlap at given poses. vex_paper repeats the computations
 of a paper of 2002 and explains its faulty values. vex_bench measures run time
-against error of every estimator. vex_stress holds overlap
-tests against exact arithmetic where they are known to fail.
+against error of every estimator. vex_stress holds overlap tests against exact
+arithmetic where they are known to fail.
 .
 Bodies are closed convex meshes in any format that assimp reads, or named
 ones such as box:1,2,3.")

@@ -24,16 +24,11 @@ void declare_options(OptionParser& options, BenchCommandLine& words) {
   declare_seed_and_threads(options, words, sampling);
   declare_body_options(options, words);
   const std::string output = "Output";
-  options
-      .add_option("--json", words.json,
-                  "Write one JSON document; - is standard output, where then nothing else is printed")
-      .type_name("FILE")
-      .group(output);
+  declare_json_and_quiet(options, words, "Print no table and no progress");
   options.add_option("--csv", words.csv, "Write every point of every curve as a row of numbers")
       .type_name("FILE")
       .group(output);
   options.add_option("--plot", words.plot, "Draw error over run time (SVG)").type_name("FILE").group(output);
-  options.add_flag("--quiet", words.quiet, "Print no table and no progress").group(output);
   options.footer(named_bodies_help() +
                  "\n\nExit codes:"
                  "\n  0  success"
@@ -56,6 +51,7 @@ BenchOptions interpret(const BenchCommandLine& words) {
     throw UsageError("only SVG is drawn (" + words.plot +
                      " for --plot) - name it .svg; rsvg-convert makes other formats");
   }
+  if (words.dump_vertices) throw UsageError("no vertices are listed here (--dump-vertices) - vex_mesh lists them");
   options.body_options = interpret_bodies(words);
   std::set<std::string> files;
   for (const std::string& file : {words.json, words.csv, words.plot}) {
