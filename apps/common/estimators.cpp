@@ -116,14 +116,13 @@ std::vector<Candidate> measure_candidates(const MeasuredBody& a, const MeasuredB
   const auto measure = [&](Estimator estimator, Sequence sequence) {
     if (settings.interrupt != nullptr && settings.interrupt->load() != 0 && !candidates.empty()) return;
     if (!is_independent_of_formula(estimator) && a.n_faces + b.n_faces > kMostFaces) return;
-    if (why_not(estimator, a, b, settings.law)) return;
     MonteCarloSettings with = settings;
     with.sequence = sequence;
-    set_estimator(with, estimator, a, b);
-    if (!with.integrand && hits_by_construction(a.body, b.body, with.law, with.domain)) return;
     try {
+      set_estimator(with, estimator, a, b);
+      if (!with.integrand && hits_by_construction(a.body, b.body, with.law, with.domain)) return;
       candidates.push_back({estimator, sequence, pilot(a.body, b.body, with)});
-    } catch (const UsageError&) {  // of values that are lost to rounding
+    } catch (const UsageError&) {  // it is not for the pair, or its values are lost to rounding
     }
   };
   measure(Estimator::radial, Sequence::sobol);

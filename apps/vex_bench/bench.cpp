@@ -129,15 +129,14 @@ BodyCurves measure(const BenchBody& body, const BenchSettings& bench) {
   const auto is_interrupted = [&bench] { return bench.interrupt != nullptr && bench.interrupt->load() != 0; };
   for (const Contender& one : contenders(body.shape)) {
     if (is_interrupted()) break;
-    if (bench.on_curve)
-      bench.on_curve(body.name + ", " + ErrorCurve{one.estimator, one.sequence, one.backend.name}.name());
+    ErrorCurve curve{one.estimator, one.sequence, one.backend.name, one.is_library};
+    if (bench.on_curve) bench.on_curve(body.name + ", " + curve.name());
     MonteCarloSettings settings;
     settings.n_threads = bench.n_threads;
     settings.sequence = one.sequence;
     settings.backend = one.backend;
     settings.interrupt = bench.interrupt;
     set_estimator(settings, one.estimator, body.shape, body.shape);
-    ErrorCurve curve{one.estimator, one.sequence, one.backend.name, one.is_library};
     double spent = 0.0;
     settings.stop.trials = kFirst;
     settings.seed = bench.seed;

@@ -78,7 +78,6 @@ double control_mean(const MeshRun& run) {
 }
 
 Json control_json(const MeshRun& run) {
-  if (run.control_bodies.empty()) return nullptr;
   return {{"bodies", {run.control_bodies.front().source, run.control_bodies.back().source}},
           {"excluded_volume", control_mean(run)},
           {"weight", run.control_weight}};
