@@ -32,6 +32,9 @@ class Ellipsoid {
   double circumradius() const { return std::max({axes_.x, axes_.y, axes_.z}); }
   double inradius() const { return std::min({axes_.x, axes_.y, axes_.z}); }
 
+  /// a_min^2 / a_max. A rotation to within 1e-6 stretches the axes by no more than that.
+  double rolling_radius() const { return inradius() * (inradius() / circumradius()) * (1.0 - 1e-5); }
+
   ExactForm exact_form() const { return {{}, {{{}, axes_}}, 0.0}; }
   /// Semi-axes along x, y, z.
   Vec3d semi_axes() const { return axes_; }

@@ -108,6 +108,7 @@ class Inflated {
       return radius_;
     }
   }
+  double rolling_radius() const requires HasRollingRadius<Body> { return body_.rolling_radius(); }
   std::optional<ExactForm> exact_form() const {
     std::optional<ExactForm> form;
     if constexpr (HasExactForm<Body>) form = body_.exact_form();

@@ -21,6 +21,13 @@ concept HasBallPart = requires(const S& body, const Vec3d& dir) {
   { body.core_support_error() } -> std::convertible_to<double>;
   { body.ball_radius() } -> std::convertible_to<double>;
 };
+/// A body that is another convex body with a ball of this radius about each of its points, under any rotation to within
+/// 1e-6: its least radius of curvature, or less (W. Blaschke, Kreis und Kugel, section 24). Of a body with a ball part,
+/// that of its core. Distance and depth are then asked of the smaller body, of which the origin is less often inside.
+template <class S>
+concept HasRollingRadius = requires(const S& body) {
+  { body.rolling_radius() } -> std::convertible_to<double>;
+};
 template <class S>
 concept HasExactForm = requires(const S& body) {
   { body.exact_form() } -> std::convertible_to<std::optional<ExactForm>>;
@@ -59,6 +66,7 @@ class ConvexBody {
       core_support_error_ = shape.core_support_error();
       ball_radius_ = shape.ball_radius();
     }
+    if constexpr (HasRollingRadius<Shape>) rolling_radius_ = shape.rolling_radius();
     model_ = std::make_shared<const ModelOf<Shape>>(std::move(shape));
   }
 
@@ -79,6 +87,8 @@ class ConvexBody {
   double ball_radius() const { return ball_radius_; }
   Vec3d core_support(const Vec3d& dir) const { return model_->core_support(dir); }
   double core_support_error() const { return core_support_error_; }
+  /// Of the core, 0 where none is known: HasRollingRadius.
+  double rolling_radius() const { return rolling_radius_; }
 
   /// What the body is exactly; none where its class does not tell. Copies the vertices of a polytope.
   std::optional<ExactForm> exact_form() const { return model_->exact_form(); }
@@ -153,6 +163,7 @@ class ConvexBody {
   double support_error_;
   double core_support_error_;
   double ball_radius_ = 0.0;
+  double rolling_radius_ = 0.0;
   bool rounds_as_kernels_;
   std::shared_ptr<const Model> model_;
 };

@@ -1,0 +1,51 @@
+// When does a motion first bring a body into contact with another one: ray cast, linear cast, and time of impact of a
+// body that turns while it moves.
+#pragma once
+
+#include "engine/numeric/transform.h"
+#include "engine/query/verdict.h"
+#include "engine/support/convex_body.h"
+
+namespace vex {
+
+/// Answers of all three. Times are in units of the motion given: at time t a ray is at origin + t dir, a body moved by
+/// t times its motion. Points and normals are in A's frame.
+struct FirstContact {
+  /// Overlap: there is a contact, proven. Disjoint: there is none at any time t >= 0, proven. Undecided: the motion
+  /// grazes to within rounding.
+  Verdict verdict;
+  /// The first time of contact is between `lower` and `upper`, and so is `time`; 0 where there is contact at the start.
+  /// Where the verdict is disjoint all three are infinite; where it is undecided, a contact, if any, is not before
+  /// `lower`, and `upper` is infinite.
+  double time = 0.0, lower = 0.0, upper = 0.0;
+  /// A unit vector along which the bodies first touch, from A towards what moves (of contact at the start, that of
+  /// `signed_distance`).
+  Vec3d normal;
+  /// Where they touch: points of A and of B as placed at `time`; of a ray, the ray's point and the body's nearest one.
+  Vec3d point_a, point_b;
+  int n_support_calls = 0;
+};
+
+/// The ray origin + t dir, t >= 0, against a body in its own frame; `dir` has any length but 0. The normal points out of
+/// the body.
+FirstContact cast_ray(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir);
+
+/// B moving without turning: at time t >= 0 it is where the pose has it plus t * motion.
+FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Vec3d& motion);
+
+/// In A's frame; a screw about B's origin, which moves straight.
+struct RigidMotion {
+  Vec3d velocity;
+  Vec3d angular_velocity;  // radians per unit of time
+};
+
+/// B at time t: x -> exp(t [w]) R x + (translation + t v). By conservative advancement (B. Mirtich, 1996): as long as
+/// the bodies' gap is larger than what any point of B can move along the separating direction, they do not touch. Ends
+/// where they touch, once circumscribed balls part for good, or, of a body that only turns, after one turn.
+FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
+                            const RigidMotion& motion);
+
+/// B's pose at a time of the motion.
+Transformd pose_at(const Transformd& a_from_b, const RigidMotion& motion, double time);
+
+}  // namespace vex

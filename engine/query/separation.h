@@ -1,0 +1,76 @@
+// How far apart are two convex bodies, or how deep in each other: distance and penetration depth with bounds on both
+// sides, witness points and the direction between them.
+//
+// Both are one number, the signed distance: the distance where the bodies are apart; where they meet, minus the depth,
+// the length of the shortest translation of B that leaves them touching. With K = A - B and its support function h,
+// that is the largest of -h(n) over all unit vectors n, so every n gives a bound from below; points of K give one from
+// above (docs/derivations.md, E20, E21).
+#pragma once
+
+#include <array>
+
+#include "engine/numeric/transform.h"
+#include "engine/query/overlap.h"
+#include "engine/query/verdict.h"
+#include "engine/support/convex_body.h"
+
+namespace vex {
+
+/// What is known of a signed distance. Points are in A's frame.
+struct Separation {
+  /// Of the question whether the bodies share a point: what `overlap` answers, proven or said to be undecided.
+  Verdict verdict;
+  /// The true value is between `lower` and `upper`, rounding included; so is `signed_distance`.
+  double signed_distance = 0.0, lower = 0.0, upper = 0.0;
+  /// False where a query has nothing to tell but the verdict: `distance` of bodies that overlap, `penetration_depth` of
+  /// bodies that do not. Normal and points are zero then, and of the bounds one is infinite.
+  bool has_witnesses = false;
+  /// A unit vector from A towards B: along it the bodies are `signed_distance` apart. Moving B by -signed_distance *
+  /// normal brings them into contact.
+  Vec3d normal;
+  /// Points of A and of B, to rounding, with point_b - point_a = signed_distance * normal to within upper - lower.
+  Vec3d point_a, point_b;
+  int n_support_calls = 0;
+};
+
+/// What was found of a pair, for the next query of the same pair in a pose not far from this one. Only time depends on
+/// it. Empty at first; a query reads it and writes it.
+struct WarmStart {
+  Vec3d dir;                           // in A's frame, from A towards B
+  int n_points = 0;                    // of the difference of the bodies
+  std::array<Vec3d, 4> of_a{}, of_b{};  // as points of the cores in the bodies' own frames
+};
+
+struct SeparationSettings {
+  /// The search ends once upper - lower is below this times |signed distance| + R_A + R_B, the circumradii: 2^-43 or
+  /// less means as near as double precision gets at once. A simulation may ask for 1e-3: the bounds tell what it got.
+  double relative_gap = 0.0;
+  int max_support_calls = kMaxSupportCalls;  // of each search
+};
+
+/// Distance or depth, as the case is. For bodies of points and balls (polytopes, spheres, capsules, rounded polytopes)
+/// the answer is that of the nearest features, and upper - lower within 1e-12 of |signed distance| + R_A + R_B;
+/// likewise for curved bodies with an exact form, unless the shortest way out of each other has ever so many directions
+/// (of two discs with one axis): then the bounds tell. Never a guess: where rounding would decide the sign, the verdict
+/// comes from `overlap`, and bounds from twice the precision.
+///
+/// R of the pose must be a rotation to within 1e-6. Coordinates between 1e-40 and 1e40, or 0, are answered at full speed,
+/// others by twice the precision.
+Separation signed_distance(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
+                           const SeparationSettings& settings = {}, WarmStart* warm_start = nullptr);
+
+/// The same of bodies that are apart. Of bodies that overlap no depth is looked for: signed_distance and upper are 0,
+/// lower is -infinity.
+Separation distance(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
+                    const SeparationSettings& settings = {}, WarmStart* warm_start = nullptr);
+
+/// The same of bodies that overlap; signed_distance is minus the depth. Of bodies that are apart no distance is looked
+/// for: signed_distance and lower are 0, upper is infinity.
+Separation penetration_depth(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
+                             const SeparationSettings& settings = {}, WarmStart* warm_start = nullptr);
+
+/// The body with a ball of this radius, 0 or more, about each of its points: a margin. `overlap` of it and another body
+/// asks whether their gap is at most the radius, and computes no distance. A margin that is used often is made once.
+ConvexBody with_margin(const ConvexBody& body, double margin);
+
+}  // namespace vex
