@@ -6,6 +6,7 @@
 
 #include "engine/numeric/expect.h"
 #include "engine/support/exact_form.h"
+#include "engine/support/generators.h"
 #include "engine/support/support_mapping.h"
 #include "shapes/measures.h"
 #include "shapes/normal_measure.h"
@@ -30,6 +31,7 @@ class Needle {
   double length() const { return 2.0 * half_length_; }
   std::vector<Vec3d> vertices() const { return {{0.0, 0.0, -half_length_}, {0.0, 0.0, half_length_}}; }
   ExactForm exact_form() const { return {vertices(), {}, 0.0}; }
+  Generators generators() const { return {{}, {{{0.0, 0.0, half_length_}}}, 1}; }
   std::size_t n_faces() const { return 0; }
 
   /// The limit of a thin cylinder: a needle has no area, but a mean width.

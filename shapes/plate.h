@@ -7,6 +7,7 @@
 #include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
 #include "engine/support/exact_form.h"
+#include "engine/support/generators.h"
 #include "engine/support/support_mapping.h"
 #include "shapes/measures.h"
 #include "shapes/normal_measure.h"
@@ -37,6 +38,7 @@ class Plate {
     return {{-half_x_, -half_y_, 0.0}, {half_x_, -half_y_, 0.0}, {-half_x_, half_y_, 0.0}, {half_x_, half_y_, 0.0}};
   }
   ExactForm exact_form() const { return {vertices(), {}, 0.0}; }
+  Generators generators() const { return {{}, {{{half_x_, 0.0, 0.0}, {0.0, half_y_, 0.0}}}, 2}; }
   std::size_t n_faces() const { return 2; }  // its two sides
 
   /// Both sides count: S = 2 a b, and M = pi P / 2 with the perimeter P.

@@ -30,6 +30,7 @@ class Sphere {
   double core_support_error() const { return 0.0; }
   double ball_radius() const { return radius_; }
   ExactForm exact_form() const { return {{Vec3d{}}, {}, radius_}; }
+  Generators generators() const { return {}; }
   double circumradius() const { return radius_; }
   double inradius() const { return radius_; }
 

@@ -19,6 +19,49 @@
 
 namespace vex {
 
+namespace detail {
+
+/// A place in an array of faces, and an edge of that face: from corner k to the next one.
+struct FaceEdge {
+  std::uint32_t face = 0, edge = 0;
+};
+
+template <class L>
+struct HullFace {
+  std::array<std::uint32_t, 3> corners;  // outwards where it turns counter-clockwise
+  std::array<FaceEdge, 3> across;        // the other side of the edge from corner k to the next one
+  Vec3<L> normal;                        // outwards, of any length
+  L offset;                              // of the plane: normal . corner
+  L coplanar;                            // what is less above the plane, times the normal's length, is in it
+  L distance;  // no point of the triangle is nearer to the origin, by its computed products; of faces that are farther
+               // than K reaches in some direction, that reach
+  bool is_alive = true;
+  bool has_origin_behind = false;  // proven
+  std::uint32_t mark = 0;          // of the last search that came by
+};
+
+}  // namespace detail
+
+/// Memory that a polytope grows in. One serves one query at a time, and then others.
+template <class L, class Point>
+struct PolytopeStore {
+  struct RimEdge {
+    std::uint32_t from, to;
+    detail::FaceEdge outside;
+  };
+  std::vector<Point> points;
+  std::vector<detail::HullFace<L>> faces;
+  std::vector<std::pair<L, std::uint32_t>> heap;  // of distances and faces, the nearest first
+  std::vector<std::uint32_t> hidden;
+  std::vector<RimEdge> rim;
+
+  void clear() {
+    points.clear();
+    faces.clear();
+    heap.clear();
+  }
+};
+
 /// One lane only.
 template <class L, class Point, class Difference>
 class ExpandingPolytope {
@@ -30,15 +73,19 @@ class ExpandingPolytope {
     flat,  // K has no volume, to rounding: its depth is 0 along `normal`
   };
 
-  ExpandingPolytope(const Difference& difference, const QueryError<L>& error, int max_support_calls)
-      : difference_(difference),
+  ExpandingPolytope(const Difference& difference, const QueryError<L>& error, int max_support_calls,
+                    PolytopeStore<L, Point>& store)
+      : points_(store.points),
+        faces_(store.faces),
+        heap_(store.heap),
+        hidden_(store.hidden),
+        rim_(store.rim),
+        difference_(difference),
         error_(error),
         slack_(L(2.0) * error.support),
         coplanar_(L(16.0 * unit_roundoff<L>()) * error.reach),
         max_support_calls_(max_support_calls) {
-    points_.reserve(64);
-    faces_.reserve(192);
-    heap_.reserve(192);
+    store.clear();
   }
 
   /// From the points of a simplex on. `wanted`: how near the bounds shall be, rounding apart, for a depth.
@@ -46,13 +93,15 @@ class ExpandingPolytope {
   End run(const NearestSimplex<L, Point>& simplex, const Wanted& wanted) {
     if (!begin(simplex)) return End::flat;
     while (true) {
-      const std::uint32_t nearest = nearest_face();
+      const std::optional<std::uint32_t> found = nearest_face();
+      if (!found) return End::stalled;
+      const std::uint32_t nearest = *found;
       nearest_ = nearest;
       if (static_cast<int>(points_.size()) >= max_support_calls_) return End::capped;
-      const Vec3<L> dir = faces_[nearest].normal;
       const L distance = faces_[nearest].distance;
-      const std::uint32_t added = add_support(dir);
-      face_height_ = dot(dir, at(added));
+      face_normal_ = unit(faces_[nearest].normal);
+      const std::uint32_t added = add_support(face_normal_);
+      face_height_ = dot(face_normal_, at(added));
       if (face_height_ - distance <= wanted(distance)) return End::converged;
       if (!grow(nearest, added)) return End::stalled;
     }
@@ -60,14 +109,14 @@ class ExpandingPolytope {
 
   /// The direction, a unit vector, in which the surface is nearest, and how far K reaches in it, to rounding. Where K
   /// is flat: across it.
-  const Vec3<L>& normal() const { return faces_.empty() ? normal_ : faces_[nearest_].normal; }
+  const Vec3<L>& normal() const { return faces_.empty() ? normal_ : face_normal_; }
   L height() const { return faces_.empty() ? height_ : face_height_; }
   /// The depth is not above it, rounding included: the least that K reaches in any direction that was asked for.
   L depth_upper() const { return height_ + slack_; }
   /// The depth is not below it, rounding included; negative where nothing is known.
   L depth_lower() const {
     if (faces_.empty()) return -error_.reach;
-    const L distance = faces_[nearest_].distance - slack_;
+    const L distance = -larger(-faces_[nearest_].distance, -height_) - slack_;
     return distance > L(0.0) && goes_around_origin() ? distance : -error_.reach;
   }
   int n_support_calls() const { return n_support_calls_; }
@@ -83,7 +132,7 @@ class ExpandingPolytope {
       for (std::size_t k = 1; k < 3; ++k) {
         if (weights[k] < weights[least]) least = k;
       }
-      const std::uint32_t next = faces_[at].neighbours[(least + 1) % 3];  // across from that corner
+      const std::uint32_t next = faces_[at].across[(least + 1) % 3].face;  // from that corner
       const bool is_inside = !(weights[least] < L(0.0));
       const bool is_coplanar = faces_[next].distance - faces_[nearest_].distance <= L(4.0) * coplanar_ + gap();
       if (is_inside || step + 1 == faces_.size() || !is_coplanar) {
@@ -100,17 +149,8 @@ class ExpandingPolytope {
 
  private:
   using Corners = std::array<std::uint32_t, 3>;
-  struct Face {
-    Corners corners;     // outwards where it turns counter-clockwise
-    Corners neighbours;  // across the edge from corner k to the next one
-    Vec3<L> normal;      // unit, outwards
-    L distance;          // no point of the triangle is nearer to the origin, by its computed products
-    bool is_alive = true;
-    bool is_hidden = false;
-  };
-  struct Edge {
-    std::uint32_t from, to, outside;
-  };
+  using Face = detail::HullFace<L>;
+  using FaceEdge = detail::FaceEdge;
 
   L gap() const { return larger(face_height_ - faces_[nearest_].distance, L(0.0)); }
 
@@ -215,10 +255,10 @@ class ExpandingPolytope {
   void make_tetrahedron(std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) {
     if (dot(cross(at(j) - at(i), at(k) - at(i)), at(l) - at(i)) > L(0.0)) std::swap(j, k);
     // l is behind (i, j, k).
-    add_face({i, j, k}, {3, 2, 1});
-    add_face({i, k, l}, {0, 2, 3});
-    add_face({k, j, l}, {0, 3, 1});
-    add_face({j, i, l}, {0, 1, 2});
+    add_face({i, j, k}, {{{3, 0}, {2, 0}, {1, 0}}});
+    add_face({i, k, l}, {{{0, 2}, {2, 2}, {3, 1}}});
+    add_face({k, j, l}, {{{0, 1}, {3, 2}, {1, 1}}});
+    add_face({j, i, l}, {{{0, 0}, {1, 2}, {2, 1}}});
   }
 
   // A point that is not above a face that was chosen: of the faces that it is above, the one it is highest above.
@@ -227,7 +267,7 @@ class ExpandingPolytope {
     L highest(0.0);
     for (std::uint32_t f = 0; f < faces_.size(); ++f) {
       if (!faces_[f].is_alive) continue;
-      const L height = height_above(faces_[f], added);
+      const L height = height_above(faces_[f], added) / norm(faces_[f].normal);
       if (height > highest) {
         highest = height;
         best = f;
@@ -238,27 +278,44 @@ class ExpandingPolytope {
 
   // --- faces
 
-  L height_above(const Face& face, std::uint32_t point) const {
-    return dot(face.normal, at(point) - at(face.corners[0]));
-  }
+  // Times the length of its normal.
+  L height_above(const Face& face, std::uint32_t point) const { return dot(face.normal, at(point)) - face.offset; }
 
-  std::uint32_t add_face(const Corners& corners, const Corners& neighbours) {
+  std::uint32_t add_face(const Corners& corners, const std::array<FaceEdge, 3>& across) {
     const Vec3<L>&p = at(corners[0]), &q = at(corners[1]), &r = at(corners[2]);
-    const detail::Face<L> plane = detail::face_of(p, q, r);
-    const L length = norm(plane.normal);
-    Face face{corners, neighbours, {}, L(0.0)};
-    if (length > L(0x1p-26) * plane.edge_product) {
-      face.normal = (L(1.0) / length) * plane.normal;
-    } else {
-      // All but a segment, whose normal would be noise: the direction of its nearest point will do, as any would.
+    // e x f = e x g = f x g, and that of the two shorter ones has no noise of the longest.
+    const Vec3<L> e = q - p, f = r - p, g = r - q;
+    const L square_e = dot(e, e), square_f = dot(f, f), square_g = dot(g, g);
+    const bool omits_e = square_e > square_f && square_e > square_g, omits_f = !omits_e && square_f > square_g;
+    Face face;
+    face.corners = corners;
+    face.across = across;
+    face.normal = omits_e ? cross(f, g) : omits_f ? cross(e, g) : cross(e, f);
+    const L product = omits_e ? square_f * square_g : omits_f ? square_e * square_g : square_e * square_f;
+    L square = dot(face.normal, face.normal);
+    // All but a segment, whose normal would be noise: the direction of its nearest point will do, as any would.
+    const bool is_sliver = !(square > L(0x1p-52) * product);
+    if (is_sliver) {
       face.normal = unit(nearest_on_longest_edge(p, q, r));
+      square = L(1.0);
     }
     const L of_p = dot(face.normal, p), of_q = dot(face.normal, q), of_r = dot(face.normal, r);
-    face.distance = -larger(-of_p, larger(-of_q, -of_r));
+    const L least = -larger(-of_p, larger(-of_q, -of_r));
+    face.offset = of_p;
+    face.coplanar = coplanar_ * norm_1(face.normal);
+    const L rounding_sq = L(1024.0 * (unit_roundoff<L>() * unit_roundoff<L>())) * (error_.reach * error_.reach);
+    const L least_sq = least > L(0.0) ? least * least : L(0.0);
+    face.has_origin_behind = !is_sliver && least_sq > rounding_sq * product;  // E21
+    const std::uint32_t index = static_cast<std::uint32_t>(faces_.size());
+    // What is farther than the depth can be is never the nearest, and need not be told apart.
+    const L farthest = L(1.0 + 0x1p-40) * height_;
+    const bool is_far = n_support_calls_ > 0 && least_sq > (farthest * farthest) * square;
+    face.distance = is_far ? height_ : least / square_root(square);
     faces_.push_back(face);
-    const std::uint32_t index = static_cast<std::uint32_t>(faces_.size() - 1);
-    heap_.push_back({face.distance, index});
-    std::push_heap(heap_.begin(), heap_.end(), is_farther);
+    if (!is_far) {
+      heap_.push_back({face.distance, index});
+      std::push_heap(heap_.begin(), heap_.end(), is_farther);
+    }
     return index;
   }
   static Vec3<L> nearest_on_longest_edge(const Vec3<L>& p, const Vec3<L>& q, const Vec3<L>& r) {
@@ -280,12 +337,13 @@ class ExpandingPolytope {
   using Entry = std::pair<L, std::uint32_t>;
   static bool is_farther(const Entry& a, const Entry& b) { return a.first > b.first; }
 
-  std::uint32_t nearest_face() {
-    while (!faces_[heap_.front().second].is_alive) {
+  // None where all are farther than K reaches: by rounding only.
+  std::optional<std::uint32_t> nearest_face() {
+    while (!heap_.empty() && !faces_[heap_.front().second].is_alive) {
       std::pop_heap(heap_.begin(), heap_.end(), is_farther);
       heap_.pop_back();
     }
-    return heap_.front().second;
+    return heap_.empty() ? std::nullopt : std::optional(heap_.front().second);
   }
 
   // Takes a point into the hull: the faces that it is in front of give way to those from their rim to it. False, and
@@ -293,71 +351,72 @@ class ExpandingPolytope {
   bool grow(std::uint32_t start, std::uint32_t added) {
     // Faces in whose plane the point is had better go too, or it makes faces without area with their edges.
     for (const double side : {-1.0, 0.0, 1.0}) {
-      hide(start, added, L(side) * coplanar_);
-      const bool is_sound = orders_rim();
-      for (const std::uint32_t f : hidden_) faces_[f].is_hidden = false;
-      if (!is_sound) continue;
+      hide(start, added, L(side));
+      if (!is_one_round()) continue;
       for (const std::uint32_t f : hidden_) faces_[f].is_alive = false;
       const std::uint32_t first = static_cast<std::uint32_t>(faces_.size());
       const std::uint32_t n = static_cast<std::uint32_t>(rim_.size());
       for (std::uint32_t k = 0; k < n; ++k) {
-        const Edge& edge = rim_[k];
-        const std::uint32_t face =
-            add_face({edge.from, edge.to, added}, {edge.outside, first + (k + 1) % n, first + (k + n - 1) % n});
-        Face& outside = faces_[edge.outside];
-        for (std::size_t e = 0; e < 3; ++e) {
-          if (outside.corners[e] == edge.to && outside.corners[(e + 1) % 3] == edge.from) outside.neighbours[e] = face;
-        }
+        const auto [from, to, outside] = rim_[k];
+        const std::uint32_t next = k + 1 < n ? k + 1 : 0, last = k > 0 ? k - 1 : n - 1;
+        add_face({from, to, added}, {{outside, {first + next, 2}, {first + last, 1}}});
+        faces_[outside.face].across[outside.edge] = {first + k, 0};
       }
       return true;
     }
     return false;
   }
 
-  // The connected faces about `start` that `added` is more than `threshold` above, and their rim, as they go along it.
-  void hide(std::uint32_t start, std::uint32_t added, const L& threshold) {
+  // The connected faces about `start` that `added` is above, and in order their rim, as they go along it. Above: by
+  // more than `side` times what counts as coplanar.
+  void hide(std::uint32_t start, std::uint32_t added, const L& side) {
     hidden_.assign(1, start);
     rim_.clear();
-    faces_[start].is_hidden = true;
-    for (std::size_t next = 0; next < hidden_.size(); ++next) {
-      const Corners neighbours = faces_[hidden_[next]].neighbours;
-      for (const std::uint32_t f : neighbours) {
-        if (faces_[f].is_hidden || !(height_above(faces_[f], added) > threshold)) continue;
-        faces_[f].is_hidden = true;
-        hidden_.push_back(f);
-      }
+    ++last_mark_;
+    faces_[start].mark = last_mark_;
+    for (std::uint32_t k = 0; k < 3; ++k) visit(faces_[start].across[k], added, side);
+  }
+  // Depth first, edge by edge counter-clockwise, which gives the rim in order.
+  void visit(const FaceEdge& entered, std::uint32_t added, const L& side) {
+    Face& face = faces_[entered.face];
+    if (face.mark == last_mark_) return;
+    if (!(height_above(face, added) > side * face.coplanar)) {
+      rim_.push_back({face.corners[(entered.edge + 1) % 3], face.corners[entered.edge], entered});
+      return;
     }
-    for (const std::uint32_t h : hidden_) {
-      const Face& face = faces_[h];
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (!faces_[face.neighbours[k]].is_hidden) {
-          rim_.push_back({face.corners[k], face.corners[(k + 1) % 3], face.neighbours[k]});
-        }
-      }
-    }
+    face.mark = last_mark_;
+    hidden_.push_back(entered.face);
+    visit(face.across[(entered.edge + 1) % 3], added, side);
+    visit(face.across[(entered.edge + 2) % 3], added, side);
   }
 
-  // Puts the rim's edges one behind the other; false where they are not a single closed line that passes each of its
-  // points once.
-  bool orders_rim() {
-    if (rim_.size() < 3) return false;
-    for (std::size_t k = 0; k + 1 < rim_.size(); ++k) {
-      std::size_t next = k + 1;
-      while (next < rim_.size() && rim_[next].from != rim_[k].to) ++next;
-      if (next == rim_.size()) return false;
-      std::swap(rim_[k + 1], rim_[next]);
-      for (std::size_t j = 0; j <= k; ++j) {
-        if (rim_[j].from == rim_[k + 1].from) return false;
+  // A single closed line that passes each of its points once.
+  bool is_one_round() const {
+    const std::size_t n = rim_.size();
+    if (n < 3) return false;
+    for (std::size_t k = 0; k < n; ++k) {
+      if (rim_[k].to != rim_[k + 1 < n ? k + 1 : 0].from) return false;
+      for (std::size_t j = 0; j < k; ++j) {
+        if (rim_[j].from == rim_[k].from) return false;
       }
     }
-    return rim_.back().to == rim_.front().from;
+    return true;
+  }
+
+  // Of the corners, in proportion.
+  std::array<L, 3> foot_weights(const Face& face) const {
+    const Vec3<L>&p = at(face.corners[0]), &q = at(face.corners[1]), &r = at(face.corners[2]);
+    return {dot(cross(q, r), face.normal), dot(cross(r, p), face.normal), dot(cross(p, q), face.normal)};
   }
 
   // --- what the hull proves
 
-  // Counts how often a ray from the origin through the nearest face passes the surface, which is closed: once, then it
-  // goes around every ball that it does not enter. By proven signs; another ray where one passes an edge.
+  // A closed surface whose faces have the origin behind them goes around it. Else count how often a ray from the origin
+  // through the nearest face passes the surface: once, then it goes around every ball that it does not enter. By proven
+  // signs; another ray where one passes an edge.
   bool goes_around_origin() const {
+    const auto is_clear = [](const Face& face) { return !face.is_alive || face.has_origin_behind; };
+    if (std::ranges::all_of(faces_, is_clear)) return true;
     const Corners& corners = faces_[nearest_].corners;
     for (const auto& [u, v, w] : {std::array{0.41, 0.26, 0.33}, std::array{0.22, 0.47, 0.31}}) {
       const Vec3<L> ray = (L(u) * at(corners[0]) + L(v) * at(corners[1])) + L(w) * at(corners[2]);
@@ -394,24 +453,19 @@ class ExpandingPolytope {
     return is_outwards == (n_positive == 3) ? std::optional(is_outwards ? 1 : -1) : std::optional(0);
   }
 
+  std::vector<Point>& points_;
+  std::vector<Face>& faces_;
+  std::vector<Entry>& heap_;
+  std::vector<std::uint32_t>& hidden_;
+  std::vector<typename PolytopeStore<L, Point>::RimEdge>& rim_;
   const Difference& difference_;
   QueryError<L> error_;
   L slack_, coplanar_;
   int max_support_calls_;
   int n_support_calls_ = 0;
-  std::vector<Point> points_;
-  std::vector<Face> faces_;
-  std::vector<Entry> heap_;
-  std::vector<std::uint32_t> hidden_;
-  std::vector<Edge> rim_;
-  std::uint32_t nearest_ = 0;
-  Vec3<L> normal_;
+  std::uint32_t nearest_ = 0, last_mark_ = 0;
+  Vec3<L> normal_, face_normal_;
   L height_{0.0}, face_height_{0.0};
-
-  std::array<L, 3> foot_weights(const Face& face) const {
-    const Vec3<L>&p = at(face.corners[0]), &q = at(face.corners[1]), &r = at(face.corners[2]);
-    return {dot(cross(q, r), face.normal), dot(cross(r, p), face.normal), dot(cross(p, q), face.normal)};
-  }
 };
 
 }  // namespace vex

@@ -138,7 +138,8 @@ CoreSeparation<L, Point> search(const Difference& difference, const Vec3<L>& fir
   if (settings.goal == Goal::distance && !(settings.radii > L(0.0))) return result;
 
   using Polytope = ExpandingPolytope<L, Point, Difference>;
-  Polytope polytope(difference, error, settings.max_support_calls);
+  thread_local PolytopeStore<L, Point> store;
+  Polytope polytope(difference, error, settings.max_support_calls, store);
   const auto wanted_depth = [&wanted](const L& depth) { return wanted(-depth); };
   const typename Polytope::End end = polytope.run(descent.simplex, wanted_depth);
   n_support_calls += polytope.n_support_calls();

@@ -9,6 +9,7 @@
 #include "engine/numeric/rounding.h"
 #include "engine/support/direction_table.h"
 #include "engine/support/exact_form.h"
+#include "engine/support/generators.h"
 #include "engine/support/support_mapping.h"
 
 namespace vex {
@@ -31,6 +32,11 @@ concept HasRollingRadius = requires(const S& body) {
 template <class S>
 concept HasExactForm = requires(const S& body) {
   { body.exact_form() } -> std::convertible_to<std::optional<ExactForm>>;
+};
+/// The body's core is a zonotope.
+template <class S>
+concept HasGenerators = requires(const S& body) {
+  { body.generators() } -> std::convertible_to<std::optional<Generators>>;
 };
 /// A polytope, or one with a ball, of many vertices has a table of directions once it has been asked often: none
 /// before.
@@ -67,6 +73,11 @@ class ConvexBody {
       ball_radius_ = shape.ball_radius();
     }
     if constexpr (HasRollingRadius<Shape>) rolling_radius_ = shape.rolling_radius();
+    if constexpr (HasGenerators<Shape>) generators_ = shape.generators();
+    if constexpr (HasExactForm<Shape>) {
+      const std::optional<ExactForm> form = shape.exact_form();
+      is_rounded_polytope_ = form && form->is_rounded_polytope();
+    }
     model_ = std::make_shared<const ModelOf<Shape>>(std::move(shape));
   }
 
@@ -89,6 +100,10 @@ class ConvexBody {
   double core_support_error() const { return core_support_error_; }
   /// Of the core, 0 where none is known: HasRollingRadius.
   double rolling_radius() const { return rolling_radius_; }
+  /// The core as a zonotope, if it says so.
+  const std::optional<Generators>& generators() const { return generators_; }
+  /// Whether the core is known to be the convex hull of finitely many points.
+  bool is_rounded_polytope() const { return is_rounded_polytope_; }
 
   /// What the body is exactly; none where its class does not tell. Copies the vertices of a polytope.
   std::optional<ExactForm> exact_form() const { return model_->exact_form(); }
@@ -164,6 +179,8 @@ class ConvexBody {
   double core_support_error_;
   double ball_radius_ = 0.0;
   double rolling_radius_ = 0.0;
+  std::optional<Generators> generators_;
+  bool is_rounded_polytope_ = false;
   bool rounds_as_kernels_;
   std::shared_ptr<const Model> model_;
 };
