@@ -10,6 +10,15 @@
 namespace vex {
 namespace {
 
+// No 0 of a result has a sign.
+Vec3d without_signed_zeros(const Vec3d& v) { return v + Vec3d{}; }
+
+void set_witnesses(Answer& answer, const Vec3d& normal, const Vec3d& point_a, const Vec3d& point_b) {
+  answer.normal = without_signed_zeros(normal);
+  answer.point_a = without_signed_zeros(point_a);
+  answer.point_b = without_signed_zeros(point_b);
+}
+
 Answer contact_answer(const FirstContact& found) {
   Answer answer;
   answer.verdict = found.verdict;
@@ -18,9 +27,7 @@ Answer contact_answer(const FirstContact& found) {
   answer.upper = found.upper;
   if (found.verdict.outcome != Outcome::overlap) return answer;
   answer.value = found.time;
-  answer.normal = found.normal;
-  answer.point_a = found.point_a;
-  answer.point_b = found.point_b;
+  set_witnesses(answer, found.normal, found.point_a, found.point_b);
   return answer;
 }
 
@@ -98,7 +105,6 @@ Answer Question::separation_answer(const Separation& found) const {
   result.n_support_calls = found.n_support_calls;
   const bool either_sign = is_of_either_sign(settings_.query);
   const bool is_depth = settings_.query == Query::depth || (either_sign && found.verdict.outcome == Outcome::overlap);
-  // Differences from 0, so that no 0 has a sign.
   result.value = is_depth ? 0.0 - found.signed_distance : found.signed_distance;
   result.lower = is_depth ? 0.0 - found.upper : found.lower;
   result.upper = is_depth ? 0.0 - found.lower : found.upper;
@@ -109,11 +115,7 @@ Answer Question::separation_answer(const Separation& found) const {
   }
   if (!result.is_undecided() || !either_sign) result.value = std::max(0.0, result.value);
   if (either_sign) result.signed_distance = is_depth ? 0.0 - result.value : result.value;
-  if (found.has_witnesses) {
-    result.normal = found.normal;
-    result.point_a = found.point_a;
-    result.point_b = found.point_b;
-  }
+  if (found.has_witnesses) set_witnesses(result, found.normal, found.point_a, found.point_b);
   return result;
 }
 
@@ -131,14 +133,14 @@ Answer Question::ray_answer(const Transformd& a_from_b) const {
   if (hits_a && (!hits_b || on_a.time <= on_b.time)) {
     result.verdict = on_a.verdict;
     result.value = on_a.time;
-    result.normal = on_a.normal;
-    result.point_a = on_a.point_a;
+    result.normal = without_signed_zeros(on_a.normal);
+    result.point_a = without_signed_zeros(on_a.point_a);
     result.ray_hit = Answer::RayHit::a;
   } else if (hits_b) {
     result.verdict = on_b.verdict;
     result.value = on_b.time;
-    result.normal = Vec3d{} - on_b.normal;
-    result.point_b = on_b.point_b + on_b.time * settings_.velocity;
+    result.normal = without_signed_zeros(-on_b.normal);
+    result.point_b = without_signed_zeros(on_b.point_b + on_b.time * settings_.velocity);
     result.ray_hit = Answer::RayHit::b;
   } else if (on_a.verdict.outcome == Outcome::undecided) {
     result.verdict = on_a.verdict;

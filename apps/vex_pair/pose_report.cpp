@@ -72,10 +72,10 @@ std::string headline(const PairRun& run) {
   return pair + (found ? " OVERLAP: they share a point" : " are DISJOINT: they share no point");
 }
 
-std::string why_undecided(const Answer& answer) {
-  return answer.verdict.reason == UndecidedReason::rounding
-             ? "a move by no more than rounding would part them, or make them meet: neither is proven"
-             : "the search was given up";
+std::string why_undecided(Query query, const Answer& answer) {
+  if (answer.verdict.reason != UndecidedReason::rounding) return "the search was given up";
+  return is_of_motion(query) ? "it grazes: a move by no more than rounding would make it hit, or miss"
+                             : "a move by no more than rounding would part them, or make them meet: neither is proven";
 }
 
 std::string bound_text(double value) { return std::isfinite(value) ? shortest_number(value) : "unknown"; }
@@ -119,8 +119,8 @@ std::string report_text(const PairRun& run) {
   std::string text;
   if (run.options.dump_vertices) text += body_text(run.a, "A", true) + body_text(run.b, "B", true) + "\n";
   text += headline(run) + "\n";
-  text +=
-      answer.is_undecided() ? line("because", why_undecided(answer)) : line("proven by", in_words(answer.verdict.by));
+  text += answer.is_undecided() ? line("because", why_undecided(query, answer))
+                                : line("proven by", in_words(answer.verdict.by));
   text += value_text(query, answer) + witness_text(query, answer);
   text += line("support calls", std::to_string(answer.n_support_calls));
   if (run.options.layout.with_certificate) text += certificate_text(answer);
