@@ -78,7 +78,11 @@ void declare_options(OptionParser& options, PairCommandLine& words) {
   declare_body_options(options, words);
 
   options.add_flag("--jsonl", words.jsonl, "Print an object of JSON a pose").group("Output");
-  options.add_flag("--csv", words.csv, "Print the same as columns").group("Output");
+  options
+      .add_flag("--csv", words.csv,
+                "Print the same as columns: a vector is three; contacts are one cell, seven numbers each (both "
+                "points and their signed distance), with semicolons between")
+      .group("Output");
   declare_json_and_quiet(options, words, "Print no report and no summary: only what --jsonl or --csv print");
 
   options.footer(named_bodies_help() +
@@ -87,7 +91,7 @@ void declare_options(OptionParser& options, PairCommandLine& words) {
                  "\n  0  success; undecided verdicts are answers, too"
                  "\n  1  a certificate that is not proven again (--certificate), or a fault of the program"
                  "\n  2  wrong usage"
-                 "\n  3  input refused: a body, a pose, or a row of --poses"
+                 "\n  3  input refused: a body, a pose, a motion, or a row of --poses"
                  "\n  130, 143  interrupted (the rows answered until then are written)");
 }
 
