@@ -58,7 +58,7 @@ std::string headline(const PairRun& run) {
   if (asked.query == Query::ray) {
     if (answer.is_undecided()) return "UNDECIDED whether the ray hits " + a + " or " + b;
     if (!found) return "The ray MISSES " + a + " and " + b;
-    return "The ray HITS " + (answer.ray_hit == Answer::RayHit::a ? a : b) + " first";
+    return "The ray HITS " + (answer.ray_hit == Answer::RayHit::a ? a : b);
   }
   if (is_of_motion(asked.query)) {
     if (answer.is_undecided()) return "UNDECIDED whether " + b + " meets " + a;
