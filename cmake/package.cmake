@@ -26,8 +26,9 @@ centre of another one, averaged over their orientations, and with it the
 second virial coefficient of hard particles: by Monte Carlo with collision
 verdicts that are proven against rounding, and by the formula from the
 bodies' volume, surface and integrated mean curvature. vex_pair answers
-whether two bodies overlap at given poses. vex_paper repeats the computations
-of a paper of 2002 and explains its faulty values. vex_bench measures run time
+whether two bodies overlap at given poses, how far apart or how deep in each
+other they are, and when a motion makes them meet. vex_paper repeats the
+computations of a paper of 2002 and explains its faulty values. vex_bench measures run time
 against error of every estimator. vex_stress holds overlap tests against exact
 arithmetic where they are known to fail.
 .

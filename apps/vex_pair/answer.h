@@ -1,23 +1,66 @@
-// One pose's answer, and how many there were of each kind.
+// One pose's answer to any query, and how many there were of each kind.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
+#include <string_view>
+#include <vector>
 
+#include "apps/vex_pair/query.h"
 #include "engine/query/certificate.h"
+#include "engine/query/contact_manifold.h"
+#include "engine/query/first_contact.h"
 #include "engine/query/verdict.h"
 
 namespace vex {
 
 struct Answer {
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
   Verdict verdict;
-  OverlapCertificate certificate;
+  int n_support_calls = 0;
+  /// Distance, depth, or the time of a contact; the true one is between `lower` and `upper`. What is not finite is
+  /// not there. Of an undecided overlap the bounds are those of the gap.
+  double value = kNone, lower = kNone, upper = kNone;
+  std::optional<double> signed_distance{};  // where the query is of either sign
+  std::optional<Vec3d> normal{}, point_a{}, point_b{};
+  enum class RayHit : std::uint8_t { nothing, a, b };
+  RayHit ray_hit = RayHit::nothing;
+  std::vector<ContactManifold::Contact> contacts{};
+  OverlapCertificate certificate{};
   std::optional<CertificateCheck> check{};  // of a verdict that was proven, where it was asked for
+
+  bool is_undecided() const { return verdict.outcome == Outcome::undecided; }
 };
 
-/// Asks the engine; `with_check` proves its answer again from the certificate.
-Answer answer(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, bool with_check);
+/// What `value` is called: distance, depth, parameter or time; nothing of an overlap query.
+std::string_view name_of_value(Query query, const Answer& answer);
+constexpr std::string_view name_of(Answer::RayHit hit) {
+  if (hit == Answer::RayHit::nothing) return "";
+  return hit == Answer::RayHit::a ? "a" : "b";
+}
+
+/// A query of a pair of bodies, ready to be asked of many poses. What does not depend on the pose is done once.
+class Question {
+ public:
+  Question(const ConvexBody& a, const ConvexBody& b, const QuerySettings& settings);
+
+  /// Asks the engine. May be called by many threads; the answer depends on the pose alone.
+  Answer answer(const Transformd& a_from_b) const;
+
+ private:
+  Answer overlap_answer(const Transformd& a_from_b) const;
+  Answer separation_answer(const Separation& found) const;
+  Answer ray_answer(const Transformd& a_from_b) const;
+  void add_certificate(Answer& answer, const Transformd& a_from_b) const;
+
+  QuerySettings settings_;
+  ConvexBody a_, b_;                           // one of them with the margin, where the query is an overlap
+  std::optional<ConvexBody> ray_origin_body_;  // a point
+  FirstContact ray_on_a_;
+};
 
 /// Of a stream of answers.
 struct Counts {
@@ -26,6 +69,8 @@ struct Counts {
   std::uint64_t n_disjoint = 0, n_overlap = 0, n_undecided = 0;
   std::array<std::uint64_t, kNDecidedBy> decided_by{};
   std::uint64_t n_reproven = 0, n_not_reproven = 0;
+  /// Of all values, with their sign where the query is of either.
+  double smallest = std::numeric_limits<double>::infinity(), largest = -std::numeric_limits<double>::infinity();
 
   void add(const Answer& answer);
   void add_refused();

@@ -24,12 +24,13 @@ struct Chunk {
 
 class BlockAnswerer {
  public:
-  BlockAnswerer(const PoseFile& file, const ConvexBody& a, const ConvexBody& b, const StreamSettings& settings,
+  BlockAnswerer(const PoseFile& file, const Question& question, const StreamSettings& settings,
                 const std::atomic<int>& interrupt)
-      : file_(file), a_(a), b_(b), settings_(settings), interrupt_(interrupt) {
-    json_layout_.format = RowLayout::Format::jsonl;
-    json_layout_.with_certificate = settings.layout.with_certificate;
-  }
+      : file_(file),
+        question_(question),
+        settings_(settings),
+        interrupt_(interrupt),
+        json_layout_(settings.layout.of_json()) {}
 
   /// The chunks in order; those behind one that stopped may be empty.
   std::vector<Chunk> answer_all(const RowBlock& block) const {
@@ -94,7 +95,7 @@ class BlockAnswerer {
         if (is_listed) append_refused_row(chunk.json_lines, json_layout_, index, problem);
         continue;
       }
-      const Answer found = answer(a_, b_, pose, settings_.layout.with_certificate);
+      const Answer found = question_.answer(pose);
       chunk.counts.add(found);
       append_row(chunk.text, settings_.layout, index, found);
       if (is_listed) append_row(chunk.json_lines, json_layout_, index, found);
@@ -102,8 +103,7 @@ class BlockAnswerer {
   }
 
   const PoseFile& file_;
-  const ConvexBody& a_;
-  const ConvexBody& b_;
+  const Question& question_;
   const StreamSettings& settings_;
   const std::atomic<int>& interrupt_;
   RowLayout json_layout_;
@@ -127,10 +127,10 @@ class BlockSize {
 
 }  // namespace
 
-StreamResult answer_stream(PoseFile& file, const ConvexBody& a, const ConvexBody& b, const StreamSettings& settings,
+StreamResult answer_stream(PoseFile& file, const Question& question, const StreamSettings& settings,
                            const std::atomic<int>& interrupt, const std::function<bool(std::string_view)>& write) {
   using Clock = std::chrono::steady_clock;
-  const BlockAnswerer answerer(file, a, b, settings, interrupt);
+  const BlockAnswerer answerer(file, question, settings, interrupt);
   StreamResult result;
   BlockSize size;
   RowBlock block;

@@ -33,7 +33,7 @@ struct StreamResult {
 /// Answers all rows of `file`, whose header has been read; without `keep_going`, those before the first bad one.
 /// `write` receives the rows in the order of the file, and returns whether anybody listens. The text does not depend on
 /// the number of threads.
-StreamResult answer_stream(PoseFile& file, const ConvexBody& a, const ConvexBody& b, const StreamSettings& settings,
+StreamResult answer_stream(PoseFile& file, const Question& question, const StreamSettings& settings,
                            const std::atomic<int>& interrupt, const std::function<bool(std::string_view)>& write);
 
 }  // namespace vex

@@ -1,4 +1,5 @@
-// vex_pair A B: whether two convex bodies overlap, in one pose or in each of a file of poses, and how that is proven.
+// vex_pair A B: whether two convex bodies overlap, how far apart or how deep in each other they are, and when a motion
+// brings them into contact; in one pose or in each of a file of poses, and how that is proven.
 #include <chrono>
 #include <cstdio>
 #include <iostream>
@@ -26,13 +27,10 @@ bool write_out(std::string_view text) {
   return static_cast<bool>(std::cout);
 }
 
-void answer_one(PairRun& run) {
-  const RowLayout& layout = run.options.layout;
-  run.one = answer(run.a.shape.body, run.b.shape.body, *run.options.pose, layout.with_certificate);
+void answer_one(PairRun& run, const Question& question) {
+  run.one = question.answer(*run.options.pose);
   run.found.counts.add(*run.one);
-  RowLayout json_layout = layout;
-  json_layout.format = RowLayout::Format::jsonl;
-  append_row(run.found.first_rows, json_layout, 0, *run.one);
+  append_row(run.found.first_rows, run.options.layout.of_json(), 0, *run.one);
 }
 
 std::string text_of_one(const PairRun& run) {
@@ -57,14 +55,15 @@ int run_vex_pair(const PairCommandLine& words, const std::string& command) {
   if (options.dump_vertices) require_vertices_to_list(run.a, run.b);
 
   catch_interrupts();
+  const Question question(run.a.shape.body, run.b.shape.body, options.query);
   if (poses) {
     poses->read_header();
     StreamSettings settings{options.layout, options.keep_going, json.has_value(), options.n_threads};
     const bool is_silent = owns_output || (options.quiet && options.layout.format == RowLayout::Format::screen);
-    run.found = answer_stream(*poses, run.a.shape.body, run.b.shape.body, settings, interrupting_signal(),
+    run.found = answer_stream(*poses, question, settings, interrupting_signal(),
                               [&](std::string_view rows) { return is_silent || write_out(rows); });
   } else {
-    answer_one(run);
+    answer_one(run, question);
   }
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
@@ -87,8 +86,10 @@ int run_vex_pair(const PairCommandLine& words, const std::string& command) {
 }  // namespace vex
 
 int main(int argc, char** argv) {
-  vex::OptionParser options("Whether two convex bodies overlap, proven: in one pose, or in each of a file of poses.",
-                            "vex_pair");
+  vex::OptionParser options(
+      "Whether two convex bodies overlap, how far apart or how deep in each other they are, and when a motion brings "
+      "them into contact, with proven bounds: in one pose, or in each of a file of poses.",
+      "vex_pair");
   vex::PairCommandLine words;
   vex::declare_options(options, words);
   return vex::run_program(options, argc, argv, [&] { return vex::run_vex_pair(words, vex::command_line(argc, argv)); });

@@ -1,10 +1,5 @@
 #include "apps/vex_pair/options.h"
 
-#include <initializer_list>
-#include <utility>
-
-#include "apps/common/choices.h"
-#include "apps/common/run_program.h"
 #include "apps/vex_pair/pose_text.h"
 #include "engine/numeric/errors.h"
 
@@ -74,16 +69,7 @@ void declare_options(OptionParser& options, PairCommandLine& words) {
       .group(pose);
 
   const std::string query = "Query";
-  options
-      .add_option("--query", words.query,
-                  "overlap (default): do A and B share a point? distance, depth, signed, ray, cast, toi and manifold "
-                  "come later")
-      .type_name("NAME")
-      .group(query);
-  options
-      .add_flag("--certificate", words.certificate,
-                "Give what proves each verdict, and whether exact arithmetic has proven it again from that")
-      .group(query);
+  declare_query_options(options, words, query);
   options.add_option("--threads", words.threads, "Threads (default: all cores); the answers do not depend on them")
       .type_name("N")
       .group(query);
@@ -92,36 +78,24 @@ void declare_options(OptionParser& options, PairCommandLine& words) {
   declare_body_options(options, words);
 
   options.add_flag("--jsonl", words.jsonl, "Print an object of JSON a pose").group("Output");
-  options.add_flag("--csv", words.csv, "Print the same as columns").group("Output");
+  options
+      .add_flag("--csv", words.csv,
+                "Print the same as columns: a vector is three; contacts are one cell, seven numbers each (both "
+                "points and their signed distance), with semicolons between")
+      .group("Output");
   declare_json_and_quiet(options, words, "Print no report and no summary: only what --jsonl or --csv print");
 
-  const std::string later = "Not built yet";
-  options.add_option("--ray", words.ray, "Of --query ray: origin and direction")
-      .type_name("ox,oy,oz,dx,dy,dz")
-      .group(later);
-  options.add_option("--cast", words.cast, "Of --query cast: how B moves").type_name("dx,dy,dz").group(later);
-  options.add_option("--toi", words.toi, "Of --query toi: B's velocity and angular velocity")
-      .type_name("vx,vy,vz,wx,wy,wz")
-      .group(later);
-  options.add_option("--margin", words.margin, "How near counts as contact").type_name("M").group(later);
-
   options.footer(named_bodies_help() +
-                 "\n\nNumbers of poses may be decimal (0.1) or hexadecimal (0x1.999999999999ap-4)."
+                 "\n\nNumbers of poses, rays and motions may be decimal (0.1) or hexadecimal (0x1.999999999999ap-4)."
                  "\n\nExit codes:"
                  "\n  0  success; undecided verdicts are answers, too"
                  "\n  1  a certificate that is not proven again (--certificate), or a fault of the program"
                  "\n  2  wrong usage"
-                 "\n  3  input refused: a body, a pose, or a row of --poses"
+                 "\n  3  input refused: a body, a pose, a motion, or a row of --poses"
                  "\n  130, 143  interrupted (the rows answered until then are written)");
 }
 
 PairOptions interpret(const PairCommandLine& words) {
-  for (const auto& [word, option] : std::initializer_list<std::pair<const std::string&, const char*>>{
-           {words.ray, "--ray"}, {words.cast, "--cast"}, {words.toi, "--toi"}, {words.margin, "--margin"}}) {
-    if (!word.empty()) not_built_yet(option);
-  }
-  require_one_of(words.query.empty() ? "overlap" : words.query, "--query", {"overlap"},
-                 {"distance", "depth", "signed", "ray", "cast", "toi", "manifold"});
   if (words.jsonl && words.csv) throw UsageError("two forms of the same rows (--jsonl and --csv) - choose one");
   if ((words.jsonl || words.csv) && words.json == "-") {
     throw UsageError(std::string("standard output is asked for twice (--json - and ") +
@@ -146,7 +120,9 @@ PairOptions interpret(const PairCommandLine& words) {
   }
   if (words.jsonl) options.layout.format = RowLayout::Format::jsonl;
   if (words.csv) options.layout.format = RowLayout::Format::csv;
-  options.layout.with_certificate = words.certificate;
+  options.query = interpret_query(words);
+  options.layout.query = options.query.query;
+  options.layout.with_certificate = options.query.with_certificate;
   options.layout.with_error = options.keep_going;
   return options;
 }

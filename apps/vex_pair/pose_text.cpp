@@ -89,7 +89,7 @@ std::string problem_of(Reading reading, std::string_view text, std::string_view 
   switch (reading) {
     case Reading::a_number: return "";
     case Reading::not_a_number: return "not a number" + where + "write it like 0.5, 1e-3 or 0x1.8p-3";
-    case Reading::not_finite: return "not finite" + where + "a pose has finite numbers";
+    case Reading::not_finite: return "not finite" + where + "give a finite number";
     case Reading::out_of_range: break;
   }
   return "out of the range of doubles" + where + "choose another unit of length";

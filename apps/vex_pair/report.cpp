@@ -1,96 +1,55 @@
 #include "apps/vex_pair/report.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
 
 #include "apps/common/numbers.h"
-#include "apps/common/text.h"
 
 namespace vex {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string in_words(DecidedBy by) {
-  switch (by) {
-    case DecidedBy::outer_bound: return "the circumscribed balls, which do not meet";
-    case DecidedBy::inner_bound: return "the inscribed balls, which meet";
-    case DecidedBy::gjk: return "GJK in double precision, with its rounding errors bounded";
-    case DecidedBy::double_double: return "GJK in twice the precision, with its rounding errors bounded";
-    case DecidedBy::exact: return "exact arithmetic";
-    case DecidedBy::peer: break;
-  }
-  return "another library";
-}
-
-std::string vector_text(const Vec3d& v) {
-  return "(" + shortest_number(v.x) + ", " + shortest_number(v.y) + ", " + shortest_number(v.z) + ")";
-}
-
-std::string line(const std::string& name, const std::string& value) {
-  return "   " + name + std::string(34 - name.size(), ' ') + value + "\n";
-}
-
-std::string certificate_text(const Answer& answer) {
-  if (answer.verdict.outcome == Outcome::undecided) return line("certificate", "none: nothing is proven");
-  const OverlapCertificate& certificate = answer.certificate;
-  std::string text;
-  if (answer.verdict.outcome == Outcome::disjoint) {
-    text += line("separating direction", vector_text(certificate.separating_dir));
-    text += line("   and what doubles left of it", vector_text(certificate.separating_dir_low));
-  }
-  for (int k = 0; k < certificate.n_witnesses; ++k) {
-    const Witness& witness = certificate.witnesses[static_cast<std::size_t>(k)];
-    text += line("witness " + std::to_string(k) + ": direction", vector_text(witness.dir));
-    text += line("   and what doubles left of it", vector_text(witness.dir_low));
-    text += line("   point of A", vector_text(witness.point_a));
-    text += line("   point of B, in B's frame", vector_text(witness.point_b));
-  }
-  if (answer.check) {
-    text += line("proven again from these",
-                 answer.check->is_proven ? "yes, in exact arithmetic" : "no: " + answer.check->fault);
-  }
-  return text;
-}
-
 std::string plural(std::uint64_t n, const std::string& one, const std::string& many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
-}  // namespace
-
-std::string report_text(const PairRun& run) {
-  const Answer& answer = *run.one;
-  std::string text;
-  if (run.options.dump_vertices) text += body_text(run.a, "A", true) + body_text(run.b, "B", true) + "\n";
-  const std::string pair = "A " + printable(run.a.source) + " and B " + printable(run.b.source);
-  switch (answer.verdict.outcome) {
-    case Outcome::disjoint: text += pair + " are DISJOINT: they share no point\n"; break;
-    case Outcome::overlap: text += pair + " OVERLAP: they share a point\n"; break;
-    case Outcome::undecided: text += pair + ": UNDECIDED\n"; break;
-  }
-  if (answer.verdict.outcome == Outcome::undecided) {
-    text +=
-        line("because", answer.verdict.reason == UndecidedReason::rounding
-                            ? "a move by no more than rounding would part them, or make them meet: neither is proven"
-                            : "the search was given up");
-    const auto bound = [](double value) { return std::isfinite(value) ? short_number(value, 6) : "unknown"; };
-    text += line("gap (negative: depth), from below", bound(answer.certificate.gap_lower));
-    text += line("   from above", bound(answer.certificate.gap_upper));
-  } else {
-    text += line("proven by", in_words(answer.verdict.by));
-  }
-  text += line("support calls", std::to_string(answer.certificate.n_support_calls));
-  if (run.options.layout.with_certificate) text += certificate_text(answer);
-  return text;
+// Disjoint and overlap.
+std::pair<std::string, std::string> words_of_verdicts(Query query) {
+  if (query == Query::ray) return {"missed", "hit"};
+  if (is_of_motion(query)) return {"never meet", "meet"};
+  return {"disjoint", "overlap"};
 }
+
+std::string name_of_values(Query query) {
+  return is_of_either_sign(query) ? "signed distance" : std::string(name_of_value(query, {}));
+}
+
+// What was asked, beside the poses.
+void add_query(Json& json, const QuerySettings& asked) {
+  json["query"] = name_of(asked.query);
+  const Vec3d &o = asked.ray_origin, &v = asked.velocity, &w = asked.angular_velocity_degrees;
+  switch (asked.query) {
+    case Query::ray: json["ray"] = {o.x, o.y, o.z, v.x, v.y, v.z}; break;
+    case Query::cast: json["cast"] = {v.x, v.y, v.z}; break;
+    case Query::time_of_impact: json["toi"] = {v.x, v.y, v.z, w.x, w.y, w.z}; break;
+    case Query::overlap:
+    case Query::manifold: json["margin"] = asked.margin; break;
+    case Query::distance:
+    case Query::depth:
+    case Query::signed_distance: break;
+  }
+}
+
+}  // namespace
 
 std::string summary_text(const PairRun& run) {
   const Counts& counts = run.found.counts;
-  std::string text = plural(counts.n_rows, "pose", "poses") + ": " + std::to_string(counts.n_disjoint) + " disjoint, " +
-                     std::to_string(counts.n_overlap) + " overlap, " + std::to_string(counts.n_undecided) +
-                     " undecided";
+  const auto [disjoint, overlap] = words_of_verdicts(run.options.query.query);
+  std::string text = plural(counts.n_rows, "pose", "poses") + ": " + std::to_string(counts.n_disjoint) + " " +
+                     disjoint + ", " + std::to_string(counts.n_overlap) + " " + overlap + ", " +
+                     std::to_string(counts.n_undecided) + " undecided";
   if (counts.n_refused > 0) text += ", " + std::to_string(counts.n_refused) + " refused";
   std::string by;
   for (std::size_t k = 0; k < counts.decided_by.size(); ++k) {
@@ -99,6 +58,10 @@ std::string summary_text(const PairRun& run) {
           std::to_string(counts.decided_by[k]);
   }
   text += by;
+  if (counts.smallest <= counts.largest) {
+    text += std::string("; ") + name_of_values(run.options.query.query) + " " + short_number(counts.smallest, 6) +
+            " to " + short_number(counts.largest, 6);
+  }
   if (run.options.layout.with_certificate) {
     text += "; proven again " + std::to_string(counts.n_reproven) + ", not " + std::to_string(counts.n_not_reproven);
   }
@@ -110,7 +73,7 @@ std::string summary_text(const PairRun& run) {
 std::string report_json(const PairRun& run) {
   Json json = document_head(run.command, run.options, !run.found.interrupted, run.seconds);
   json["bodies"] = {body_json(run.a, run.options.dump_vertices), body_json(run.b, run.options.dump_vertices)};
-  json["query"] = "overlap";
+  add_query(json, run.options.query);
   if (run.options.pose) {
     json["pose"] = twelve_numbers(*run.options.pose);
   } else {

@@ -15,6 +15,10 @@ struct RowLayout {
   Format format = Format::screen;
   bool with_certificate = false;
   bool with_error = false;  // a column for it in CSV: bad rows do not end the run
+  Query query = Query::overlap;
+
+  /// The same rows as a document has them.
+  RowLayout of_json() const { return {Format::jsonl, with_certificate, false, query}; }
 };
 
 /// Of CSV, with its end of line; nothing for the other formats.

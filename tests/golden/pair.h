@@ -35,6 +35,7 @@ class Pair : public ProgramTest {
   std::function<bool(pid_t)> has_answered() const;
 };
 
+class PairQuery : public Pair {};
 class PairRefusal : public Pair {};
 class PairStream : public Pair {};
 

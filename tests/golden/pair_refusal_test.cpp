@@ -49,16 +49,30 @@ TEST_F(PairRefusal, APoseThatIsNone) {
   expect_wrong({"--translation", ""}, 2, "empty");
 }
 
-TEST_F(PairRefusal, WhatIsNotBuiltYetSaysSo) {
-  for (const char* query : {"distance", "depth", "signed", "ray", "cast", "toi", "manifold"}) {
-    expect_wrong({"--translation", "0,0,0", "--query", query}, 2, std::string("not built yet (--query ") + query + ")");
-  }
-  expect_wrong({"--translation", "0,0,0", "--query", "ray", "--ray", "0,0,0,1,0,0"}, 2, "not built yet (--ray)");
-  expect_wrong({"--translation", "0,0,0", "--cast", "1,0,0"}, 2, "not built yet (--cast)");
-  expect_wrong({"--translation", "0,0,0", "--toi", "1,0,0,0,0,0"}, 2, "not built yet (--toi)");
-  expect_wrong({"--translation", "0,0,0", "--margin", "0.1"}, 2, "not built yet (--margin)");
-  expect_wrong({"--translation", "0,0,0", "--query", "volume"}, 2, "not a choice (\"volume\" for --query)");
-  EXPECT_EQ(cubes({"--translation", "0,0,0", "--query", "overlap"}).exit_code, 0);
+TEST_F(PairRefusal, AQueryAndItsOptionsBelongTogether) {
+  const auto expect_wrong_query = [this](Words words, int exit_code, const std::string& part) {
+    words.insert(words.begin(), {"--translation", "3,0,0"});
+    expect_wrong(words, exit_code, part);
+  };
+  expect_wrong_query({"--query", "volume"}, 2, "not a choice (\"volume\" for --query)");
+  expect_wrong_query({"--query", "ray"}, 2, "not given (--query ray) - add --ray ox,oy,oz,dx,dy,dz");
+  expect_wrong_query({"--query", "cast"}, 2, "not given (--query cast) - add --cast dx,dy,dz");
+  expect_wrong_query({"--query", "toi"}, 2, "not given (--query toi) - add --toi vx,vy,vz,wx,wy,wz");
+  expect_wrong_query({"--ray", "0,0,0,1,0,0"}, 2, "(--ray with --query overlap) - add --query ray");
+  expect_wrong_query({"--query", "distance", "--cast", "1,0,0"}, 2, "(--cast with --query distance)");
+  expect_wrong_query({"--query", "ray", "--ray", "0,0,0,1,0,0", "--toi", "1,0,0,0,0,0"}, 2, "(--toi with --query ray)");
+  expect_wrong_query({"--query", "signed", "--margin", "0.1"}, 2, "(--margin with --query signed)");
+  expect_wrong_query({"--query", "cast", "--cast", "1,0,0", "--certificate"}, 2, "(--certificate with --query cast)");
+  expect_wrong_query({"--query", "manifold", "--certificate"}, 2, "(--certificate with --query manifold)");
+  expect_wrong_query({"--margin", "-1"}, 2, "a margin below 0 (-1 for --margin)");
+  expect_wrong_query({"--margin", "inf"}, 3, "not finite (\"inf\" for --margin)");
+  expect_wrong_query({"--query", "ray", "--ray", "0,0,0,1,0"}, 2, "wrong number of numbers (5 for --ray)");
+  expect_wrong_query({"--query", "ray", "--ray", "0,0,0,0,0,0"}, 3, "a direction of length 0 (0,0,0 for --ray)");
+  expect_wrong_query({"--query", "cast", "--cast", "0,0,0"}, 3, "a direction of length 0 (0,0,0 for --cast)");
+  expect_wrong_query({"--query", "cast", "--cast", "nan,0,0"}, 3, "not finite (\"nan\" for --cast)");
+  expect_wrong_query({"--query", "toi", "--toi", "0,0,0,0,0,inf"}, 3, "not finite (\"inf\" for --toi)");
+  EXPECT_EQ(cubes({"--translation", "3,0,0", "--query", "toi", "--toi", "0,0,0,0,0,0"}).exit_code, 0)
+      << "rest is a motion, too";
 }
 
 TEST_F(PairRefusal, OptionsThatMeanNothing) {

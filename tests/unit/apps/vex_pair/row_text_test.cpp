@@ -17,7 +17,7 @@ Answer disjoint_answer() {
   answer.verdict = Verdict::disjoint(DecidedBy::exact);
   answer.certificate.separating_dir = {0.1, -1.0 / 3.0, 1e-300};
   answer.certificate.separating_dir_low = {0x1p-60, 0.0, -0x1p-1074};
-  answer.certificate.n_support_calls = 7;
+  answer.n_support_calls = 7;
   answer.check = CertificateCheck{true, ""};
   return answer;
 }
@@ -36,7 +36,7 @@ Answer overlap_answer() {
 Answer undecided_answer() {
   Answer answer;
   answer.verdict = Verdict::undecided(DecidedBy::double_double, UndecidedReason::rounding);
-  answer.certificate.gap_lower = -0x1p-52;
+  answer.lower = -0x1p-52;
   return answer;
 }
 

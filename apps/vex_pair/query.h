@@ -1,0 +1,48 @@
+// What vex_pair asks of each pose.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "engine/numeric/vec3.h"
+
+namespace vex {
+
+enum class Query : std::uint8_t { overlap, distance, depth, signed_distance, ray, cast, time_of_impact, manifold };
+inline constexpr std::array kQueries = {Query::overlap, Query::distance, Query::depth,          Query::signed_distance,
+                                        Query::ray,     Query::cast,     Query::time_of_impact, Query::manifold};
+
+/// As --query has it.
+constexpr std::string_view name_of(Query query) {
+  switch (query) {
+    case Query::overlap: return "overlap";
+    case Query::distance: return "distance";
+    case Query::depth: return "depth";
+    case Query::signed_distance: return "signed";
+    case Query::ray: return "ray";
+    case Query::cast: return "cast";
+    case Query::time_of_impact: return "toi";
+    case Query::manifold: break;
+  }
+  return "manifold";
+}
+
+/// Something moves until it meets something; else the bodies stay where they are.
+constexpr bool is_of_motion(Query query) {
+  return query == Query::ray || query == Query::cast || query == Query::time_of_impact;
+}
+
+/// The answer is a distance or a depth, as the case is.
+constexpr bool is_of_either_sign(Query query) { return query == Query::signed_distance || query == Query::manifold; }
+
+struct QuerySettings {
+  Query query = Query::overlap;
+  Vec3d ray_origin;                // in A's frame, as all below
+  Vec3d velocity;                  // of the ray, or of B: what happens in a unit of time
+  Vec3d angular_velocity_degrees;  // of B about its origin
+  double margin = 0.0;             // a gap up to this counts as contact
+  bool with_certificate = false;   // the verdict on the overlap is proven again
+};
+
+}  // namespace vex

@@ -1,0 +1,141 @@
+#include "apps/vex_pair/query_options.h"
+
+#include <algorithm>
+#include <array>
+
+#include "apps/vex_pair/pose_text.h"
+#include "engine/numeric/errors.h"
+#include "shapes/any_shape.h"
+
+namespace vex {
+namespace {
+
+// An option that one query has and needs.
+struct OwnOption {
+  Query query;
+  const char* name;
+  const char* numbers;
+  const char* what;
+  std::string QueryWords::*word;
+};
+constexpr std::array kOwnOptions = {
+    OwnOption{Query::ray, "--ray", "ox,oy,oz,dx,dy,dz", "a ray", &QueryWords::ray},
+    OwnOption{Query::cast, "--cast", "dx,dy,dz", "a motion without a turn", &QueryWords::cast},
+    OwnOption{Query::time_of_impact, "--toi", "vx,vy,vz,wx,wy,wz", "a motion", &QueryWords::toi}};
+
+Query query_of_word(const std::string& word) {
+  if (word.empty()) return Query::overlap;
+  const auto* const found = std::ranges::find_if(kQueries, [&](Query query) { return name_of(query) == word; });
+  if (found != kQueries.end()) return *found;
+  std::string names;
+  for (const Query query : kQueries) names += (names.empty() ? "" : ", ") + std::string(name_of(query));
+  throw UsageError("not a choice (\"" + word + "\" for --query) - choose one of " + names);
+}
+
+void require_own_options(const QueryWords& words, Query query) {
+  const std::string asked = "--query " + std::string(name_of(query));
+  for (const OwnOption& option : kOwnOptions) {
+    const bool is_given = !(words.*option.word).empty(), is_needed = option.query == query;
+    if (is_given && !is_needed) {
+      throw UsageError(std::string(option.what) + " is given and not asked for (" + option.name + " with " + asked +
+                       ") - add --query " + std::string(name_of(option.query)) + ", or leave it out");
+    }
+    if (is_needed && !is_given) {
+      throw UsageError(std::string(option.what) + " is asked for and not given (" + asked + ") - add " + option.name +
+                       " " + option.numbers);
+    }
+  }
+  if (!words.margin.empty() && query != Query::overlap && query != Query::manifold) {
+    throw UsageError("a margin goes with overlap and manifold (--margin with " + asked +
+                     ") - leave it out; --query distance tells how near the bodies are");
+  }
+  if (words.certificate && (is_of_motion(query) || query == Query::manifold)) {
+    throw UsageError("a certificate proves whether the bodies share a point (--certificate with " + asked +
+                     ") - leave it out, or ask for overlap, distance, depth or signed");
+  }
+}
+
+double margin_of_word(const std::string& word) {
+  std::array<double, 1> number{};
+  read_numbers(word, "--margin", number);
+  const double margin = number[0];
+  if (margin < 0.0) throw UsageError("a margin below 0 (" + word + " for --margin) - give 0 or more");
+  if (margin != 0.0 && !(margin >= kQueriedSizes.smallest && margin <= kQueriedSizes.largest)) {
+    throw InputError("a margin out of range (" + word + " for --margin) - choose another unit of length");
+  }
+  return margin;
+}
+
+Vec3d direction_of(const Vec3d& dir, const char* option) {
+  if (dir.x == 0.0 && dir.y == 0.0 && dir.z == 0.0) {
+    throw InputError(std::string("a direction of length 0 (0,0,0 for ") + option + ") - any other length will do");
+  }
+  return dir;
+}
+
+}  // namespace
+
+void declare_query_options(OptionParser& options, QueryWords& words, const std::string& heading) {
+  options
+      .add_option(
+          "--query", words.query,
+          "overlap (default): do A and B share a point? distance: how far apart? depth: how deep in each other, "
+          "the shortest way out? signed: distance or depth, as the case is. ray: which body does a ray hit "
+          "first, and when? cast: when does B meet A, moving straight? toi: when, moving and turning? manifold: "
+          "signed, and the points where faces touch")
+      .type_name("NAME")
+      .group(heading);
+  options
+      .add_option("--ray", words.ray,
+                  "Of --query ray: origin and direction, of any length but 0, in A's frame. The parameter is in units "
+                  "of the direction's length")
+      .type_name("ox,oy,oz,dx,dy,dz")
+      .group(heading);
+  options
+      .add_option("--cast", words.cast, "Of --query cast: how B moves, in A's frame; the parameter is in units of this")
+      .type_name("dx,dy,dz")
+      .group(heading);
+  options
+      .add_option("--toi", words.toi,
+                  "Of --query toi: B's velocity, and its angular velocity about its origin in degrees, each per unit "
+                  "of time, in A's frame")
+      .type_name("vx,vy,vz,wx,wy,wz")
+      .group(heading);
+  options
+      .add_option("--margin", words.margin,
+                  "Of --query overlap: a gap up to this counts as an overlap. Of manifold: contacts are given up to "
+                  "this gap (default 0)")
+      .type_name("M")
+      .group(heading);
+  options
+      .add_flag("--certificate", words.certificate,
+                "Give what proves each verdict on the overlap, and whether exact arithmetic has proven it again from "
+                "that; with overlap, distance, depth and signed")
+      .group(heading);
+}
+
+QuerySettings interpret_query(const QueryWords& words) {
+  QuerySettings settings;
+  settings.query = query_of_word(words.query);
+  require_own_options(words, settings.query);
+  std::array<double, 6> n{};
+  if (!words.ray.empty()) {
+    read_numbers(words.ray, "--ray", n);
+    settings.ray_origin = {n[0], n[1], n[2]};
+    settings.velocity = direction_of({n[3], n[4], n[5]}, "--ray");
+  }
+  if (!words.cast.empty()) {
+    read_numbers(words.cast, "--cast", std::span(n).first<3>());
+    settings.velocity = direction_of({n[0], n[1], n[2]}, "--cast");
+  }
+  if (!words.toi.empty()) {
+    read_numbers(words.toi, "--toi", n);
+    settings.velocity = {n[0], n[1], n[2]};
+    settings.angular_velocity_degrees = {n[3], n[4], n[5]};
+  }
+  if (!words.margin.empty()) settings.margin = margin_of_word(words.margin);
+  settings.with_certificate = words.certificate;
+  return settings;
+}
+
+}  // namespace vex

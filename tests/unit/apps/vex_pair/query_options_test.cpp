@@ -1,0 +1,126 @@
+// What vex_pair is asked, in words: what they mean, and which of them do not go together.
+#include "apps/vex_pair/query_options.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/numeric/errors.h"
+
+namespace vex {
+namespace {
+
+QueryWords words_of(const std::string& query, const std::string& motion = "") {
+  QueryWords words;
+  words.query = query;
+  if (query == "ray") words.ray = motion;
+  if (query == "cast") words.cast = motion;
+  if (query == "toi") words.toi = motion;
+  return words;
+}
+
+// The words are refused with an Error of this kind, which says this, and what to do.
+template <class Refusal>
+void expect_refused(const QueryWords& words, const std::string& part) {
+  SCOPED_TRACE(part);
+  try {
+    interpret_query(words);
+    FAIL() << "not refused";
+  } catch (const Refusal& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+    EXPECT_NE(message.find(" - "), std::string::npos) << "what to do is missing: " << message;
+  }
+}
+
+void expect_vector(const Vec3d& found, double x, double y, double z) {
+  EXPECT_EQ(found.x, x);
+  EXPECT_EQ(found.y, y);
+  EXPECT_EQ(found.z, z);
+}
+
+TEST(QueryOptions, EveryQueryHasAName) {
+  EXPECT_EQ(interpret_query({}).query, Query::overlap);
+  EXPECT_EQ(interpret_query(words_of("overlap")).query, Query::overlap);
+  EXPECT_EQ(interpret_query(words_of("distance")).query, Query::distance);
+  EXPECT_EQ(interpret_query(words_of("depth")).query, Query::depth);
+  EXPECT_EQ(interpret_query(words_of("signed")).query, Query::signed_distance);
+  EXPECT_EQ(interpret_query(words_of("ray", "0,0,0,1,0,0")).query, Query::ray);
+  EXPECT_EQ(interpret_query(words_of("cast", "1,0,0")).query, Query::cast);
+  EXPECT_EQ(interpret_query(words_of("toi", "0,0,0,0,0,0")).query, Query::time_of_impact) << "rest is a motion, too";
+  EXPECT_EQ(interpret_query(words_of("manifold")).query, Query::manifold);
+  expect_refused<UsageError>(words_of("volume"), "not a choice (\"volume\" for --query)");
+  expect_refused<UsageError>(words_of("Distance"), "not a choice");
+}
+
+TEST(QueryOptions, NumbersOfAMotion) {
+  const QuerySettings ray = interpret_query(words_of("ray", "1,2,3, -4 ,0x1p-1,6"));
+  expect_vector(ray.ray_origin, 1, 2, 3);
+  expect_vector(ray.velocity, -4, 0.5, 6);
+  const QuerySettings cast = interpret_query(words_of("cast", "0,0,1e-300"));
+  expect_vector(cast.velocity, 0, 0, 1e-300);
+  const QuerySettings impact = interpret_query(words_of("toi", "1,2,3,4,5,360"));
+  expect_vector(impact.velocity, 1, 2, 3);
+  expect_vector(impact.angular_velocity_degrees, 4, 5, 360);
+  expect_refused<UsageError>(words_of("ray", "0,0,0,1,0"), "wrong number of numbers (5 for --ray)");
+  expect_refused<UsageError>(words_of("cast", "1,0,x"), "not a number (\"x\" for --cast)");
+  expect_refused<UsageError>(words_of("toi", "1,0,0"), "wrong number of numbers (3 for --toi)");
+  expect_refused<InputError>(words_of("ray", "0,0,0,inf,0,0"), "not finite");
+  expect_refused<InputError>(words_of("cast", "nan,0,0"), "not finite");
+  expect_refused<InputError>(words_of("toi", "0,0,0,0,0,1e999"), "out of the range of doubles");
+}
+
+TEST(QueryOptions, ADirectionHasALength) {
+  expect_refused<InputError>(words_of("ray", "1,2,3,0,0,0"), "a direction of length 0 (0,0,0 for --ray)");
+  expect_refused<InputError>(words_of("cast", "0,-0,0"), "a direction of length 0 (0,0,0 for --cast)");
+}
+
+TEST(QueryOptions, WhatAQueryNeedsAndWhatItDoesNotHave) {
+  expect_refused<UsageError>(words_of("ray"), "a ray is asked for and not given (--query ray) - add --ray ox,oy,oz");
+  expect_refused<UsageError>(words_of("cast"), "not given (--query cast) - add --cast dx,dy,dz");
+  expect_refused<UsageError>(words_of("toi"), "not given (--query toi) - add --toi vx,vy,vz,wx,wy,wz");
+  for (const char* query : {"", "overlap", "distance", "depth", "signed", "manifold", "cast", "toi"}) {
+    QueryWords words = words_of(query, "1,0,0");
+    words.ray = "0,0,0,1,0,0";
+    expect_refused<UsageError>(words, "a ray is given and not asked for (--ray with --query ");
+  }
+  QueryWords words = words_of("ray", "0,0,0,1,0,0");
+  words.cast = "1,0,0";
+  expect_refused<UsageError>(words, "(--cast with --query ray) - add --query cast, or leave it out");
+  words = words_of("distance");
+  words.toi = "1,0,0,0,0,0";
+  expect_refused<UsageError>(words, "(--toi with --query distance)");
+}
+
+TEST(QueryOptions, AMarginIsALengthOfOverlapAndManifold) {
+  const auto with_margin = [](const std::string& query, const std::string& margin) {
+    QueryWords words = words_of(query, query == "ray" ? "0,0,0,1,0,0" : query == "cast" ? "1,0,0" : "1,0,0,0,0,0");
+    words.margin = margin;
+    return words;
+  };
+  EXPECT_EQ(interpret_query(with_margin("overlap", "0.25")).margin, 0.25);
+  EXPECT_EQ(interpret_query(with_margin("manifold", "0x1p-3")).margin, 0.125);
+  EXPECT_EQ(interpret_query(with_margin("", "0")).margin, 0.0);
+  for (const char* query : {"distance", "depth", "signed", "ray", "cast", "toi"}) {
+    expect_refused<UsageError>(with_margin(query, "0.1"), "a margin goes with overlap and manifold");
+  }
+  expect_refused<UsageError>(with_margin("overlap", "-0.1"), "a margin below 0 (-0.1 for --margin)");
+  expect_refused<UsageError>(with_margin("overlap", "1,2"), "wrong number of numbers (2 for --margin)");
+  expect_refused<InputError>(with_margin("overlap", "inf"), "not finite");
+  expect_refused<InputError>(with_margin("overlap", "1e151"), "a margin out of range");
+  expect_refused<InputError>(with_margin("manifold", "1e-151"), "a margin out of range");
+}
+
+TEST(QueryOptions, ACertificateIsOfBodiesAtRest) {
+  for (const char* query : {"", "overlap", "distance", "depth", "signed"}) {
+    QueryWords words = words_of(query);
+    words.certificate = true;
+    EXPECT_TRUE(interpret_query(words).with_certificate) << query;
+  }
+  for (QueryWords words : {words_of("ray", "0,0,0,1,0,0"), words_of("cast", "1,0,0"), words_of("toi", "0,0,0,0,0,1"),
+                           words_of("manifold")}) {
+    words.certificate = true;
+    expect_refused<UsageError>(words, "(--certificate with --query " + words.query + ")");
+  }
+}
+
+}  // namespace
+}  // namespace vex
