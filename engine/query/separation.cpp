@@ -10,6 +10,7 @@
 #include "engine/query/extended_difference.h"
 #include "engine/query/nearest_descent.h"
 #include "engine/query/placed_forms.h"
+#include "engine/query/zonotope.h"
 #include "engine/support/combinators.h"
 
 namespace vex {
@@ -18,6 +19,10 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 enum class Goal { signed_distance, distance, depth };
+
+// How near bounds are brought, rounding apart, where no more is asked: of |signed distance| + R_A + R_B. Polytopes end
+// by themselves; what is left of curved bodies halves with every other support call.
+constexpr double kPolytopeGap = 0x1p-44, kCurvedGap = 0x1p-34;
 
 // --- K = A - B of the bodies' cores, their balls and rolling balls apart
 
@@ -110,17 +115,20 @@ struct SearchSettings {
   L size;   // R_A + R_B
   L relative_gap;
   int max_support_calls;
+
+  // How near to each other bounds shall be for this signed distance of the cores.
+  L wanted(const L& signed_distance) const { return relative_gap * (absolute(signed_distance - radii) + size); }
 };
 
-template <class L, class Point, class Difference>
+// `depth_of_faces`: the answer for cores that overlap, if it is known without a search.
+template <class L, class Point, class Difference, class DepthOfFaces>
 CoreSeparation<L, Point> search(const Difference& difference, const Vec3<L>& first_dir,
                                 const NearestSimplex<L, Point>& simplex, const QueryError<L>& error,
-                                const SearchSettings<L>& settings, int& n_support_calls) {
+                                const SearchSettings<L>& settings, const DepthOfFaces& depth_of_faces,
+                                int& n_support_calls) {
   using Descent = NearestDescent<L, Point>;
   // Of the answer, the balls included.
-  const auto wanted = [&settings](const L& signed_distance) {
-    return settings.relative_gap * (absolute(signed_distance - settings.radii) + settings.size);
-  };
+  const auto wanted = [&settings](const L& signed_distance) { return settings.wanted(signed_distance); };
   const Descent descent = descend_to_origin<L, Point>(
       difference, first_dir, simplex, error, wanted, settings.radii,
       settings.goal == Goal::depth ? DescentGoal::separated : DescentGoal::nearest, settings.max_support_calls);
@@ -136,12 +144,13 @@ CoreSeparation<L, Point> search(const Difference& difference, const Vec3<L>& fir
     return result;
   }
   if (settings.goal == Goal::distance && !(settings.radii > L(0.0))) return result;
+  if (std::optional<CoreSeparation<L, Point>> known = depth_of_faces()) return *known;
 
   using Polytope = ExpandingPolytope<L, Point, Difference>;
   thread_local PolytopeStore<L, Point> store;
   Polytope polytope(difference, error, settings.max_support_calls, store);
-  const auto wanted_depth = [&wanted](const L& depth) { return wanted(-depth); };
-  const typename Polytope::End end = polytope.run(descent.simplex, wanted_depth);
+  const typename Polytope::End end =
+      polytope.run(descent.simplex, [&wanted](const L& depth) { return wanted(-depth); });
   n_support_calls += polytope.n_support_calls();
   result.normal = polytope.normal();
   result.has_normal = true;
@@ -183,40 +192,94 @@ NearestSimplex<double, CoreDifference::Point> warm_simplex(const CoreDifference&
   return simplex;
 }
 
-// In double precision.
-Separation search_in_double(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, Goal goal,
-                            const SeparationSettings& settings, WarmStart* warm_start) {
-  const CoreDifference difference(a, b, a_from_b);
-  const double radius_a = difference.radius_a(), radius_b = difference.radius_b(), radii = radius_a + radius_b;
-  const SearchSettings<double> search_settings{goal, radii, a.circumradius() + b.circumradius(),
-                                               std::max(settings.relative_gap, 0x1p-44), settings.max_support_calls};
-  Vec3d first_dir =
-      warm_start != nullptr && norm_1(warm_start->dir) > 0.0 ? warm_start->dir : difference.between_centres();
+// What is asked, in double precision.
+struct DoubleQuery {
+  CoreDifference difference;
+  QueryError<double> error;
+  double radius_a, radius_b;
+  SearchSettings<double> settings;
+
+  DoubleQuery(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, Goal goal,
+              const SeparationSettings& given)
+      : difference(a, b, a_from_b),
+        error(difference.error()),
+        radius_a(difference.radius_a()),
+        radius_b(difference.radius_b()),
+        settings{goal, radius_a + radius_b, a.circumradius() + b.circumradius(),
+                 std::max(given.relative_gap,
+                          a.is_rounded_polytope() && b.is_rounded_polytope() ? kPolytopeGap : kCurvedGap),
+                 given.max_support_calls} {}
+
+  // The bodies' answer from that of their cores.
+  void take(const Vec3d& normal, double distance, double lower, double upper, const Vec3d& core_a, const Vec3d& core_b,
+            Separation& result) const {
+    const double rounding = 4.0 * kUnitRoundoff * settings.radii;
+    result.lower = lower - settings.radii - rounding;
+    result.upper = upper - settings.radii + rounding;
+    result.signed_distance = distance - settings.radii;
+    result.has_witnesses = true;
+    result.normal = normal;
+    set_points(result, core_a, core_b, radius_a, radius_b);
+  }
+  void take(const ZonotopeSeparation& found, Separation& result) const {
+    take(found.normal, found.distance, found.lower, found.upper, found.point_a, found.point_b, result);
+  }
+};
+
+// Of zonotopes, where that needs no search.
+bool answer_without_search(const DoubleQuery& query, const DifferenceZonotope& zonotope, Separation& result) {
+  if (zonotope.n_vectors <= 2) {
+    const std::optional<ZonotopeSeparation> found = nearest_of_segments(zonotope, query.error);
+    if (!found || found->upper - found->lower > 4.0 * query.error.support + query.settings.wanted(found->distance)) {
+      return false;
+    }
+    query.take(*found, result);
+    return true;
+  }
+  if (query.settings.goal != Goal::depth) return false;
+  const std::optional<ZonotopeSeparation> found = deepest_of_faces(zonotope, query.error);
+  if (!found || !(found->lower > query.settings.radii || found->upper < 0.0)) return false;
+  query.take(*found, result);
+  return true;
+}
+
+Separation search_in_double(const DoubleQuery& query, const DifferenceZonotope* zonotope, WarmStart* warm_start) {
+  using Core = CoreSeparation<double, CoreDifference::Point>;
+  const bool is_warm = warm_start != nullptr && norm_1(warm_start->dir) > 0.0;
+  Vec3d first_dir = is_warm ? warm_start->dir : query.difference.between_centres();
   first_dir = norm_1(first_dir) > 0.0 ? unit(first_dir) : Vec3d{0.6, 0.0, 0.8};
   Separation result;
-  const auto core = search<double, CoreDifference::Point>(difference, first_dir, warm_simplex(difference, warm_start),
-                                                          difference.error(), search_settings, result.n_support_calls);
-  const double rounding = 4.0 * kUnitRoundoff * radii;
-  result.lower = core.lower - radii - rounding;
-  result.upper = core.upper - radii + rounding;
-  result.signed_distance = core.distance - radii;
-  result.has_witnesses = core.has_normal;
-  result.normal = core.normal;
+  std::optional<ZonotopeSeparation> deepest;
+  const auto depth_of_faces = [&]() -> std::optional<Core> {
+    if (zonotope != nullptr) deepest = deepest_of_faces(*zonotope, query.error);
+    if (deepest && !(deepest->upper < 0.0)) deepest.reset();
+    return deepest ? std::optional<Core>(Core{}) : std::nullopt;
+  };
+  const Core core =
+      search<double, CoreDifference::Point>(query.difference, first_dir, warm_simplex(query.difference, warm_start),
+                                            query.error, query.settings, depth_of_faces, result.n_support_calls);
+  if (warm_start != nullptr) *warm_start = {};
+  if (deepest) {
+    query.take(*deepest, result);
+    if (warm_start != nullptr) warm_start->dir = deepest->normal;
+    return result;
+  }
   Vec3d core_a, core_b;
   for (int k = 0; k < core.n_points; ++k) {
     const std::size_t i = static_cast<std::size_t>(k);
     core_a = core_a + core.weights[i] * core.points[i].a;
     core_b = core_b + core.weights[i] * core.points[i].b;
   }
-  set_points(result, core_a, core_b, radius_a, radius_b);
-  if (warm_start != nullptr) {
-    warm_start->dir = core.has_normal ? core.normal : Vec3d{};
-    warm_start->n_points = difference.has_rolling() ? 0 : core.n_points;
-    for (int k = 0; k < warm_start->n_points; ++k) {
-      const std::size_t i = static_cast<std::size_t>(k);
-      warm_start->of_a[i] = core.points[i].a;
-      warm_start->of_b[i] = core.points[i].own_b;
-    }
+  query.take(core.normal, core.distance, core.lower, core.upper, core_a, core_b, result);
+  result.has_witnesses = core.has_normal;
+  if (warm_start == nullptr || !core.has_normal) return result;
+  warm_start->dir = core.normal;
+  if (query.difference.has_rolling()) return result;
+  warm_start->n_points = core.n_points;
+  for (int k = 0; k < core.n_points; ++k) {
+    const std::size_t i = static_cast<std::size_t>(k);
+    warm_start->of_a[i] = core.points[i].a;
+    warm_start->of_b[i] = core.points[i].own_b;
   }
   return result;
 }
@@ -228,11 +291,13 @@ Separation search_in_extended(const PlacedForms& placed, const ConvexBody& a, co
   const ExtendedCore difference(forms);
   const SearchSettings<Extended> search_settings{
       goal, forms.ball_radius(), Extended(std::ldexp(a.circumradius() + b.circumradius(), -forms.exponent())),
-      Extended(std::max(settings.relative_gap, 0x1p-48)), settings.max_support_calls};
+      Extended(std::max(settings.relative_gap, placed.are_rounded_polytopes() ? 0x1p-60 : kCurvedGap)),
+      settings.max_support_calls};
   const QueryError<Extended> error{Extended(8.0), Extended(kExtendedError)};
   Separation result;
+  const auto no_faces = [] { return std::optional<CoreSeparation<Extended, ExtendedCore::Point>>(); };
   const auto core = search<Extended, ExtendedCore::Point>(difference, broadcast<Extended>(first_dir), {}, error,
-                                                          search_settings, result.n_support_calls);
+                                                          search_settings, no_faces, result.n_support_calls);
   const auto length = [&forms](const Extended& x) { return std::ldexp(x.high, forms.exponent()); };
   result.lower = below(length(core.lower - forms.ball_radius()));
   result.upper = above(length(core.upper - forms.ball_radius()));
@@ -287,16 +352,20 @@ constexpr double kLeastReach = 0x1p-150, kLargestReach = 0x1p150;
 Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, Goal goal,
                       const SeparationSettings& settings, WarmStart* warm_start) {
   VEX_EXPECT(settings.relative_gap >= 0.0);
-  const double reach = a.reach() + b.reach() + norm_1(a_from_b.translation);
-  const double relative_gap = std::max(settings.relative_gap, 1e-12);
+  const bool is_exact = a.is_rounded_polytope() && b.is_rounded_polytope();
+  const double relative_gap = std::max(settings.relative_gap, is_exact ? 0x1p-40 : 2.0 * kCurvedGap);
   Separation result;
-  result.lower = -kInfinity;
-  result.upper = kInfinity;
   const auto wanted = [&](const Separation& found) {
     return relative_gap * (std::fabs(found.signed_distance) + (a.circumradius() + b.circumradius()));
   };
-  if (reach > kLeastReach && reach < kLargestReach) {
-    result = search_in_double(a, b, a_from_b, goal, settings, warm_start);
+  const DoubleQuery query(a, b, a_from_b, goal, settings);
+  if (query.error.reach > kLeastReach && query.error.reach < kLargestReach) {
+    if (a.generators() && b.generators()) {
+      const DifferenceZonotope zonotope(*a.generators(), *b.generators(), a_from_b);
+      if (!answer_without_search(query, zonotope, result)) result = search_in_double(query, &zonotope, warm_start);
+    } else {
+      result = search_in_double(query, nullptr, warm_start);
+    }
     if (is_settled(result, goal, wanted(result))) {
       conclude(a, b, a_from_b, goal, DecidedBy::gjk, result);
       return result;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "engine/numeric/transform.h"
 #include "engine/query/overlap.h"
@@ -21,7 +22,7 @@ struct Separation {
   /// Of the question whether the bodies share a point: what `overlap` answers, proven or said to be undecided.
   Verdict verdict;
   /// The true value is between `lower` and `upper`, rounding included; so is `signed_distance`.
-  double signed_distance = 0.0, lower = 0.0, upper = 0.0;
+  double signed_distance = 0.0, lower = -HUGE_VAL, upper = HUGE_VAL;
   /// False where a query has nothing to tell but the verdict: `distance` of bodies that overlap, `penetration_depth` of
   /// bodies that do not. Normal and points are zero then, and of the bounds one is infinite.
   bool has_witnesses = false;
