@@ -13,8 +13,11 @@ constexpr int kMostTurns = 64, kMostPortals = 192;
 
 // Off-centre rays about one that passes an edge of portals: how far, in errors of a shadow, to begin with; how much
 // farther each time; and how often.
-constexpr double kFirstOffset = 64.0, kOffsetGrowth = 8.0;
-constexpr int kMostOffsets = 5;
+constexpr double kFirstOffset = 8.0, kOffsetGrowth = 8.0;
+constexpr int kMostOffsets = 6;
+
+// The first points are taken a little aside of where symmetry has them: through those the line would pass exactly.
+constexpr double kTiltX = 0.1173, kTiltY = 0.0711;
 
 Vec3d across(const Vec3d& unit) {
   const double x = std::fabs(unit.x), y = std::fabs(unit.y), z = std::fabs(unit.z);
@@ -85,14 +88,14 @@ RaySearch::Line RaySearch::line_at(double x, double y) const {
 // The descent of Gilbert, Johnson and Keerthi in the shadow. None: the line misses K, or passes within rounding of the
 // shadow's rim, or of a corner of it.
 std::optional<RaySearch::Corners> RaySearch::corners_around(const Line& line) {
-  DifferencePoint first = cut(-along_);
+  DifferencePoint first = cut(kTiltX * across_x_ + kTiltY * across_y_ - along_);
   const auto in_shadow = [&](double x, double y) {
     return cut(scaled_to_unit_exponent(x * across_x_ + y * across_y_));
   };
   const double doubt = 2.0 * shadow_error_;
   Shadow p = shadow(first, line);
   if (p.x == 0.0 && p.y == 0.0) p.x = -shadow_error_;  // any direction is as good
-  DifferencePoint second = in_shadow(-p.x, -p.y);
+  DifferencePoint second = in_shadow(-p.x - kTiltX * p.y, -p.y + kTiltX * p.x);
   for (int round = 0; round < kMostTurns && !bounds_.is_miss; ++round) {
     const Shadow from = shadow(first, line), to = shadow(second, line);
     Shadow edge{to.x - from.x, to.y - from.y};
