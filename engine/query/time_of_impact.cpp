@@ -1,0 +1,178 @@
+#include <cmath>
+
+#include "engine/numeric/expect.h"
+#include "engine/numeric/rounding.h"
+#include "engine/query/first_contact.h"
+#include "engine/query/overlap.h"
+#include "engine/query/rigid_sweep.h"
+#include "engine/query/separation.h"
+
+namespace vex {
+namespace {
+
+// A motion that needs more is given up and said to be: some thousand turns on the way.
+constexpr int kMostAdvances = 1 << 14;
+// Trials of the length of one advance; of how late there is contact; and of how early once it is found.
+constexpr int kMostTrials = 10, kMostDoublings = 64, kMostHalvings = 6;
+
+class Advancement {
+ public:
+  Advancement(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion)
+      : a_(a), b_(b), sweep_(a, b, a_from_b, motion), size_(a.circumradius() + b.circumradius()) {}
+
+  FirstContact run() {
+    const RigidSweep::Window window = sweep_.window();
+    if (!(window.from <= window.to)) return nothing();
+    time_ = window.from;
+    until_ = window.to;
+    for (int n_advances = 0; n_advances < kMostAdvances; ++n_advances) {
+      if (time_ >= until_) return touched_ ? undecided(UndecidedReason::rounding) : nothing();
+      const Separation apart = separation_at(time_);
+      const double gap = apart.has_witnesses ? sweep_.gap_during(apart.normal, time_, 0.0) : 0.0;
+      last_gap_ = std::fmax(gap, 0.0);
+      if (gap > sweep_.rounding_at(time_)) {
+        time_ += longest_advance(apart.normal, gap);
+        continue;
+      }
+      // The first place where the bodies may touch is the answer's, and the least time of contact not before it.
+      if (!touched_) {
+        touched_ = true;
+        contact_.lower = time_;
+        contact_.normal = apart.normal;
+        contact_.point_a = apart.point_a;
+        contact_.point_b = apart.point_b;
+      }
+      if (finds_contact(apart.normal)) return found();
+      if (!(time_ < until_)) return undecided(UndecidedReason::rounding);
+    }
+    return undecided(UndecidedReason::iteration_cap);
+  }
+
+ private:
+  // As near as the gap at hand makes it worth while.
+  Separation separation_at(double time) {
+    SeparationSettings settings;
+    settings.relative_gap = 0x1p-7 * std::fmin(1.0, last_gap_ / size_);
+    const Separation found = distance(a_, b_, sweep_.pose(time), settings, &warm_start_);
+    n_support_calls_ += found.n_support_calls;
+    return found;
+  }
+
+  // The longest time, nearly, in which the bodies are proven to stay apart along the normal: a secant search for where
+  // the bound is nought. That every point of B moves at most so fast gives a first one.
+  double longest_advance(const Vec3d& normal, double gap) {
+    const double most_speed = sweep_.most_speed(normal), remaining = until_ - time_;
+    double proven = 0.0, gap_proven = gap, failed = remaining * (1.0 + 4.0 * kUnitRoundoff), gap_failed = 0.0;
+    bool has_failed = false;
+    if (!(gap < most_speed * remaining)) return failed;
+    double trial = std::fmin(failed, 4.0 * gap / most_speed);
+    for (int k = 0; k < kMostTrials; ++k) {
+      const double found = sweep_.gap_during(normal, time_, trial);
+      if (found > 0.0) {
+        if (trial >= failed) return trial;
+        proven = trial;
+        gap_proven = found;
+      } else {
+        failed = trial;
+        gap_failed = found;
+        has_failed = true;
+      }
+      if (!has_failed) {
+        trial = std::fmin(failed, 4.0 * trial);
+        continue;
+      }
+      if (proven > 0.875 * failed && gap_proven < 0.125 * gap) break;
+      // A little short of where the line through both is nought; not too near an end that stays.
+      const double share = std::fmin(0.95, std::fmax(0.05, gap_proven / (gap_proven - gap_failed)));
+      trial = proven + 0.99 * share * (failed - proven);
+    }
+    return std::fmax(proven, gap / most_speed * (1.0 - gamma(8)));
+  }
+
+  // A time of contact, proven, as little after this one as doubling finds it. Where the bodies are seen to be apart
+  // again first, the motion goes on from there.
+  bool finds_contact(const Vec3d& normal) {
+    const double rounding = sweep_.rounding_at(time_), remaining = until_ - time_;
+    const double most_speed = norm_1(normal) > 0.0 ? sweep_.most_speed(normal) : 0.0;
+    double step = std::fmax(most_speed > 0.0 ? rounding / most_speed : 0.0, 0x1p-50 * std::fmax(time_, 0x1p-10 * until_));
+    double before = 0.0;
+    for (int k = 0; k < kMostDoublings; ++k, before = step, step *= 2.0) {
+      step = std::fmin(step, remaining);
+      if (sweep_.meets_at(time_ + step)) {
+        double after = step;
+        for (int h = 0; h < kMostHalvings && after - before > 0.25 * before; ++h) {
+          const double middle = 0.5 * (before + after);
+          (sweep_.meets_at(time_ + middle) ? after : before) = middle;
+        }
+        contact_.upper = time_ + after;
+        return true;
+      }
+      const Separation apart = separation_at(time_ + step);
+      const bool is_apart = apart.has_witnesses && apart.lower > 4.0 * sweep_.rounding_at(time_ + step);
+      if (is_apart || step >= remaining) {
+        time_ += step;
+        return false;
+      }
+    }
+    time_ = until_;
+    return false;
+  }
+
+  FirstContact counted(FirstContact contact) const {
+    contact.n_support_calls = n_support_calls_ + sweep_.n_support_calls();
+    return contact;
+  }
+  FirstContact nothing() const {
+    return counted({Verdict::disjoint(DecidedBy::gjk), HUGE_VAL, HUGE_VAL, HUGE_VAL, {}, {}, {}, 0});
+  }
+  FirstContact undecided(UndecidedReason reason) const {
+    FirstContact contact = contact_;
+    contact.verdict = Verdict::undecided(DecidedBy::gjk, reason);
+    if (!touched_) contact.lower = time_;
+    contact.time = contact.lower;
+    contact.upper = HUGE_VAL;
+    return counted(contact);
+  }
+  FirstContact found() const {
+    FirstContact contact = contact_;
+    contact.verdict = Verdict::overlap(DecidedBy::gjk);
+    contact.time = contact.lower + 0.5 * (contact.upper - contact.lower);
+    return counted(contact);
+  }
+
+  const ConvexBody& a_;
+  const ConvexBody& b_;
+  RigidSweep sweep_;
+  double size_;
+  double time_ = 0.0, until_ = 0.0;
+  double last_gap_ = HUGE_VAL;
+  bool touched_ = false;
+  FirstContact contact_;
+  WarmStart warm_start_;
+  int n_support_calls_ = 0;
+};
+
+}  // namespace
+
+FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
+                            const RigidMotion& motion) {
+  VEX_EXPECT(is_finite(motion.velocity) && is_finite(motion.angular_velocity));
+  const bool moves = norm_1(motion.velocity) > 0.0, turns = norm_1(motion.angular_velocity) > 0.0;
+  if (moves && !turns) return linear_cast(a, b, a_from_b, motion.velocity);
+  OverlapCertificate certificate;
+  const Verdict at_start = overlap(a, b, a_from_b, &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
+  if (at_start.outcome == Outcome::overlap) {
+    const Separation found = penetration_depth(a, b, a_from_b);
+    return {at_start,      0.0, 0.0, 0.0, found.normal, found.point_a, found.point_b,
+            found.n_support_calls + certificate.n_support_calls};
+  }
+  if (!moves && !turns) {
+    const double never = at_start.outcome == Outcome::disjoint ? HUGE_VAL : 0.0;
+    return {at_start, never, never, HUGE_VAL, {}, {}, {}, certificate.n_support_calls};
+  }
+  FirstContact contact = Advancement(a, b, a_from_b, motion).run();
+  contact.n_support_calls += certificate.n_support_calls;
+  return contact;
+}
+
+}  // namespace vex
