@@ -27,7 +27,9 @@ class Advancement {
     until_ = window.to;
     for (int n_advances = 0; n_advances < kMostAdvances; ++n_advances) {
       if (time_ >= until_) return touched_ ? undecided(UndecidedReason::rounding) : nothing();
-      const Separation apart = separation_at(time_);
+      Separation apart = separation_at(time_, 0x1p-7 * std::fmin(1.0, last_gap_ / size_));
+      // Less near than was thought: nothing is said of a gap before it is known as well as it can be.
+      if (!(apart.lower > 0.5 * apart.upper)) apart = separation_at(time_, 0.0);
       const double gap = apart.has_witnesses ? sweep_.gap_during(apart.normal, time_, 0.0) : 0.0;
       last_gap_ = std::fmax(gap, 0.0);
       if (gap > sweep_.rounding_at(time_)) {
@@ -49,10 +51,9 @@ class Advancement {
   }
 
  private:
-  // As near as the gap at hand makes it worth while.
-  Separation separation_at(double time) {
+  Separation separation_at(double time, double relative_gap) {
     SeparationSettings settings;
-    settings.relative_gap = 0x1p-7 * std::fmin(1.0, last_gap_ / size_);
+    settings.relative_gap = relative_gap;
     const Separation found = distance(a_, b_, sweep_.pose(time), settings, &warm_start_);
     n_support_calls_ += found.n_support_calls;
     return found;
@@ -107,7 +108,7 @@ class Advancement {
         contact_.upper = time_ + after;
         return true;
       }
-      const Separation apart = separation_at(time_ + step);
+      const Separation apart = separation_at(time_ + step, 0.0);
       const bool is_apart = apart.has_witnesses && apart.lower > 4.0 * sweep_.rounding_at(time_ + step);
       if (is_apart || step >= remaining) {
         time_ += step;
