@@ -60,8 +60,8 @@ RigidSweep::RigidSweep(const ConvexBody& a, const ConvexBody& b, const Transform
 
 // E23: what pose_at may be off by, at a point of B's core.
 double RigidSweep::pose_error(double time) const {
-  return kUnitRoundoff * ((8.0 * time * spin_ + 48.0) * from_origin_ +
-                          4.0 * (norm_1(a_from_b_.translation) + time * speed_1_));
+  return kUnitRoundoff *
+         ((8.0 * time * spin_ + 48.0) * from_origin_ + 4.0 * (norm_1(a_from_b_.translation) + time * speed_1_));
 }
 
 // E1, for every place that B has until then.
@@ -74,8 +74,7 @@ double RigidSweep::rounding_at(double time) const { return 2.0 * support_error(t
 
 double RigidSweep::most_speed(const Vec3d& unit_normal) const {
   const double turning = safe_norm(cross(unit_normal, motion_.angular_velocity)) + 8.0 * kUnitRoundoff * spin_;
-  return (std::fmax(0.0, -dot(unit_normal, motion_.velocity)) + 8.0 * kUnitRoundoff * speed_1_ +
-          turning * from_axis_) *
+  return (std::fmax(0.0, -dot(unit_normal, motion_.velocity)) + 8.0 * kUnitRoundoff * speed_1_ + turning * from_axis_) *
          kUp;
 }
 
@@ -111,7 +110,7 @@ double RigidSweep::gap_during(const Vec3d& unit_normal, double from, double dura
 }
 
 // K holds the points of a tetrahedron about the origin, and with it the ball in the tetrahedron, a third as large.
-bool RigidSweep::meets_at(double time) const {
+bool RigidSweep::meets_at(double time) {
   const Transformd pose = this->pose(time);
   const double reach = a_.reach() + 2.0 * b_.reach() + norm_1(pose.translation);
   // Vertices of polytopes are rounded as they are placed, and so are the places of the corners.
@@ -122,7 +121,10 @@ bool RigidSweep::meets_at(double time) const {
   for (const Vec3d& to : kCorners) {
     Transformd moved = pose;
     moved.translation = pose.translation + corner * to;
-    if (overlap(a_, b_, moved).outcome != Outcome::overlap) return false;
+    OverlapCertificate certificate;
+    const Verdict verdict = overlap(a_, b_, moved, &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
+    n_support_calls_ += certificate.n_support_calls;
+    if (verdict.outcome != Outcome::overlap) return false;
   }
   return true;
 }
@@ -130,8 +132,7 @@ bool RigidSweep::meets_at(double time) const {
 RigidSweep::Window RigidSweep::window() const {
   const Vec3d from_a = a_from_b_.translation - a_.centre();
   const double rounding = 32.0 * kUnitRoundoff * (norm_1(a_from_b_.translation) + norm_1(a_.centre()));
-  const double radii =
-      (a_.circumradius() + b_.ball_radius() + from_origin_) * (1.0 + 32.0 * kUnitRoundoff) + rounding;
+  const double radii = (a_.circumradius() + b_.ball_radius() + from_origin_) * (1.0 + 32.0 * kUnitRoundoff) + rounding;
   const double speed = safe_norm(motion_.velocity);
   if (!(speed > 0.0)) {
     const double turn = 2.0 * std::numbers::pi / spin_ * kUp;

@@ -19,8 +19,8 @@ class RigidSweep {
  public:
   RigidSweep(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion);
 
-  /// Times outside of which the circumscribed balls are apart, proven: B's is about the origin of its frame, which moves
-  /// straight. Nothing, from > to, where they never meet. Of a body that only turns, one turn.
+  /// Times outside of which the circumscribed balls are apart, proven: B's is about the origin of its frame, which
+  /// moves straight. Nothing, from > to, where they never meet. Of a body that only turns, one turn.
   struct Window {
     double from, to;
   };
@@ -34,7 +34,7 @@ class RigidSweep {
 
   /// The bodies share a point at that time, proven: they do as `pose_at` has them, and wherever its rounding may have
   /// taken B from.
-  bool meets_at(double time) const;
+  bool meets_at(double time);
 
   /// Of the gap along any vector: what rounding takes off the bounds.
   double rounding_at(double time) const;

@@ -13,7 +13,7 @@ namespace {
 // A motion that needs more is given up and said to be: some thousand turns on the way.
 constexpr int kMostAdvances = 1 << 14;
 // Trials of the length of one advance; of how late there is contact; and of how early once it is found.
-constexpr int kMostTrials = 10, kMostDoublings = 64, kMostHalvings = 6;
+constexpr int kMostTrials = 10, kMostDoublings = 64, kMostHalvings = 2;
 
 class Advancement {
  public:
@@ -27,8 +27,10 @@ class Advancement {
     until_ = window.to;
     for (int n_advances = 0; n_advances < kMostAdvances; ++n_advances) {
       if (time_ >= until_) return touched_ ? undecided(UndecidedReason::rounding) : nothing();
-      Separation apart = separation_at(time_, 0x1p-7 * std::fmin(1.0, last_gap_ / size_));
-      // Less near than was thought: nothing is said of a gap before it is known as well as it can be.
+      // Gaps shrink as the squares of those before them; so much of the next one is left open.
+      const double last = std::fmin(1.0, last_gap_ / size_);
+      Separation apart = separation_at(time_, 0x1p-7 * last * last);
+      // Nearer than was thought: nothing is said of a gap before it is known as well as it can be.
       if (!(apart.lower > 0.5 * apart.upper)) apart = separation_at(time_, 0.0);
       const double gap = apart.has_witnesses ? sweep_.gap_during(apart.normal, time_, 0.0) : 0.0;
       last_gap_ = std::fmax(gap, 0.0);
@@ -60,9 +62,11 @@ class Advancement {
   }
 
   // The longest time, nearly, in which the bodies are proven to stay apart along the normal: a secant search for where
-  // the bound is nought. That every point of B moves at most so fast gives a first one.
+  // the bound is next to nought, as near to it as the gap after it will be. That no point of B moves faster than so
+  // much gives a first one.
   double longest_advance(const Vec3d& normal, double gap) {
     const double most_speed = sweep_.most_speed(normal), remaining = until_ - time_;
+    const double near_enough = gap * std::fmin(0.125, gap / size_) + sweep_.rounding_at(time_);
     double proven = 0.0, gap_proven = gap, failed = remaining * (1.0 + 4.0 * kUnitRoundoff), gap_failed = 0.0;
     bool has_failed = false;
     if (!(gap < most_speed * remaining)) return failed;
@@ -82,35 +86,45 @@ class Advancement {
         trial = std::fmin(failed, 4.0 * trial);
         continue;
       }
-      if (proven > 0.875 * failed && gap_proven < 0.125 * gap) break;
-      // A little short of where the line through both is nought; not too near an end that stays.
-      const double share = std::fmin(0.95, std::fmax(0.05, gap_proven / (gap_proven - gap_failed)));
-      trial = proven + 0.99 * share * (failed - proven);
+      if (gap_proven < near_enough || !(proven < failed * (1.0 - 0x1p-40))) break;
+      const double share = (gap_proven - 0.5 * near_enough) / (gap_proven - gap_failed);
+      // Where one end stays for long the middle is taken.
+      trial = proven + (k % 4 == 3 ? 0.5 : share) * (failed - proven);
     }
     return std::fmax(proven, gap / most_speed * (1.0 - gamma(8)));
+  }
+
+  // In which the bodies come to be in each other by some roundings, enough for double precision to see it, if they go
+  // on as they do at first.
+  double first_step(const Vec3d& normal) {
+    const double most_speed = norm_1(normal) > 0.0 ? sweep_.most_speed(normal) : 0.0;
+    if (!(most_speed > 0.0)) return 0.0;
+    const double a_moment = 0x1p-16 * size_ / most_speed;
+    const double speed =
+        (sweep_.gap_during(normal, time_, 0.0) - sweep_.gap_during(normal, time_ + a_moment, 0.0)) / a_moment;
+    return 16.0 * sweep_.rounding_at(time_) / std::fmax(speed, 0x1p-10 * most_speed);
   }
 
   // A time of contact, proven, as little after this one as doubling finds it. Where the bodies are seen to be apart
   // again first, the motion goes on from there.
   bool finds_contact(const Vec3d& normal) {
-    const double rounding = sweep_.rounding_at(time_), remaining = until_ - time_;
-    const double most_speed = norm_1(normal) > 0.0 ? sweep_.most_speed(normal) : 0.0;
-    double step = std::fmax(most_speed > 0.0 ? rounding / most_speed : 0.0, 0x1p-50 * std::fmax(time_, 0x1p-10 * until_));
+    const double remaining = until_ - time_;
+    double step = std::fmax(first_step(normal), 0x1p-50 * std::fmax(time_, 0x1p-10 * until_));
     double before = 0.0;
     for (int k = 0; k < kMostDoublings; ++k, before = step, step *= 2.0) {
       step = std::fmin(step, remaining);
       if (sweep_.meets_at(time_ + step)) {
         double after = step;
-        for (int h = 0; h < kMostHalvings && after - before > 0.25 * before; ++h) {
+        for (int h = 0; before > 0.0 && h < kMostHalvings; ++h) {
           const double middle = 0.5 * (before + after);
           (sweep_.meets_at(time_ + middle) ? after : before) = middle;
         }
         contact_.upper = time_ + after;
         return true;
       }
-      const Separation apart = separation_at(time_ + step, 0.0);
-      const bool is_apart = apart.has_witnesses && apart.lower > 4.0 * sweep_.rounding_at(time_ + step);
-      if (is_apart || step >= remaining) {
+      const double gap = k % 8 < 7 && norm_1(normal) > 0.0 ? sweep_.gap_during(normal, time_ + step, 0.0)
+                                                           : separation_at(time_ + step, 0.0).lower;
+      if (gap > 4.0 * sweep_.rounding_at(time_ + step) || step >= remaining) {
         time_ += step;
         return false;
       }
@@ -164,8 +178,8 @@ FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Tran
   const Verdict at_start = overlap(a, b, a_from_b, &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
   if (at_start.outcome == Outcome::overlap) {
     const Separation found = penetration_depth(a, b, a_from_b);
-    return {at_start,      0.0, 0.0, 0.0, found.normal, found.point_a, found.point_b,
-            found.n_support_calls + certificate.n_support_calls};
+    return {at_start,     0.0,           0.0,           0.0,
+            found.normal, found.point_a, found.point_b, found.n_support_calls + certificate.n_support_calls};
   }
   if (!moves && !turns) {
     const double never = at_start.outcome == Outcome::disjoint ? HUGE_VAL : 0.0;
