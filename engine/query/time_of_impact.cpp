@@ -91,7 +91,9 @@ class Advancement {
       // Where one end stays for long the middle is taken.
       trial = proven + (k % 4 == 3 ? 0.5 : share) * (failed - proven);
     }
-    return std::fmax(proven, gap / most_speed * (1.0 - gamma(8)));
+    // Added to the time it is rounded: gaps above the pose's own rounding are worth more than that.
+    const double surely = gap / most_speed;
+    return std::fmax(proven, surely * (1.0 - gamma(8)) - 2.0 * kUnitRoundoff * (time_ + surely));
   }
 
   // In which the bodies come to be in each other by some roundings, enough for double precision to see it, if they go
