@@ -28,22 +28,85 @@ struct ContactFrame {
   }
 };
 
+// What of a polytope is within the feature angle of the plane across a direction: a face, an edge or a vertex. From the
+// farthest vertex to the edge there that leans least, and about that to the one of its two faces that does.
+class Feature {
+ public:
+  Feature(const std::vector<Vec3d>& vertices, const Vec3d& normal, double feature_angle, double resolution) {
+    const auto height = [&](const Vec3d& v) { return dot(normal, v); };
+    top_ = *std::ranges::max_element(vertices, {}, height);
+    // Points that are no farther from each other are no edge: its direction would be in doubt.
+    const double least_extent = 0x1p20 * resolution;
+    double best = -HUGE_VAL;
+    for (const Vec3d& v : vertices) {
+      const Vec3d along = v - top_;
+      const double drop = dot(normal, along), extent = norm(along - drop * normal);
+      if (extent > least_extent && drop / extent > best) {
+        best = drop / extent;
+        along_ = (1.0 / norm(along)) * along;
+      }
+    }
+    if (!(best >= -std::tan(feature_angle) - 0x1p-20)) return;
+    kind_ = Kind::edge;
+    const Vec3d upright = normal - dot(normal, along_) * along_;
+    const Vec3d up = (1.0 / norm(upright)) * upright, side = cross(up, along_);
+    double leaning = 2.0 * std::sin(0.5 * feature_angle) + 0x1p-20;
+    for (const double sign : {-1.0, 1.0}) {
+      double slope = -HUGE_VAL;
+      for (const Vec3d& v : vertices) {
+        const double beside = sign * dot(side, v - top_);
+        if (beside > least_extent) slope = std::fmax(slope, dot(up, v - top_) / beside);
+      }
+      if (slope == -HUGE_VAL) continue;
+      const Vec3d across = up - (sign * slope) * side;
+      const Vec3d face_normal = (1.0 / norm(across)) * across;
+      if (norm(face_normal - normal) > leaning) continue;
+      leaning = norm(face_normal - normal);
+      kind_ = Kind::face;
+      normal_ = face_normal;
+    }
+  }
+
+  bool is_face() const { return kind_ == Kind::face; }
+  /// Of a vertex: from the face's plane, the edge's line, or the farthest vertex.
+  double distance_of(const Vec3d& v) const {
+    const Vec3d from_top = v - top_;
+    if (kind_ == Kind::face) return std::fabs(dot(normal_, from_top));
+    if (kind_ == Kind::edge) return norm(from_top - dot(along_, from_top) * along_);
+    return norm(from_top);
+  }
+
+ private:
+  enum class Kind { vertex, edge, face } kind_ = Kind::vertex;
+  Vec3d top_, along_, normal_;
+};
+
 // The vertices of a core that are near its plane across the normal, seen along this; heights along an outward one.
 class Face {
  public:
   Face(const std::vector<Vec3d>& vertices, const ContactFrame& frame, double outward, double feature_angle,
-       double resolution) {
-    const auto height = [&](const Vec3d& v) { return outward * dot(frame.normal, v); };
-    const Vec3d farthest = *std::ranges::max_element(vertices, {}, height);
+       double resolution)
+      : resolution_(resolution) {
+    std::vector<PlanarPoint> places;
+    const auto add = [&](const Vec3d& v) {
+      corners_.push_back({{dot(frame.across_x, v), dot(frame.across_y, v)}, outward * dot(frame.normal, v)});
+      places.push_back(corners_.back().at);
+    };
+    const Feature feature(vertices, outward * frame.normal, feature_angle, resolution);
+    for (const Vec3d& v : vertices) {
+      if (feature.distance_of(v) <= resolution) add(v);
+    }
+    outline_ = planar_hull(places, resolution);
+    if (!feature.is_face() || outline_.size() < 3) return;
+    // The faces beside it that are within the angle of it.
+    const std::vector<PlanarPoint> of_feature = outline_;
     const double slope = std::sin(feature_angle);
     for (const Vec3d& v : vertices) {
-      if (height(farthest) - height(v) > slope * norm(v - farthest) + resolution) continue;
-      corners_.push_back({{dot(frame.across_x, v), dot(frame.across_y, v)}, height(v)});
+      const double below = feature.distance_of(v);
+      const PlanarPoint place{dot(frame.across_x, v), dot(frame.across_y, v)};
+      if (below > resolution && below <= slope * distance_to(of_feature, place)) add(v);
     }
-    std::vector<PlanarPoint> places;
-    for (const Corner& corner : corners_) places.push_back(corner.at);
     outline_ = planar_hull(places, resolution);
-    resolution_ = resolution;
   }
 
   const std::vector<PlanarPoint>& outline() const { return outline_; }

@@ -81,4 +81,16 @@ std::vector<PlanarPoint> clipped(const std::vector<PlanarPoint>& subject, const 
   return part;
 }
 
+double distance_to(const std::vector<PlanarPoint>& polygon, const PlanarPoint& point) {
+  double nearest = HUGE_VAL;
+  bool is_inside = true;
+  for (std::size_t side = 0; side < polygon.size(); ++side) {
+    const PlanarPoint &from = polygon[side], along = polygon[(side + 1) % polygon.size()] - from;
+    const double share = std::clamp(dot(along, point - from) / dot(along, along), 0.0, 1.0);
+    nearest = std::fmin(nearest, length((point - from) - share * along));
+    is_inside = is_inside && turn(along, point - from) >= 0.0;
+  }
+  return is_inside ? 0.0 : nearest;
+}
+
 }  // namespace vex

@@ -26,4 +26,7 @@ std::vector<PlanarPoint> planar_hull(std::vector<PlanarPoint> points, double res
 std::vector<PlanarPoint> clipped(const std::vector<PlanarPoint>& subject, const std::vector<PlanarPoint>& clip,
                                  double resolution);
 
+/// From a convex polygon of three corners or more, counter-clockwise, to a point; 0 inside.
+double distance_to(const std::vector<PlanarPoint>& polygon, const PlanarPoint& point);
+
 }  // namespace vex
