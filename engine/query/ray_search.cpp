@@ -82,7 +82,7 @@ bool RaySearch::turns_beyond_doubt(const Shadow& p, const Shadow& q) const {
 }
 
 RaySearch::Line RaySearch::line_at(double x, double y) const {
-  return {{x, y}, x * across_x_ + y * across_y_, HUGE_VAL};
+  return {{x, y}, x * across_x_ + y * across_y_, HUGE_VAL, false};
 }
 
 // The descent of Gilbert, Johnson and Keerthi in the shadow. None: the line misses K, or passes within rounding of the
@@ -131,17 +131,18 @@ std::optional<RaySearch::Corners> RaySearch::corners_around(const Line& line) {
 
 // Where the line passes the portal beyond doubt, it is in K there: every point of the triangle of the true points has
 // n . x >= min n . v - E |n|_1.
-void RaySearch::bound_above(Line& line, const Corners& corners, const Vec3d& normal) const {
+bool RaySearch::bound_above(Line& line, const Corners& corners, const Vec3d& normal) const {
   const Shadow p = shadow(corners[0], line), q = shadow(corners[1], line), r = shadow(corners[2], line);
-  if (!turns_beyond_doubt(p, q) || !turns_beyond_doubt(q, r) || !turns_beyond_doubt(r, p)) return;
+  if (!turns_beyond_doubt(p, q) || !turns_beyond_doubt(q, r) || !turns_beyond_doubt(r, p)) return false;
   const double length = norm_1(normal), rounding = 4.0 * kUnitRoundoff * length * norm_1(dir_);
   const double along = dot(normal, dir_);
-  if (!(along + rounding < 0.0)) return;
+  if (!(along + rounding < 0.0)) return false;
   const double least =
       std::fmin(dot(normal, corners[0].at), std::fmin(dot(normal, corners[1].at), dot(normal, corners[2].at)));
   const double height = (least - dot(normal, line.offset)) - error_.support * length;
   const double t = height / (height < 0.0 ? along + rounding : along - rounding);
   line.upper = std::fmin(line.upper, t + gamma(4) * std::fabs(t));
+  return true;
 }
 
 // The part of the portal, split by w in three, that the line passes.
@@ -172,7 +173,7 @@ std::optional<RaySearch::Corners> RaySearch::close_in(Line& line) {
     const Vec3d normal = scaled_to_unit_exponent(-detail::face_of(c[0].at, c[1].at, c[2].at).normal);
     if (!(dot(normal, along_) < 0.0)) break;
     const DifferencePoint w = cut(normal);
-    bound_above(line, c, normal);
+    line.is_settled = bound_above(line, c, normal);
     const double least = std::fmin(dot(normal, c[0].at), std::fmin(dot(normal, c[1].at), dot(normal, c[2].at)));
     if (!(dot(normal, w.at) - least > 0.25 * error_.support * norm_1(normal))) break;
     Corners next = c;
@@ -201,15 +202,17 @@ RayBounds RaySearch::run(const Vec3d& separating_dir, bool is_apart_at_start) {
     // Turned by angles that no symmetry knows.
     const double angle = 0.7548776662 + 2.399963 * attempt;
     double latest = -HUGE_VAL;
+    bool are_settled = true;
     for (int k = 0; k < 3 && latest < bounds_.upper && !bounds_.is_miss; ++k) {
       const double turned = angle + 2.0943951023931953 * k;
       Line beside = line_at(offset * std::cos(turned), offset * std::sin(turned));
       const std::optional<Corners> found = close_in(beside);
       if (!corners) corners = found;
       latest = std::fmax(latest, beside.upper + 8.0 * kUnitRoundoff * offset);
+      are_settled = are_settled && beside.is_settled;
     }
     bounds_.upper = std::fmin(bounds_.upper, latest);
-    if (bounds_.upper < HUGE_VAL) break;
+    if (are_settled) break;
   }
   // The bodies are apart at the start, and the line is in K before it: then never again.
   if (bounds_.upper < 0.0 && is_apart_at_start) bounds_.is_miss = true;

@@ -55,6 +55,7 @@ class RaySearch {
     Shadow at;     // of all its points
     Vec3d offset;  // the line is offset + t dir
     double upper = HUGE_VAL;
+    bool is_settled = false;  // the bound is that of the last portal
   };
 
   DifferencePoint support(const Vec3d& dir);
@@ -64,7 +65,7 @@ class RaySearch {
   bool turns_beyond_doubt(const Shadow& p, const Shadow& q) const;
   Line line_at(double x, double y) const;
   std::optional<Corners> corners_around(const Line& line);
-  void bound_above(Line& line, const Corners& corners, const Vec3d& normal) const;
+  bool bound_above(Line& line, const Corners& corners, const Vec3d& normal) const;
   bool narrow(const Line& line, Corners& corners, const DifferencePoint& w) const;
   std::optional<Corners> close_in(Line& line);
   double width_of_rounding() const;
