@@ -1,0 +1,274 @@
+#include "engine/query/contact_manifold.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "engine/numeric/expect.h"
+#include "engine/numeric/rounding.h"
+#include "engine/query/planar_polygon.h"
+
+namespace vex {
+namespace {
+
+// A right-handed frame with the normal as its third axis: a place is where a point is across the normal.
+struct ContactFrame {
+  Vec3d across_x, across_y, normal;
+
+  explicit ContactFrame(const Vec3d& unit_normal) : normal(unit_normal) {
+    const double x = std::fabs(normal.x), y = std::fabs(normal.y), z = std::fabs(normal.z);
+    const Vec3d axis = x <= y && x <= z ? Vec3d{1.0, 0.0, 0.0} : y <= z ? Vec3d{0.0, 1.0, 0.0} : Vec3d{0.0, 0.0, 1.0};
+    const Vec3d side = cross(axis, normal);
+    across_x = (1.0 / norm(side)) * side;
+    across_y = cross(normal, across_x);
+  }
+  Vec3d point(const PlanarPoint& place, double height) const {
+    return (place.x * across_x + place.y * across_y) + height * normal;
+  }
+};
+
+// What of a polytope is within the feature angle of the plane across a direction: a face, an edge or a vertex. From the
+// farthest vertex to the edge there that leans least, and about that to the one of its two faces that does.
+class Feature {
+ public:
+  Feature(const std::vector<Vec3d>& vertices, const Vec3d& normal, double feature_angle, double resolution) {
+    const auto height = [&](const Vec3d& v) { return dot(normal, v); };
+    top_ = *std::ranges::max_element(vertices, {}, height);
+    // Points that are no farther from each other are no edge: its direction would be in doubt.
+    const double least_extent = 0x1p20 * resolution;
+    double best = -HUGE_VAL;
+    for (const Vec3d& v : vertices) {
+      const Vec3d along = v - top_;
+      const double drop = dot(normal, along), extent = norm(along - drop * normal);
+      if (extent > least_extent && drop / extent > best) {
+        best = drop / extent;
+        along_ = (1.0 / norm(along)) * along;
+      }
+    }
+    if (!(best >= -std::tan(feature_angle) - 0x1p-20)) return;
+    kind_ = Kind::edge;
+    const Vec3d upright = normal - dot(normal, along_) * along_;
+    const Vec3d up = (1.0 / norm(upright)) * upright, side = cross(up, along_);
+    double leaning = 2.0 * std::sin(0.5 * feature_angle) + 0x1p-20;
+    for (const double sign : {-1.0, 1.0}) {
+      double slope = -HUGE_VAL;
+      for (const Vec3d& v : vertices) {
+        const double beside = sign * dot(side, v - top_);
+        if (beside > least_extent) slope = std::fmax(slope, dot(up, v - top_) / beside);
+      }
+      if (slope == -HUGE_VAL) continue;
+      const Vec3d across = up - (sign * slope) * side;
+      const Vec3d face_normal = (1.0 / norm(across)) * across;
+      if (norm(face_normal - normal) > leaning) continue;
+      leaning = norm(face_normal - normal);
+      kind_ = Kind::face;
+      normal_ = face_normal;
+    }
+  }
+
+  bool is_face() const { return kind_ == Kind::face; }
+  /// Of a vertex: from the face's plane, the edge's line, or the farthest vertex.
+  double distance_of(const Vec3d& v) const {
+    const Vec3d from_top = v - top_;
+    if (kind_ == Kind::face) return std::fabs(dot(normal_, from_top));
+    if (kind_ == Kind::edge) return norm(from_top - dot(along_, from_top) * along_);
+    return norm(from_top);
+  }
+
+ private:
+  enum class Kind { vertex, edge, face } kind_ = Kind::vertex;
+  Vec3d top_, along_, normal_;
+};
+
+// The vertices of a core that are near its plane across the normal, seen along this; heights along an outward one.
+class Face {
+ public:
+  Face(const std::vector<Vec3d>& vertices, const ContactFrame& frame, double outward, double feature_angle,
+       double resolution)
+      : resolution_(resolution) {
+    std::vector<PlanarPoint> places;
+    const auto add = [&](const Vec3d& v) {
+      corners_.push_back({{dot(frame.across_x, v), dot(frame.across_y, v)}, outward * dot(frame.normal, v)});
+      places.push_back(corners_.back().at);
+    };
+    const Feature feature(vertices, outward * frame.normal, feature_angle, resolution);
+    for (const Vec3d& v : vertices) {
+      if (feature.distance_of(v) <= resolution) add(v);
+    }
+    outline_ = planar_hull(places, resolution);
+    if (!feature.is_face() || outline_.size() < 3) return;
+    // The faces beside it that are within the angle of it.
+    const std::vector<PlanarPoint> of_feature = outline_;
+    const double slope = std::sin(feature_angle);
+    for (const Vec3d& v : vertices) {
+      const double below = feature.distance_of(v);
+      const PlanarPoint place{dot(frame.across_x, v), dot(frame.across_y, v)};
+      if (below > resolution && below <= slope * distance_to(of_feature, place)) add(v);
+    }
+    outline_ = planar_hull(places, resolution);
+  }
+
+  const std::vector<PlanarPoint>& outline() const { return outline_; }
+
+  // The greatest height of the corners' hull at a place of the outline, or beside it by rounding.
+  double height_at(const PlanarPoint& place) const {
+    if (outline_.size() == 1) return highest_near(outline_.front());
+    if (outline_.size() == 2) {
+      const PlanarPoint &from = outline_[0], along = outline_[1] - from;
+      const double share = std::clamp(dot(along, place - from) / dot(along, along), 0.0, 1.0);
+      return (1.0 - share) * highest_near(outline_[0]) + share * highest_near(outline_[1]);
+    }
+    Triangle best;
+    for (std::size_t k = 1; k + 1 < outline_.size(); ++k) {
+      best.take_if_better({corner_near(outline_[0]), corner_near(outline_[k]), corner_near(outline_[k + 1])}, place);
+    }
+    // Corner by corner upwards, as portals go; each step is higher.
+    for (std::size_t step = 0; step < corners_.size(); ++step) {
+      const Corner* above = nullptr;
+      double most = resolution_;
+      for (const Corner& corner : corners_) {
+        const double by = corner.height - best.plane_at(corner.at);
+        if (by > most) {
+          most = by;
+          above = &corner;
+        }
+      }
+      if (above == nullptr) break;
+      Triangle next;
+      for (std::size_t k = 0; k < 3; ++k) {
+        next.take_if_better({best.corners[k], best.corners[(k + 1) % 3], *above}, place);
+      }
+      best = next;
+    }
+    return best.plane_at(place);
+  }
+
+ private:
+  struct Corner {
+    PlanarPoint at;
+    double height;
+  };
+  struct Triangle {
+    std::array<Corner, 3> corners{};
+    double inside = -HUGE_VAL;
+
+    static double area(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c) { return turn(b - a, c - a); }
+    std::array<double, 3> weights(const PlanarPoint& place) const {
+      const double whole = area(corners[0].at, corners[1].at, corners[2].at);
+      const double first = area(place, corners[1].at, corners[2].at) / whole;
+      const double second = area(corners[0].at, place, corners[2].at) / whole;
+      return {first, second, 1.0 - first - second};
+    }
+    // The one that the place is farthest inside of.
+    void take_if_better(const std::array<Corner, 3>& others, const PlanarPoint& place) {
+      Triangle other{others, 0.0};
+      if (!(std::fabs(area(others[0].at, others[1].at, others[2].at)) > 0.0)) return;
+      const std::array<double, 3> found = other.weights(place);
+      other.inside = *std::ranges::min_element(found);
+      if (other.inside > inside) *this = other;
+    }
+    double plane_at(const PlanarPoint& place) const {
+      const std::array<double, 3> found = weights(place);
+      return (found[0] * corners[0].height + found[1] * corners[1].height) + found[2] * corners[2].height;
+    }
+  };
+
+  Corner corner_near(const PlanarPoint& place) const {
+    const auto distance = [&](const Corner& c) { return std::hypot(c.at.x - place.x, c.at.y - place.y); };
+    Corner nearest = *std::ranges::min_element(corners_, {}, distance);
+    // Of corners one above the other, as a prism's seen along its edge, the highest.
+    const double near = distance(nearest) + resolution_;
+    for (const Corner& corner : corners_) {
+      if (distance(corner) <= near && corner.height > nearest.height) nearest = corner;
+    }
+    return nearest;
+  }
+  double highest_near(const PlanarPoint& place) const { return corner_near(place).height; }
+
+  std::vector<Corner> corners_;
+  std::vector<PlanarPoint> outline_;
+  double resolution_ = 0.0;
+};
+
+// Of two edges: where they cross, or, of parallel ones, the two ends of what they have beside each other.
+std::vector<PlanarPoint> common_places(const std::vector<PlanarPoint>& p, const std::vector<PlanarPoint>& q,
+                                       double feature_angle, double resolution) {
+  const PlanarPoint along_p = p[1] - p[0], along_q = q[1] - q[0];
+  const double length_p = std::hypot(along_p.x, along_p.y), length_q = std::hypot(along_q.x, along_q.y);
+  const double sine = turn(along_p, along_q) / (length_p * length_q);
+  if (std::fabs(sine) > std::fmax(std::sin(feature_angle), resolution / std::fmin(length_p, length_q))) {
+    const double share_p = turn(q[0] - p[0], along_q) / turn(along_p, along_q);
+    const double share_q = turn(q[0] - p[0], along_p) / turn(along_p, along_q);
+    if (std::fabs(share_p - 0.5) * length_p > 0.5 * length_p + resolution) return {};
+    if (std::fabs(share_q - 0.5) * length_q > 0.5 * length_q + resolution) return {};
+    return {p[0] + share_p * along_p};
+  }
+  // Along the mean of both directions, through the middle between them.
+  const double sign = dot(along_p, along_q) < 0.0 ? -1.0 : 1.0;
+  const PlanarPoint both = (1.0 / length_p) * along_p + (sign / length_q) * along_q;
+  const PlanarPoint axis = (1.0 / std::hypot(both.x, both.y)) * both;
+  const PlanarPoint middle = 0.25 * ((p[0] + p[1]) + (q[0] + q[1]));
+  const auto at = [&](const PlanarPoint& x) { return dot(axis, x - middle); };
+  const double from = std::fmax(std::fmin(at(p[0]), at(p[1])), std::fmin(at(q[0]), at(q[1])));
+  const double to = std::fmin(std::fmax(at(p[0]), at(p[1])), std::fmax(at(q[0]), at(q[1])));
+  if (from > to + resolution) return {};
+  return planar_hull({middle + from * axis, middle + to * axis}, resolution);
+}
+
+std::vector<PlanarPoint> common_places(const Face& a, const Face& b, double feature_angle, double resolution) {
+  const std::vector<PlanarPoint>&p = a.outline(), &q = b.outline();
+  std::vector<PlanarPoint> places;
+  if (p.size() >= 3 && (q.size() < 3 || p.size() >= q.size())) {
+    places = clipped(q, p, resolution);
+  } else if (q.size() >= 3) {
+    places = clipped(p, q, resolution);
+  } else if (p.size() == 2 && q.size() == 2) {
+    return common_places(p, q, feature_angle, resolution);
+  }
+  return places.empty() ? places : planar_hull(places, resolution);
+}
+
+// None where a body is curved.
+std::optional<std::vector<Vec3d>> vertices_of_core(const ConvexBody& body) {
+  const std::optional<ExactForm> form = body.exact_form();
+  if (!form || !form->is_rounded_polytope()) return std::nullopt;
+  return form->points;
+}
+
+}  // namespace
+
+ContactManifold contact_manifold(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, double margin,
+                                 double feature_angle) {
+  VEX_EXPECT(margin >= 0.0 && feature_angle >= 0.0);
+  ContactManifold manifold;
+  manifold.separation = signed_distance(a, b, a_from_b);
+  const Separation& found = manifold.separation;
+  if (found.lower > margin || !found.has_witnesses) return manifold;
+  const std::optional<std::vector<Vec3d>> of_a = vertices_of_core(a);
+  std::optional<std::vector<Vec3d>> of_b = vertices_of_core(b);
+  if (of_a && of_b) {
+    // About the witness of A: what is small is then compared with the bodies, not with how far they are from origins.
+    std::vector<Vec3d> from_a = *of_a;
+    const Vec3d origin = found.point_a;
+    for (Vec3d& v : from_a) v = v - origin;
+    for (Vec3d& v : *of_b) v = a_from_b(v) - origin;
+    const ContactFrame frame(found.normal);
+    // Of coordinates across the normal, several roundings each.
+    const double resolution =
+        64.0 * kUnitRoundoff * (a.reach() + b.reach() + norm_1(a_from_b.translation) + norm_1(origin));
+    const Face face_a(from_a, frame, 1.0, feature_angle, resolution);
+    const Face face_b(*of_b, frame, -1.0, feature_angle, resolution);
+    for (const PlanarPoint& place : common_places(face_a, face_b, feature_angle, resolution)) {
+      const double height_a = face_a.height_at(place) + a.ball_radius();
+      const double height_b = -face_b.height_at(place) - b.ball_radius();
+      if (height_b - height_a > std::fmax(margin, found.upper) + resolution) continue;
+      manifold.contacts.push_back(
+          {origin + frame.point(place, height_a), origin + frame.point(place, height_b), height_b - height_a});
+    }
+  }
+  if (manifold.contacts.empty()) manifold.contacts.push_back({found.point_a, found.point_b, found.signed_distance});
+  return manifold;
+}
+
+}  // namespace vex

@@ -1,0 +1,96 @@
+#include "engine/query/first_contact.h"
+
+#include <cmath>
+#include <limits>
+
+#include "engine/numeric/expect.h"
+#include "engine/numeric/rounding.h"
+#include "engine/query/overlap.h"
+#include "engine/query/ray_search.h"
+#include "engine/query/separation.h"
+
+namespace vex {
+namespace {
+
+/// What a ray starts from, as a body.
+struct Point {
+  template <class L>
+  Vec3<L> support(const Vec3<L>& /*dir*/) const {
+    return {};
+  }
+  double support_error() const { return 0.0; }
+  Vec3d centre() const { return {}; }
+  double circumradius() const { return 0.0; }
+  double inradius() const { return 0.0; }
+  std::optional<ExactForm> exact_form() const { return ExactForm{{Vec3d{}}, {}, 0.0}; }
+};
+
+// x 2^exponent, not above it, or not below: where the result is subnormal or too large it is rounded that way.
+double scaled_down(double x, int exponent) {
+  const double scaled = std::ldexp(x, exponent);
+  if (std::isinf(scaled)) return std::numeric_limits<double>::max();
+  return x > 0.0 && scaled < std::numeric_limits<double>::min() ? std::nextafter(scaled, 0.0) : scaled;
+}
+double scaled_up(double x, int exponent) {
+  const double scaled = std::ldexp(x, exponent);
+  return x > 0.0 && scaled < std::numeric_limits<double>::min() ? std::nextafter(scaled, 1.0) : scaled;
+}
+
+FirstContact no_contact(Verdict verdict) { return {verdict, HUGE_VAL, HUGE_VAL, HUGE_VAL, {}, {}, {}, 0}; }
+
+FirstContact contact_at_start(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, Verdict verdict) {
+  const Separation found = penetration_depth(a, b, a_from_b);
+  return {verdict, 0.0, 0.0, 0.0, found.normal, found.point_a, found.point_b, found.n_support_calls};
+}
+
+}  // namespace
+
+FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Vec3d& motion) {
+  VEX_EXPECT(norm_1(motion) > 0.0 && is_finite(motion));
+  OverlapCertificate certificate;
+  const Verdict at_start = overlap(a, b, a_from_b, &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
+  if (at_start.outcome == Outcome::overlap) {
+    FirstContact contact = contact_at_start(a, b, a_from_b, at_start);
+    contact.n_support_calls += certificate.n_support_calls;
+    return contact;
+  }
+  const int motion_exponent =
+      std::ilogb(std::fmax(std::fabs(motion.x), std::fmax(std::fabs(motion.y), std::fabs(motion.z))));
+  RaySearch search(a, b, a_from_b, times_power_of_two(motion, -motion_exponent));
+  const RayBounds bounds = search.run(certificate.separating_dir, at_start.outcome == Outcome::disjoint);
+  const int n_support_calls = certificate.n_support_calls + search.n_support_calls();
+  if (bounds.is_miss) {
+    FirstContact none = no_contact(Verdict::disjoint(DecidedBy::gjk));
+    none.n_support_calls = n_support_calls;
+    return none;
+  }
+  const int exponent = -(search.exponent() + motion_exponent);
+  FirstContact contact;
+  contact.n_support_calls = n_support_calls;
+  contact.lower = scaled_down(bounds.lower, exponent);
+  const Vec3d normal = scaled_to_unit_exponent(search.normal());
+  if (norm_1(normal) > 0.0) contact.normal = (1.0 / norm(normal)) * normal;
+  if (!(bounds.upper >= 0.0 && bounds.upper < HUGE_VAL)) {
+    contact.verdict = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);
+    contact.time = contact.lower;
+    contact.upper = HUGE_VAL;
+    return contact;
+  }
+  contact.verdict = Verdict::overlap(DecidedBy::gjk);
+  contact.upper = scaled_up(bounds.upper, exponent);
+  contact.time = contact.lower + 0.5 * (std::fmin(contact.upper, std::numeric_limits<double>::max()) - contact.lower);
+  const DifferencePoint met = search.contact();
+  contact.point_a = times_power_of_two(met.core_a, -search.exponent()) + a.ball_radius() * contact.normal;
+  contact.point_b =
+      (times_power_of_two(met.core_b, -search.exponent()) - b.ball_radius() * contact.normal) + contact.time * motion;
+  return contact;
+}
+
+FirstContact cast_ray(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir) {
+  static const ConvexBody kPoint = Point{};
+  Transformd a_from_point;
+  a_from_point.translation = origin;
+  return linear_cast(a, kPoint, a_from_point, dir);
+}
+
+}  // namespace vex

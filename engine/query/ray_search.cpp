@@ -1,0 +1,239 @@
+#include "engine/query/ray_search.h"
+
+#include <cmath>
+
+#include "engine/query/portal_refinement.h"
+#include "engine/support/combinators.h"
+
+namespace vex {
+namespace {
+
+// Of one line. On polytopes a search ends by itself; curved ones need some 20 to 40 rounds to come to rounding.
+constexpr int kMostTurns = 64, kMostPortals = 192;
+
+// Off-centre rays about one that passes an edge of portals: how far, in errors of a shadow, to begin with; how much
+// farther each time; and how often.
+constexpr double kFirstOffset = 8.0, kOffsetGrowth = 8.0;
+constexpr int kMostOffsets = 6;
+
+// The first points are taken a little aside of where symmetry has them: through those the line would pass exactly.
+constexpr double kTiltX = 0.1173, kTiltY = 0.0711;
+
+Vec3d across(const Vec3d& unit) {
+  const double x = std::fabs(unit.x), y = std::fabs(unit.y), z = std::fabs(unit.z);
+  const Vec3d axis = x <= y && x <= z ? Vec3d{1.0, 0.0, 0.0} : y <= z ? Vec3d{0.0, 1.0, 0.0} : Vec3d{0.0, 0.0, 1.0};
+  const Vec3d side = cross(unit, axis);
+  return (1.0 / norm(side)) * side;
+}
+
+}  // namespace
+
+RaySearch::RaySearch(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Vec3d& dir)
+    : a_(a), b_(b), a_from_b_(a_from_b), dir_(dir), error_(query_error(a, b, a_from_b)) {
+  exponent_ = error_.reach > 0.0 ? -std::ilogb(error_.reach) : 0;
+  scale_ = std::ldexp(1.0, exponent_);
+  ball_radius_ = a.ball_radius() + b.ball_radius();
+  error_ = {scale_ * error_.reach, scale_ * error_.support};
+  // E22: the plane across the ray is one to a few u, and so are products with it.
+  shadow_error_ = 1.5 * error_.support;
+  along_ = (1.0 / norm(dir)) * dir;
+  across_x_ = across(along_);
+  across_y_ = cross(along_, across_x_);
+  latest_ = error_.reach / norm(dir) * (1.0 + gamma(8));
+}
+
+DifferencePoint RaySearch::support(const Vec3d& dir) {
+  ++n_support_calls_;
+  const Vec3d core_a = a_.core_support(dir);
+  const Vec3d core_b = a_from_b_(b_.core_support(-a_from_b_.direction_to_b(dir)));
+  const Vec3d at = core_a - core_b;
+  return {scale_ * (ball_radius_ > 0.0 ? at + ball_support(ball_radius_, dir) : at), scale_ * core_a, scale_ * core_b};
+}
+
+// The support point of a normal, and what its plane tells of the ray: n . x <= h of all points of K, so t n . dir <= h.
+DifferencePoint RaySearch::cut(const Vec3d& normal) {
+  const DifferencePoint w = support(normal);
+  const double length = norm_1(normal);
+  const double height = dot(normal, w.at) + error_.support * length;
+  const double along = dot(normal, dir_), rounding = 4.0 * kUnitRoundoff * length * norm_1(dir_);
+  if (height < 0.0) {
+    if (along - rounding >= 0.0) {
+      bounds_.is_miss = true;
+    } else {
+      const double before = height / (along - rounding) * (1.0 - gamma(4));
+      if (before > bounds_.lower || norm_1(normal_) == 0.0) normal_ = normal;
+      bounds_.lower = std::fmax(bounds_.lower, before);
+    }
+  } else if (along - rounding > 0.0) {
+    latest_ = std::fmin(latest_, height / (along - rounding) * (1.0 + gamma(4)));
+  }
+  if (bounds_.lower > latest_) bounds_.is_miss = true;
+  return w;
+}
+
+RaySearch::Shadow RaySearch::shadow(const DifferencePoint& point, const Line& line) const {
+  return {dot(point.at, across_x_) - line.at.x, dot(point.at, across_y_) - line.at.y};
+}
+
+// Of points that are within shadow_error_ of these.
+bool RaySearch::turns_beyond_doubt(const Shadow& p, const Shadow& q) const {
+  const double lengths = std::fabs(p.x) + std::fabs(p.y) + std::fabs(q.x) + std::fabs(q.y);
+  return turn(p, q) > 1.1 * shadow_error_ * (lengths + shadow_error_);
+}
+
+RaySearch::Line RaySearch::line_at(double x, double y) const {
+  return {{x, y}, x * across_x_ + y * across_y_, HUGE_VAL, false};
+}
+
+// The descent of Gilbert, Johnson and Keerthi in the shadow. None: the line misses K, or passes within rounding of the
+// shadow's rim, or of a corner of it.
+std::optional<RaySearch::Corners> RaySearch::corners_around(const Line& line) {
+  DifferencePoint first = cut(kTiltX * across_x_ + kTiltY * across_y_ - along_);
+  const auto in_shadow = [&](double x, double y) {
+    return cut(scaled_to_unit_exponent(x * across_x_ + y * across_y_));
+  };
+  const double doubt = 2.0 * shadow_error_;
+  Shadow p = shadow(first, line);
+  if (p.x == 0.0 && p.y == 0.0) p.x = -shadow_error_;  // any direction is as good
+  DifferencePoint second = in_shadow(-p.x - kTiltX * p.y, -p.y + kTiltX * p.x);
+  for (int round = 0; round < kMostTurns && !bounds_.is_miss; ++round) {
+    const Shadow from = shadow(first, line), to = shadow(second, line);
+    Shadow edge{to.x - from.x, to.y - from.y};
+    const double length = std::hypot(edge.x, edge.y);
+    if (!(length > doubt)) return std::nullopt;
+    // To the side of the edge on which the line is; where it is on neither, whichever has more of K.
+    double side = turn(from, to) >= 0.0 ? 1.0 : -1.0;
+    DifferencePoint third = in_shadow(-side * edge.y, side * edge.x);
+    const auto beyond = [&](const Shadow& q) { return side * (turn(from, to) + turn(to, q) + turn(q, from)) / length; };
+    if (!(beyond(shadow(third, line)) > doubt)) {
+      if (std::fabs(turn(from, to)) > doubt * length || bounds_.is_miss) return std::nullopt;
+      side = -side;
+      third = in_shadow(-side * edge.y, side * edge.x);
+      if (!(beyond(shadow(third, line)) > doubt)) return std::nullopt;
+    }
+    const Shadow q = shadow(third, line);
+    // Inside, or beyond one of the two new edges.
+    const bool beyond_second = side * turn(to, q) < 0.0, beyond_first = side * turn(q, from) < 0.0;
+    if (!beyond_second && !beyond_first) {
+      if (side > 0.0) return Corners{first, second, third};
+      return Corners{second, first, third};
+    }
+    // Beyond both the line is past the third point: the edge that it is beyond by more.
+    if (beyond_second && (!beyond_first || side * turn(to, q) * std::hypot(q.x - from.x, q.y - from.y) <
+                                               side * turn(q, from) * std::hypot(q.x - to.x, q.y - to.y))) {
+      first = third;
+    } else {
+      second = third;
+    }
+  }
+  return std::nullopt;
+}
+
+// Where the line passes the portal beyond doubt, it is in K there: every point of the triangle of the true points has
+// n . x >= min n . v - E |n|_1.
+bool RaySearch::bound_above(Line& line, const Corners& corners, const Vec3d& normal) const {
+  const Shadow p = shadow(corners[0], line), q = shadow(corners[1], line), r = shadow(corners[2], line);
+  if (!turns_beyond_doubt(p, q) || !turns_beyond_doubt(q, r) || !turns_beyond_doubt(r, p)) return false;
+  const double length = norm_1(normal), rounding = 4.0 * kUnitRoundoff * length * norm_1(dir_);
+  const double along = dot(normal, dir_);
+  if (!(along + rounding < 0.0)) return false;
+  const double least =
+      std::fmin(dot(normal, corners[0].at), std::fmin(dot(normal, corners[1].at), dot(normal, corners[2].at)));
+  const double height = (least - dot(normal, line.offset)) - error_.support * length;
+  const double t = height / (height < 0.0 ? along + rounding : along - rounding);
+  line.upper = std::fmin(line.upper, t + gamma(4) * std::fabs(t));
+  return true;
+}
+
+// The part of the portal, split by w in three, that the line passes.
+bool RaySearch::narrow(const Line& line, Corners& corners, const DifferencePoint& w) const {
+  const Shadow at_w = shadow(w, line);
+  int best = -1;
+  double best_inside = -HUGE_VAL;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Shadow p = shadow(corners[k], line), q = shadow(corners[(k + 1) % 3], line);
+    const double area = turn(p, q) + turn(q, at_w) + turn(at_w, p);
+    if (!(area > 0.0)) continue;
+    const double inside = std::fmin(turn(q, at_w), turn(at_w, p)) / area;
+    if (inside > best_inside) {
+      best_inside = inside;
+      best = static_cast<int>(k);
+    }
+  }
+  if (best < 0) return false;
+  corners[(static_cast<std::size_t>(best) + 2) % 3] = w;
+  return true;
+}
+
+std::optional<RaySearch::Corners> RaySearch::close_in(Line& line) {
+  std::optional<Corners> corners = corners_around(line);
+  for (int round = 0; corners && round < kMostPortals && !bounds_.is_miss; ++round) {
+    const Corners& c = *corners;
+    // Against the ray: the corners turn counter-clockwise seen along it.
+    const Vec3d normal = scaled_to_unit_exponent(-detail::face_of(c[0].at, c[1].at, c[2].at).normal);
+    if (!(dot(normal, along_) < 0.0)) break;
+    const DifferencePoint w = cut(normal);
+    line.is_settled = bound_above(line, c, normal);
+    const double least = std::fmin(dot(normal, c[0].at), std::fmin(dot(normal, c[1].at), dot(normal, c[2].at)));
+    if (!(dot(normal, w.at) - least > 0.25 * error_.support * norm_1(normal))) break;
+    Corners next = c;
+    if (!narrow(line, next, w)) break;
+    corners = next;
+  }
+  return corners;
+}
+
+// How far the bounds are apart where neither can be better.
+double RaySearch::width_of_rounding() const {
+  return 8.0 * error_.support * norm_1(normal_) / std::fmax(std::fabs(dot(normal_, dir_)), 0x1p-60);
+}
+
+RayBounds RaySearch::run(const Vec3d& separating_dir, bool is_apart_at_start) {
+  cut(along_);
+  if (!bounds_.is_miss && norm_1(separating_dir) > 0.0) cut(scaled_to_unit_exponent(separating_dir));
+  if (bounds_.is_miss) return bounds_;
+  Line ray = line_at(0.0, 0.0);
+  std::optional<Corners> corners = close_in(ray);
+  bounds_.upper = ray.upper;
+  // Through an edge or a corner: points of K on three lines around the ray have one on the ray between them.
+  double offset = kFirstOffset * shadow_error_;
+  for (int attempt = 0; attempt < kMostOffsets && !bounds_.is_miss; ++attempt, offset *= kOffsetGrowth) {
+    if (bounds_.upper - bounds_.lower <= width_of_rounding()) break;
+    // Turned by angles that no symmetry knows.
+    const double angle = 0.7548776662 + 2.399963 * attempt;
+    double latest = -HUGE_VAL;
+    bool are_settled = true;
+    for (int k = 0; k < 3 && latest < bounds_.upper && !bounds_.is_miss; ++k) {
+      const double turned = angle + 2.0943951023931953 * k;
+      Line beside = line_at(offset * std::cos(turned), offset * std::sin(turned));
+      const std::optional<Corners> found = close_in(beside);
+      if (!corners) corners = found;
+      latest = std::fmax(latest, beside.upper + 8.0 * kUnitRoundoff * offset);
+      are_settled = are_settled && beside.is_settled;
+    }
+    bounds_.upper = std::fmin(bounds_.upper, latest);
+    if (are_settled) break;
+  }
+  // The bodies are apart at the start, and the line is in K before it: then never again.
+  if (bounds_.upper < 0.0 && is_apart_at_start) bounds_.is_miss = true;
+  if (corners) {
+    contact_ = *corners;
+    const Shadow p = shadow(contact_[0], ray), q = shadow(contact_[1], ray), r = shadow(contact_[2], ray);
+    weights_ = {std::fmax(turn(q, r), 0.0), std::fmax(turn(r, p), 0.0), std::fmax(turn(p, q), 0.0)};
+    const double sum = weights_[0] + weights_[1] + weights_[2];
+    for (double& weight : weights_) weight = sum > 0.0 ? weight / sum : 1.0 / 3.0;
+  }
+  return bounds_;
+}
+
+DifferencePoint RaySearch::contact() const {
+  DifferencePoint mean;
+  for (std::size_t k = 0; k < 3; ++k) {
+    mean.at = mean.at + weights_[k] * contact_[k].at;
+    mean.core_a = mean.core_a + weights_[k] * contact_[k].core_a;
+    mean.core_b = mean.core_b + weights_[k] * contact_[k].core_b;
+  }
+  return mean;
+}
+
+}  // namespace vex

@@ -1,0 +1,60 @@
+// What can be proven of a body that turns while it moves, over an interval of time (docs/derivations_motion.md, E23).
+//
+// Along a fixed unit vector n, from A towards B, the bodies are apart at time t by
+//
+//     g(t) = min over B of n . b(t)  -  max over A of n . a
+//
+// at least. About the middle of an interval n . b(t) is linear in time but for a remainder of second order, and the
+// least of linear functions is concave: above the lesser of its values at the two ends. So three support points prove
+// that nothing touches during the whole interval, however many points of B take the lead in turn.
+#pragma once
+
+#include "engine/numeric/transform.h"
+#include "engine/query/first_contact.h"
+#include "engine/support/convex_body.h"
+
+namespace vex {
+
+class RigidSweep {
+ public:
+  RigidSweep(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion);
+
+  /// Times outside of which the circumscribed balls are apart, proven: B's is about the origin of its frame, which
+  /// moves straight. Nothing, from > to, where they never meet. Of a body that only turns, one turn.
+  struct Window {
+    double from, to;
+  };
+  Window window() const;
+
+  /// A lower bound of the gap along `unit_normal` at every time from `from` to `from` + `duration`.
+  double gap_during(const Vec3d& unit_normal, double from, double duration);
+
+  /// No point of B comes nearer along it, in a unit of time, than this.
+  double most_speed(const Vec3d& unit_normal) const;
+
+  /// The bodies share a point at that time, proven: they do as `pose_at` has them, and wherever its rounding may have
+  /// taken B from.
+  bool meets_at(double time);
+
+  /// Of the gap along any vector: what rounding takes off the bounds.
+  double rounding_at(double time) const;
+
+  Transformd pose(double time) const { return pose_at(a_from_b_, motion_, time); }
+  int n_support_calls() const { return n_support_calls_; }
+
+ private:
+  double pose_error(double time) const;
+  double support_error(double time) const;
+
+  const ConvexBody& a_;
+  const ConvexBody& b_;
+  Transformd a_from_b_;
+  RigidMotion motion_;
+  double spin_, speed_1_;  // at least |w|; at least |v|
+  double from_origin_;     // no point of B's core is farther from the origin of its frame
+  double from_axis_;       // nor from the axis through it
+  Vec3d last_normal_, last_of_a_;
+  int n_support_calls_ = 0;
+};
+
+}  // namespace vex

@@ -1,0 +1,195 @@
+#include <cmath>
+
+#include "engine/numeric/expect.h"
+#include "engine/numeric/rounding.h"
+#include "engine/query/first_contact.h"
+#include "engine/query/overlap.h"
+#include "engine/query/rigid_sweep.h"
+#include "engine/query/separation.h"
+
+namespace vex {
+namespace {
+
+// A motion that needs more is given up and said to be: some thousand turns on the way.
+constexpr int kMostAdvances = 1 << 14;
+// Trials of the length of one advance; of how late there is contact; and of how early once it is found.
+constexpr int kMostTrials = 10, kMostDoublings = 64, kMostHalvings = 2;
+
+class Advancement {
+ public:
+  Advancement(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion)
+      : a_(a), b_(b), sweep_(a, b, a_from_b, motion), size_(a.circumradius() + b.circumradius()) {}
+
+  FirstContact run() {
+    const RigidSweep::Window window = sweep_.window();
+    if (!(window.from <= window.to)) return nothing();
+    time_ = window.from;
+    until_ = window.to;
+    for (int n_advances = 0; n_advances < kMostAdvances; ++n_advances) {
+      if (time_ >= until_) return touched_ ? undecided(UndecidedReason::rounding) : nothing();
+      // Gaps shrink as the squares of those before them; so much of the next one is left open.
+      const double last = std::fmin(1.0, last_gap_ / size_);
+      Separation apart = separation_at(time_, 0x1p-7 * last * last);
+      // Nearer than was thought: nothing is said of a gap before it is known as well as it can be.
+      if (!(apart.lower > 0.5 * apart.upper)) apart = separation_at(time_, 0.0);
+      const double gap = apart.has_witnesses ? sweep_.gap_during(apart.normal, time_, 0.0) : 0.0;
+      last_gap_ = std::fmax(gap, 0.0);
+      if (gap > sweep_.rounding_at(time_)) {
+        time_ += longest_advance(apart.normal, gap);
+        continue;
+      }
+      // The first place where the bodies may touch is the answer's, and the least time of contact not before it.
+      if (!touched_) {
+        touched_ = true;
+        contact_.lower = time_;
+        contact_.normal = apart.normal;
+        contact_.point_a = apart.point_a;
+        contact_.point_b = apart.point_b;
+      }
+      if (finds_contact(apart.normal)) return found();
+      if (!(time_ < until_)) return undecided(UndecidedReason::rounding);
+    }
+    return undecided(UndecidedReason::iteration_cap);
+  }
+
+ private:
+  Separation separation_at(double time, double relative_gap) {
+    SeparationSettings settings;
+    settings.relative_gap = relative_gap;
+    const Separation found = distance(a_, b_, sweep_.pose(time), settings, &warm_start_);
+    n_support_calls_ += found.n_support_calls;
+    return found;
+  }
+
+  // The longest time, nearly, in which the bodies are proven to stay apart along the normal: a secant search for where
+  // the bound is next to nought, as near to it as the gap after it will be. That no point of B moves faster than so
+  // much gives a first one.
+  double longest_advance(const Vec3d& normal, double gap) {
+    const double most_speed = sweep_.most_speed(normal), remaining = until_ - time_;
+    const double near_enough = gap * std::fmin(0.125, gap / size_) + sweep_.rounding_at(time_);
+    double proven = 0.0, gap_proven = gap, failed = remaining * (1.0 + 4.0 * kUnitRoundoff), gap_failed = 0.0;
+    bool has_failed = false;
+    if (!(gap < most_speed * remaining)) return failed;
+    double trial = std::fmin(failed, 4.0 * gap / most_speed);
+    for (int k = 0; k < kMostTrials; ++k) {
+      const double found = sweep_.gap_during(normal, time_, trial);
+      if (found > 0.0) {
+        if (trial >= failed) return trial;
+        proven = trial;
+        gap_proven = found;
+      } else {
+        failed = trial;
+        gap_failed = found;
+        has_failed = true;
+      }
+      if (!has_failed) {
+        trial = std::fmin(failed, 4.0 * trial);
+        continue;
+      }
+      if (gap_proven < near_enough || !(proven < failed * (1.0 - 0x1p-40))) break;
+      const double share = (gap_proven - 0.5 * near_enough) / (gap_proven - gap_failed);
+      // Where one end stays for long the middle is taken.
+      trial = proven + (k % 4 == 3 ? 0.5 : share) * (failed - proven);
+    }
+    // Added to the time it is rounded: gaps above the pose's own rounding are worth more than that.
+    const double surely = gap / most_speed;
+    return std::fmax(proven, surely * (1.0 - gamma(8)) - 2.0 * kUnitRoundoff * (time_ + surely));
+  }
+
+  // In which the bodies come to be in each other by some roundings, enough for double precision to see it, if they go
+  // on as they do at first.
+  double first_step(const Vec3d& normal) {
+    const double most_speed = norm_1(normal) > 0.0 ? sweep_.most_speed(normal) : 0.0;
+    if (!(most_speed > 0.0)) return 0.0;
+    const double a_moment = 0x1p-16 * size_ / most_speed;
+    const double speed =
+        (sweep_.gap_during(normal, time_, 0.0) - sweep_.gap_during(normal, time_ + a_moment, 0.0)) / a_moment;
+    return 16.0 * sweep_.rounding_at(time_) / std::fmax(speed, 0x1p-10 * most_speed);
+  }
+
+  // A time of contact, proven, as little after this one as doubling finds it. Where the bodies are seen to be apart
+  // again first, the motion goes on from there.
+  bool finds_contact(const Vec3d& normal) {
+    const double remaining = until_ - time_;
+    double step = std::fmax(first_step(normal), 0x1p-50 * std::fmax(time_, 0x1p-10 * until_));
+    double before = 0.0;
+    for (int k = 0; k < kMostDoublings; ++k, before = step, step *= 2.0) {
+      step = std::fmin(step, remaining);
+      if (sweep_.meets_at(time_ + step)) {
+        double after = step;
+        for (int h = 0; before > 0.0 && h < kMostHalvings; ++h) {
+          const double middle = 0.5 * (before + after);
+          (sweep_.meets_at(time_ + middle) ? after : before) = middle;
+        }
+        contact_.upper = time_ + after;
+        return true;
+      }
+      const double gap = k % 8 < 7 && norm_1(normal) > 0.0 ? sweep_.gap_during(normal, time_ + step, 0.0)
+                                                           : separation_at(time_ + step, 0.0).lower;
+      if (gap > 4.0 * sweep_.rounding_at(time_ + step) || step >= remaining) {
+        time_ += step;
+        return false;
+      }
+    }
+    time_ = until_;
+    return false;
+  }
+
+  FirstContact counted(FirstContact contact) const {
+    contact.n_support_calls = n_support_calls_ + sweep_.n_support_calls();
+    return contact;
+  }
+  FirstContact nothing() const {
+    return counted({Verdict::disjoint(DecidedBy::gjk), HUGE_VAL, HUGE_VAL, HUGE_VAL, {}, {}, {}, 0});
+  }
+  FirstContact undecided(UndecidedReason reason) const {
+    FirstContact contact = contact_;
+    contact.verdict = Verdict::undecided(DecidedBy::gjk, reason);
+    if (!touched_) contact.lower = time_;
+    contact.time = contact.lower;
+    contact.upper = HUGE_VAL;
+    return counted(contact);
+  }
+  FirstContact found() const {
+    FirstContact contact = contact_;
+    contact.verdict = Verdict::overlap(DecidedBy::gjk);
+    contact.time = contact.lower + 0.5 * (contact.upper - contact.lower);
+    return counted(contact);
+  }
+
+  const ConvexBody& a_;
+  const ConvexBody& b_;
+  RigidSweep sweep_;
+  double size_;
+  double time_ = 0.0, until_ = 0.0;
+  double last_gap_ = HUGE_VAL;
+  bool touched_ = false;
+  FirstContact contact_;
+  WarmStart warm_start_;
+  int n_support_calls_ = 0;
+};
+
+}  // namespace
+
+FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
+                            const RigidMotion& motion) {
+  VEX_EXPECT(is_finite(motion.velocity) && is_finite(motion.angular_velocity));
+  const bool moves = norm_1(motion.velocity) > 0.0, turns = norm_1(motion.angular_velocity) > 0.0;
+  if (moves && !turns) return linear_cast(a, b, a_from_b, motion.velocity);
+  OverlapCertificate certificate;
+  const Verdict at_start = overlap(a, b, a_from_b, &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
+  if (at_start.outcome == Outcome::overlap) {
+    const Separation found = penetration_depth(a, b, a_from_b);
+    return {at_start,     0.0,           0.0,           0.0,
+            found.normal, found.point_a, found.point_b, found.n_support_calls + certificate.n_support_calls};
+  }
+  if (!moves && !turns) {
+    const double never = at_start.outcome == Outcome::disjoint ? HUGE_VAL : 0.0;
+    return {at_start, never, never, HUGE_VAL, {}, {}, {}, certificate.n_support_calls};
+  }
+  FirstContact contact = Advancement(a, b, a_from_b, motion).run();
+  contact.n_support_calls += certificate.n_support_calls;
+  return contact;
+}
+
+}  // namespace vex
