@@ -26,8 +26,8 @@ struct FirstContact {
   int n_support_calls = 0;
 };
 
-/// The ray origin + t dir, t >= 0, against a body in its own frame; `dir` has any length but 0. The normal points out of
-/// the body.
+/// The ray origin + t dir, t >= 0, against a body in its own frame; `dir` has any length but 0. The normal points out
+/// of the body.
 FirstContact cast_ray(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir);
 
 /// B moving without turning: at time t >= 0 it is where the pose has it plus t * motion.

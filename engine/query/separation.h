@@ -36,8 +36,8 @@ struct Separation {
 /// What was found of a pair, for the next query of the same pair in a pose not far from this one. Only time depends on
 /// it. Empty at first; a query reads it and writes it.
 struct WarmStart {
-  Vec3d dir;                           // in A's frame, from A towards B
-  int n_points = 0;                    // of the difference of the bodies
+  Vec3d dir;                            // in A's frame, from A towards B
+  int n_points = 0;                     // of the difference of the bodies
   std::array<Vec3d, 4> of_a{}, of_b{};  // as points of the cores in the bodies' own frames
 };
 
@@ -54,8 +54,8 @@ struct SeparationSettings {
 /// (of two discs with one axis): then the bounds tell. Never a guess: where rounding would decide the sign, the verdict
 /// comes from `overlap`, and bounds from twice the precision.
 ///
-/// R of the pose must be a rotation to within 1e-6. Coordinates between 1e-40 and 1e40, or 0, are answered at full speed,
-/// others by twice the precision.
+/// R of the pose must be a rotation to within 1e-6. Coordinates between 1e-40 and 1e40, or 0, are answered at full
+/// speed, others by twice the precision.
 Separation signed_distance(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
                            const SeparationSettings& settings = {}, WarmStart* warm_start = nullptr);
 

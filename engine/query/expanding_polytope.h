@@ -1,0 +1,417 @@
+// The hull of points of a body K = A - B, growing where its surface is nearest to the origin: the expanding polytope
+// algorithm (G. van den Bergen, "Proximity queries and penetration depth computation on 3D game objects", 2001), with
+// bounds of the depth on both sides.
+//
+// Every direction that was asked for bounds the depth from above; the hull's surface, as long as it goes around the
+// origin, bounds it from below: both in the presence of rounding (E21). How the hull grows is not proven and need not
+// be.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "engine/query/nearest_simplex.h"
+#include "engine/query/portal_refinement.h"
+
+namespace vex {
+
+/// One lane only.
+template <class L, class Point, class Difference>
+class ExpandingPolytope {
+ public:
+  enum class End {
+    converged,  // the bounds are as near as asked for
+    stalled,    // rounding allows no larger hull
+    capped,
+    flat,  // K has no volume, to rounding: its depth is 0 along `normal`
+  };
+
+  ExpandingPolytope(const Difference& difference, const QueryError<L>& error, int max_support_calls)
+      : difference_(difference),
+        error_(error),
+        slack_(L(2.0) * error.support),
+        coplanar_(L(16.0 * unit_roundoff<L>()) * error.reach),
+        max_support_calls_(max_support_calls) {
+    points_.reserve(64);
+    faces_.reserve(192);
+    heap_.reserve(192);
+  }
+
+  /// From the points of a simplex on. `wanted`: how near the bounds shall be, rounding apart, for a depth.
+  template <class Wanted>
+  End run(const NearestSimplex<L, Point>& simplex, const Wanted& wanted) {
+    if (!begin(simplex)) return End::flat;
+    while (true) {
+      const std::uint32_t nearest = nearest_face();
+      nearest_ = nearest;
+      if (static_cast<int>(points_.size()) >= max_support_calls_) return End::capped;
+      const Vec3<L> dir = faces_[nearest].normal;
+      const L distance = faces_[nearest].distance;
+      const std::uint32_t added = add_support(dir);
+      face_height_ = dot(dir, at(added));
+      if (face_height_ - distance <= wanted(distance)) return End::converged;
+      if (!grow(nearest, added)) return End::stalled;
+    }
+  }
+
+  /// The direction, a unit vector, in which the surface is nearest, and how far K reaches in it, to rounding. Where K
+  /// is flat: across it.
+  const Vec3<L>& normal() const { return faces_.empty() ? normal_ : faces_[nearest_].normal; }
+  L height() const { return faces_.empty() ? height_ : face_height_; }
+  /// The depth is not above it, rounding included: the least that K reaches in any direction that was asked for.
+  L depth_upper() const { return height_ + slack_; }
+  /// The depth is not below it, rounding included; negative where nothing is known.
+  L depth_lower() const {
+    if (faces_.empty()) return -error_.reach;
+    const L distance = faces_[nearest_].distance - slack_;
+    return distance > L(0.0) && goes_around_origin() ? distance : -error_.reach;
+  }
+  int n_support_calls() const { return n_support_calls_; }
+
+  /// The foot of the origin on the nearest face, as a combination of its corners: `visit(weight, point)`.
+  template <class Visit>
+  void visit_foot(const Visit& visit) const {
+    std::uint32_t at = nearest_;
+    // Faces in one plane share a foot: it is in one of them, a few steps away.
+    for (std::size_t step = 0; step < faces_.size(); ++step) {
+      const std::array<L, 3> weights = foot_weights(faces_[at]);
+      std::size_t least = 0;
+      for (std::size_t k = 1; k < 3; ++k) {
+        if (weights[k] < weights[least]) least = k;
+      }
+      const std::uint32_t next = faces_[at].neighbours[(least + 1) % 3];  // across from that corner
+      const bool is_inside = !(weights[least] < L(0.0));
+      const bool is_coplanar = faces_[next].distance - faces_[nearest_].distance <= L(4.0) * coplanar_ + gap();
+      if (is_inside || step + 1 == faces_.size() || !is_coplanar) {
+        L sum(0.0);
+        for (const L& w : weights) sum = sum + larger(w, L(0.0));
+        for (std::size_t k = 0; k < 3; ++k) {
+          visit(larger(weights[k], L(0.0)) / sum, points_[faces_[at].corners[k]]);
+        }
+        return;
+      }
+      at = next;
+    }
+  }
+
+ private:
+  using Corners = std::array<std::uint32_t, 3>;
+  struct Face {
+    Corners corners;     // outwards where it turns counter-clockwise
+    Corners neighbours;  // across the edge from corner k to the next one
+    Vec3<L> normal;      // unit, outwards
+    L distance;          // no point of the triangle is nearer to the origin, by its computed products
+    bool is_alive = true;
+    bool is_hidden = false;
+  };
+  struct Edge {
+    std::uint32_t from, to, outside;
+  };
+
+  L gap() const { return larger(face_height_ - faces_[nearest_].distance, L(0.0)); }
+
+  // Also keeps the least height.
+  std::uint32_t add_support(const Vec3<L>& dir) {
+    ++n_support_calls_;
+    points_.push_back(difference_.support(dir));
+    const L height = dot(dir, points_.back().w);
+    if (n_support_calls_ == 1 || height < height_) {
+      height_ = height;
+      normal_ = dir;
+    }
+    return static_cast<std::uint32_t>(points_.size() - 1);
+  }
+  static Vec3<L> unit(const Vec3<L>& dir) {
+    const Vec3<L> scaled = scaled_to_unit_exponent(dir);
+    return (L(1.0) / norm(scaled)) * scaled;
+  }
+  const Vec3<L>& at(std::uint32_t i) const { return points_[i].w; }
+
+  // --- the first tetrahedron
+
+  // Of the simplex, where it has volume; else of these points and of more in directions that span space.
+  bool begin(const NearestSimplex<L, Point>& simplex) {
+    for (int k = 0; k < simplex.size(); ++k) points_.push_back(simplex.point(k));
+    if (points_.size() == 4 && has_volume(0, 1, 2, 3)) {
+      make_tetrahedron(0, 1, 2, 3);
+      return true;
+    }
+    for (const Vec3d& d : {Vec3d{0.6113, 0.4717, 0.6361}, Vec3d{-0.6113, -0.4717, -0.6361}})
+      add_support(unit(broadcast<L>(d)));
+    std::uint32_t first = 0, second = 0, third = 0;
+    const auto find_longest = [&] {
+      L largest(0.0);
+      for (std::uint32_t i = 0; i < points_.size(); ++i) {
+        for (std::uint32_t j = 0; j < i; ++j) {
+          const Vec3<L> e = at(i) - at(j);
+          if (dot(e, e) > largest) {
+            largest = dot(e, e);
+            first = i;
+            second = j;
+          }
+        }
+      }
+      return largest;
+    };
+    const L least_length = L(4.0) * slack_;
+    L longest = find_longest();
+    if (!(longest > least_length * least_length)) {
+      for (const Vec3d& d : {Vec3d{1.0, 0.0, 0.0}, Vec3d{-1.0, 0.0, 0.0}, Vec3d{0.0, 1.0, 0.0}, Vec3d{0.0, -1.0, 0.0},
+                             Vec3d{0.0, 0.0, 1.0}, Vec3d{0.0, 0.0, -1.0}}) {
+        add_support(broadcast<L>(d));
+      }
+      longest = find_longest();
+      if (!(longest > least_length * least_length)) return false;  // a point: all directions are as good
+    }
+    const Vec3<L> along = unit(at(second) - at(first));
+    const Vec3<L> across = unit(cross(along, least_axis(along))), other = cross(along, across);
+    const auto off_line = [&](std::uint32_t i) {
+      const Vec3<L> normal = cross(along, at(i) - at(first));
+      return dot(normal, normal);
+    };
+    const auto find_third = [&] {
+      L largest(0.0);
+      for (std::uint32_t i = 0; i < points_.size(); ++i) {
+        if (off_line(i) > largest) {
+          largest = off_line(i);
+          third = i;
+        }
+      }
+      return largest;
+    };
+    if (!(find_third() > L(0x1p-10) * longest)) {
+      for (const Vec3<L>& d : {across, -across, other, -other}) add_support(d);
+      if (!(find_third() > least_length * least_length)) return false;  // a segment: `normal` is across it
+    }
+    const Vec3<L> normal = unit(cross(along, at(third) - at(first)));
+    const std::uint32_t above = add_support(normal), below = add_support(-normal);
+    const L up = dot(normal, at(above) - at(first)), down = -dot(normal, at(below) - at(first));
+    const std::uint32_t apex = up > down ? above : below;
+    if (!(larger(up, down) > least_length)) return false;  // in a plane: one of its normals is `normal`
+    make_tetrahedron(first, second, third, apex);
+    for (std::uint32_t i = 0; i < apex; ++i) {
+      if (i != first && i != second && i != third) grow_by_any(i);
+    }
+    grow_by_any(apex == above ? below : above);
+    return true;
+  }
+
+  static Vec3<L> least_axis(const Vec3<L>& v) {
+    const L x = absolute(v.x), y = absolute(v.y), z = absolute(v.z);
+    if (x <= y && x <= z) return {L(1.0), L(0.0), L(0.0)};
+    return y <= z ? Vec3<L>{L(0.0), L(1.0), L(0.0)} : Vec3<L>{L(0.0), L(0.0), L(1.0)};
+  }
+
+  bool has_volume(std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) const {
+    const detail::Face<L> face = detail::face_of(at(i), at(j), at(k));
+    const L volume = absolute(dot(face.normal, at(l) - at(i)));
+    return volume > L(16.0) * slack_ * face.edge_product && norm_1(face.normal) > L(0x1p-20) * face.edge_product;
+  }
+
+  void make_tetrahedron(std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) {
+    if (dot(cross(at(j) - at(i), at(k) - at(i)), at(l) - at(i)) > L(0.0)) std::swap(j, k);
+    // l is behind (i, j, k).
+    add_face({i, j, k}, {3, 2, 1});
+    add_face({i, k, l}, {0, 2, 3});
+    add_face({k, j, l}, {0, 3, 1});
+    add_face({j, i, l}, {0, 1, 2});
+  }
+
+  // A point that is not above a face that was chosen: of the faces that it is above, the one it is highest above.
+  void grow_by_any(std::uint32_t added) {
+    std::uint32_t best = 0;
+    L highest(0.0);
+    for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+      if (!faces_[f].is_alive) continue;
+      const L height = height_above(faces_[f], added);
+      if (height > highest) {
+        highest = height;
+        best = f;
+      }
+    }
+    if (highest > L(4.0) * slack_) grow(best, added);
+  }
+
+  // --- faces
+
+  L height_above(const Face& face, std::uint32_t point) const {
+    return dot(face.normal, at(point) - at(face.corners[0]));
+  }
+
+  std::uint32_t add_face(const Corners& corners, const Corners& neighbours) {
+    const Vec3<L>&p = at(corners[0]), &q = at(corners[1]), &r = at(corners[2]);
+    const detail::Face<L> plane = detail::face_of(p, q, r);
+    const L length = norm(plane.normal);
+    Face face{corners, neighbours, {}, L(0.0)};
+    if (length > L(0x1p-26) * plane.edge_product) {
+      face.normal = (L(1.0) / length) * plane.normal;
+    } else {
+      // All but a segment, whose normal would be noise: the direction of its nearest point will do, as any would.
+      face.normal = unit(nearest_on_longest_edge(p, q, r));
+    }
+    const L of_p = dot(face.normal, p), of_q = dot(face.normal, q), of_r = dot(face.normal, r);
+    face.distance = -larger(-of_p, larger(-of_q, -of_r));
+    faces_.push_back(face);
+    const std::uint32_t index = static_cast<std::uint32_t>(faces_.size() - 1);
+    heap_.push_back({face.distance, index});
+    std::push_heap(heap_.begin(), heap_.end(), is_farther);
+    return index;
+  }
+  static Vec3<L> nearest_on_longest_edge(const Vec3<L>& p, const Vec3<L>& q, const Vec3<L>& r) {
+    const std::array<std::array<const Vec3<L>*, 2>, 3> edges = {{{&p, &q}, {&q, &r}, {&r, &p}}};
+    Vec3<L> nearest = p;
+    L longest(-1.0);
+    for (const auto& edge : edges) {
+      const Vec3<L>&from = *edge[0], &to = *edge[1];
+      const Vec3<L> e = to - from;
+      const L square = dot(e, e);
+      if (!(square > longest)) continue;
+      longest = square;
+      const L along = -dot(from, e);
+      nearest = !(along > L(0.0)) ? from : !(along < square) ? to : from + (along / square) * e;
+    }
+    return nearest;
+  }
+
+  using Entry = std::pair<L, std::uint32_t>;
+  static bool is_farther(const Entry& a, const Entry& b) { return a.first > b.first; }
+
+  std::uint32_t nearest_face() {
+    while (!faces_[heap_.front().second].is_alive) {
+      std::pop_heap(heap_.begin(), heap_.end(), is_farther);
+      heap_.pop_back();
+    }
+    return heap_.front().second;
+  }
+
+  // Takes a point into the hull: the faces that it is in front of give way to those from their rim to it. False, and
+  // nothing changes, where rounding has torn the rim.
+  bool grow(std::uint32_t start, std::uint32_t added) {
+    // Faces in whose plane the point is had better go too, or it makes faces without area with their edges.
+    for (const double side : {-1.0, 0.0, 1.0}) {
+      hide(start, added, L(side) * coplanar_);
+      const bool is_sound = orders_rim();
+      for (const std::uint32_t f : hidden_) faces_[f].is_hidden = false;
+      if (!is_sound) continue;
+      for (const std::uint32_t f : hidden_) faces_[f].is_alive = false;
+      const std::uint32_t first = static_cast<std::uint32_t>(faces_.size());
+      const std::uint32_t n = static_cast<std::uint32_t>(rim_.size());
+      for (std::uint32_t k = 0; k < n; ++k) {
+        const Edge& edge = rim_[k];
+        const std::uint32_t face =
+            add_face({edge.from, edge.to, added}, {edge.outside, first + (k + 1) % n, first + (k + n - 1) % n});
+        Face& outside = faces_[edge.outside];
+        for (std::size_t e = 0; e < 3; ++e) {
+          if (outside.corners[e] == edge.to && outside.corners[(e + 1) % 3] == edge.from) outside.neighbours[e] = face;
+        }
+      }
+      return true;
+    }
+    return false;
+  }
+
+  // The connected faces about `start` that `added` is more than `threshold` above, and their rim, as they go along it.
+  void hide(std::uint32_t start, std::uint32_t added, const L& threshold) {
+    hidden_.assign(1, start);
+    rim_.clear();
+    faces_[start].is_hidden = true;
+    for (std::size_t next = 0; next < hidden_.size(); ++next) {
+      const Corners neighbours = faces_[hidden_[next]].neighbours;
+      for (const std::uint32_t f : neighbours) {
+        if (faces_[f].is_hidden || !(height_above(faces_[f], added) > threshold)) continue;
+        faces_[f].is_hidden = true;
+        hidden_.push_back(f);
+      }
+    }
+    for (const std::uint32_t h : hidden_) {
+      const Face& face = faces_[h];
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (!faces_[face.neighbours[k]].is_hidden) {
+          rim_.push_back({face.corners[k], face.corners[(k + 1) % 3], face.neighbours[k]});
+        }
+      }
+    }
+  }
+
+  // Puts the rim's edges one behind the other; false where they are not a single closed line that passes each of its
+  // points once.
+  bool orders_rim() {
+    if (rim_.size() < 3) return false;
+    for (std::size_t k = 0; k + 1 < rim_.size(); ++k) {
+      std::size_t next = k + 1;
+      while (next < rim_.size() && rim_[next].from != rim_[k].to) ++next;
+      if (next == rim_.size()) return false;
+      std::swap(rim_[k + 1], rim_[next]);
+      for (std::size_t j = 0; j <= k; ++j) {
+        if (rim_[j].from == rim_[k + 1].from) return false;
+      }
+    }
+    return rim_.back().to == rim_.front().from;
+  }
+
+  // --- what the hull proves
+
+  // Counts how often a ray from the origin through the nearest face passes the surface, which is closed: once, then it
+  // goes around every ball that it does not enter. By proven signs; another ray where one passes an edge.
+  bool goes_around_origin() const {
+    const Corners& corners = faces_[nearest_].corners;
+    for (const auto& [u, v, w] : {std::array{0.41, 0.26, 0.33}, std::array{0.22, 0.47, 0.31}}) {
+      const Vec3<L> ray = (L(u) * at(corners[0]) + L(v) * at(corners[1])) + L(w) * at(corners[2]);
+      int n_passed = 0;
+      const bool is_proven = std::ranges::all_of(faces_, [&](const Face& face) {
+        if (!face.is_alive) return true;
+        const std::optional<int> passed = times_passed(face, ray);
+        n_passed += passed.value_or(0);
+        return passed.has_value();
+      });
+      if (is_proven) return n_passed == 1;
+    }
+    return false;
+  }
+  // 1 where the ray passes the triangle outwards, -1 inwards, 0 where it passes beside it; none where rounding leaves
+  // that open. With s_i the products below, sum s_i p_i = det(p) ray.
+  std::optional<int> times_passed(const Face& face, const Vec3<L>& ray) const {
+    const L rounding = L(16.0 * unit_roundoff<L>());
+    int n_positive = 0, n_negative = 0;
+    bool is_behind = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3<L>&p = at(face.corners[k]), &q = at(face.corners[(k + 1) % 3]);
+      const L turn = dot(cross(p, q), ray), bound = rounding * ((norm_1(p) * norm_1(q)) * norm_1(ray));
+      n_positive += turn > bound ? 1 : 0;
+      n_negative += turn < -bound ? 1 : 0;
+      is_behind = is_behind && dot(p, ray) < -rounding * (norm_1(p) * norm_1(ray));
+    }
+    if (is_behind || (n_positive > 0 && n_negative > 0)) return 0;
+    if (n_positive < 3 && n_negative < 3) return std::nullopt;
+    const Vec3<L>&p = at(face.corners[0]), &q = at(face.corners[1]), &r = at(face.corners[2]);
+    const L volume = dot(cross(p, q), r), bound = rounding * ((norm_1(p) * norm_1(q)) * norm_1(r));
+    if (!(absolute(volume) > bound)) return std::nullopt;
+    const bool is_outwards = volume > L(0.0);
+    return is_outwards == (n_positive == 3) ? std::optional(is_outwards ? 1 : -1) : std::optional(0);
+  }
+
+  const Difference& difference_;
+  QueryError<L> error_;
+  L slack_, coplanar_;
+  int max_support_calls_;
+  int n_support_calls_ = 0;
+  std::vector<Point> points_;
+  std::vector<Face> faces_;
+  std::vector<Entry> heap_;
+  std::vector<std::uint32_t> hidden_;
+  std::vector<Edge> rim_;
+  std::uint32_t nearest_ = 0;
+  Vec3<L> normal_;
+  L height_{0.0}, face_height_{0.0};
+
+  std::array<L, 3> foot_weights(const Face& face) const {
+    const Vec3<L>&p = at(face.corners[0]), &q = at(face.corners[1]), &r = at(face.corners[2]);
+    return {dot(cross(q, r), face.normal), dot(cross(r, p), face.normal), dot(cross(p, q), face.normal)};
+  }
+};
+
+}  // namespace vex

@@ -1,0 +1,337 @@
+#include "engine/query/separation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "engine/numeric/expect.h"
+#include "engine/query/expanding_polytope.h"
+#include "engine/query/extended_difference.h"
+#include "engine/query/nearest_descent.h"
+#include "engine/query/placed_forms.h"
+#include "engine/support/combinators.h"
+
+namespace vex {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+enum class Goal { signed_distance, distance, depth };
+
+// --- K = A - B of the bodies' cores, their balls and rolling balls apart
+
+// In double precision.
+class CoreDifference {
+ public:
+  struct Point {
+    Vec3d w;      // a - b
+    Vec3d a, b;   // of the cores, in A's frame
+    Vec3d own_b;  // b in B's frame, without its rolling ball
+  };
+
+  CoreDifference(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b)
+      : a_(a), b_(b), a_from_b_(a_from_b), rolling_a_(a.rolling_radius()), rolling_b_(b.rolling_radius()) {}
+
+  Point support(const Vec3d& normal) const {
+    const Vec3d of_a = a_.core_support(normal);
+    const Vec3d of_b = b_.core_support(-a_from_b_.direction_to_b(normal));
+    if (has_rolling()) {
+      const Vec3d a = of_a - rolling_a_ * normal, b = a_from_b_(of_b) + rolling_b_ * normal;
+      return {a - b, a, b, of_b};
+    }
+    return at(of_a, of_b);
+  }
+  Point at(const Vec3d& of_a, const Vec3d& of_b) const {
+    const Vec3d b = a_from_b_(of_b);
+    return {of_a - b, of_a, b, of_b};
+  }
+  bool has_rolling() const { return rolling_a_ > 0.0 || rolling_b_ > 0.0; }
+
+  QueryError<double> error() const {
+    QueryError<double> error = query_error(a_, b_, a_from_b_);
+    error.support += 8.0 * kUnitRoundoff * (rolling_a_ + rolling_b_);
+    return error;
+  }
+  double radius_a() const { return a_.ball_radius() + rolling_a_; }
+  double radius_b() const { return b_.ball_radius() + rolling_b_; }
+  Vec3d between_centres() const { return a_from_b_(b_.centre()) - a_.centre(); }
+
+ private:
+  const ConvexBody& a_;
+  const ConvexBody& b_;
+  const Transformd& a_from_b_;
+  double rolling_a_, rolling_b_;
+};
+
+// In twice the precision, from the exact forms, in the units and about the middles of the local forms.
+class ExtendedCore {
+ public:
+  struct Point {
+    Vec3e w;
+    Vec3d a, b;  // of the cores, in the bodies' own frames, rounded
+  };
+
+  explicit ExtendedCore(const LocalForms& forms) : forms_(forms) {}
+
+  Point support(const Vec3e& normal) const {
+    const LocalForms::Farthest a = forms_.farthest_of_a(normal);
+    const LocalForms::Farthest b = forms_.farthest_of_b(-normal, forms_.a_from_b().direction_to_b(-normal));
+    return {(a.point - b.point) - forms_.a_from_b().translation, a.own, b.own};
+  }
+
+ private:
+  const LocalForms& forms_;
+};
+
+// --- what a search of K found
+
+template <class L, class Point>
+struct CoreSeparation {
+  Vec3<L> normal;  // unit
+  L distance;      // signed, along it
+  L lower, upper;  // of the signed distance of the cores, rounding included
+  int n_points = 0;
+  std::array<Point, 4> points{};
+  std::array<L, 4> weights{};
+  bool has_normal = false;
+
+  void add(const L& weight, const Point& point) {
+    points[static_cast<std::size_t>(n_points)] = point;
+    weights[static_cast<std::size_t>(n_points)] = weight;
+    ++n_points;
+  }
+};
+
+template <class L>
+struct SearchSettings {
+  Goal goal;
+  L radii;  // of the balls about the cores
+  L size;   // R_A + R_B
+  L relative_gap;
+  int max_support_calls;
+};
+
+template <class L, class Point, class Difference>
+CoreSeparation<L, Point> search(const Difference& difference, const Vec3<L>& first_dir,
+                                const NearestSimplex<L, Point>& simplex, const QueryError<L>& error,
+                                const SearchSettings<L>& settings, int& n_support_calls) {
+  using Descent = NearestDescent<L, Point>;
+  // Of the answer, the balls included.
+  const auto wanted = [&settings](const L& signed_distance) {
+    return settings.relative_gap * (absolute(signed_distance - settings.radii) + settings.size);
+  };
+  const Descent descent = descend_to_origin<L, Point>(
+      difference, first_dir, simplex, error, wanted, settings.radii,
+      settings.goal == Goal::depth ? DescentGoal::separated : DescentGoal::nearest, settings.max_support_calls);
+  n_support_calls += descent.n_support_calls;
+  CoreSeparation<L, Point> result;
+  result.lower = descent.lower;
+  result.upper = descent.upper;
+  if (descent.end != Descent::End::around_origin && descent.end != Descent::End::touching) {
+    result.normal = descent.normal;
+    result.has_normal = result.lower > -error.reach;
+    result.distance = square_root(descent.simplex.square());
+    for (int k = 0; k < descent.simplex.size(); ++k) result.add(descent.simplex.weight(k), descent.simplex.point(k));
+    return result;
+  }
+  if (settings.goal == Goal::distance && !(settings.radii > L(0.0))) return result;
+
+  using Polytope = ExpandingPolytope<L, Point, Difference>;
+  Polytope polytope(difference, error, settings.max_support_calls);
+  const auto wanted_depth = [&wanted](const L& depth) { return wanted(-depth); };
+  const typename Polytope::End end = polytope.run(descent.simplex, wanted_depth);
+  n_support_calls += polytope.n_support_calls();
+  result.normal = polytope.normal();
+  result.has_normal = true;
+  result.distance = -polytope.height();
+  result.lower = larger(result.lower, -polytope.depth_upper());
+  if (end == Polytope::End::flat) {
+    for (int k = 0; k < descent.simplex.size(); ++k) result.add(descent.simplex.weight(k), descent.simplex.point(k));
+    return result;
+  }
+  const L depth_lower = polytope.depth_lower();
+  if (-depth_lower < result.upper) result.upper = -depth_lower;
+  polytope.visit_foot([&result](const L& weight, const Point& point) { result.add(weight, point); });
+  return result;
+}
+
+// --- answers
+
+Vec3d unit(const Vec3d& dir) {
+  const Vec3d scaled = scaled_to_unit_exponent(dir);
+  return (1.0 / norm(scaled)) * scaled;
+}
+
+double below(double x) { return std::nextafter(x, -kInfinity); }
+double above(double x) { return std::nextafter(x, kInfinity); }
+
+void set_points(Separation& result, const Vec3d& core_a, const Vec3d& core_b, double radius_a, double radius_b) {
+  result.point_a = core_a + radius_a * result.normal;
+  result.point_b = core_b - radius_b * result.normal;
+}
+
+NearestSimplex<double, CoreDifference::Point> warm_simplex(const CoreDifference& difference,
+                                                           const WarmStart* warm_start) {
+  NearestSimplex<double, CoreDifference::Point> simplex;
+  if (warm_start == nullptr || difference.has_rolling()) return simplex;
+  for (int k = 0; k < warm_start->n_points && !simplex.is_around_origin(); ++k) {
+    const std::size_t i = static_cast<std::size_t>(k);
+    simplex.add(difference.at(warm_start->of_a[i], warm_start->of_b[i]));
+  }
+  return simplex;
+}
+
+// In double precision.
+Separation search_in_double(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, Goal goal,
+                            const SeparationSettings& settings, WarmStart* warm_start) {
+  const CoreDifference difference(a, b, a_from_b);
+  const double radius_a = difference.radius_a(), radius_b = difference.radius_b(), radii = radius_a + radius_b;
+  const SearchSettings<double> search_settings{goal, radii, a.circumradius() + b.circumradius(),
+                                               std::max(settings.relative_gap, 0x1p-44), settings.max_support_calls};
+  Vec3d first_dir =
+      warm_start != nullptr && norm_1(warm_start->dir) > 0.0 ? warm_start->dir : difference.between_centres();
+  first_dir = norm_1(first_dir) > 0.0 ? unit(first_dir) : Vec3d{0.6, 0.0, 0.8};
+  Separation result;
+  const auto core = search<double, CoreDifference::Point>(difference, first_dir, warm_simplex(difference, warm_start),
+                                                          difference.error(), search_settings, result.n_support_calls);
+  const double rounding = 4.0 * kUnitRoundoff * radii;
+  result.lower = core.lower - radii - rounding;
+  result.upper = core.upper - radii + rounding;
+  result.signed_distance = core.distance - radii;
+  result.has_witnesses = core.has_normal;
+  result.normal = core.normal;
+  Vec3d core_a, core_b;
+  for (int k = 0; k < core.n_points; ++k) {
+    const std::size_t i = static_cast<std::size_t>(k);
+    core_a = core_a + core.weights[i] * core.points[i].a;
+    core_b = core_b + core.weights[i] * core.points[i].b;
+  }
+  set_points(result, core_a, core_b, radius_a, radius_b);
+  if (warm_start != nullptr) {
+    warm_start->dir = core.has_normal ? core.normal : Vec3d{};
+    warm_start->n_points = difference.has_rolling() ? 0 : core.n_points;
+    for (int k = 0; k < warm_start->n_points; ++k) {
+      const std::size_t i = static_cast<std::size_t>(k);
+      warm_start->of_a[i] = core.points[i].a;
+      warm_start->of_b[i] = core.points[i].own_b;
+    }
+  }
+  return result;
+}
+
+// In twice the precision.
+Separation search_in_extended(const PlacedForms& placed, const ConvexBody& a, const ConvexBody& b, Goal goal,
+                              const SeparationSettings& settings, const Vec3d& first_dir) {
+  const LocalForms forms(placed);
+  const ExtendedCore difference(forms);
+  const SearchSettings<Extended> search_settings{
+      goal, forms.ball_radius(), Extended(std::ldexp(a.circumradius() + b.circumradius(), -forms.exponent())),
+      Extended(std::max(settings.relative_gap, 0x1p-48)), settings.max_support_calls};
+  const QueryError<Extended> error{Extended(8.0), Extended(kExtendedError)};
+  Separation result;
+  const auto core = search<Extended, ExtendedCore::Point>(difference, broadcast<Extended>(first_dir), {}, error,
+                                                          search_settings, result.n_support_calls);
+  const auto length = [&forms](const Extended& x) { return std::ldexp(x.high, forms.exponent()); };
+  result.lower = below(length(core.lower - forms.ball_radius()));
+  result.upper = above(length(core.upper - forms.ball_radius()));
+  result.signed_distance = length(core.distance - forms.ball_radius());
+  result.has_witnesses = core.has_normal;
+  result.normal = high_part(core.normal);
+  Vec3d core_a, core_b;
+  for (int k = 0; k < core.n_points; ++k) {
+    const std::size_t i = static_cast<std::size_t>(k);
+    core_a = core_a + core.weights[i].high * core.points[i].a;
+    core_b = core_b + core.weights[i].high * placed.a_from_b(core.points[i].b);
+  }
+  set_points(result, core_a, core_b, a.ball_radius(), b.ball_radius());
+  return result;
+}
+
+// The verdict, and bounds that agree with it.
+void conclude(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, Goal goal, DecidedBy by,
+              Separation& result) {
+  if (result.lower > 0.0) {
+    result.verdict = Verdict::disjoint(by);
+  } else if (result.upper < 0.0) {
+    result.verdict = Verdict::overlap(by);
+  } else {
+    OverlapCertificate certificate;
+    result.verdict = overlap(a, b, a_from_b, &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
+    result.n_support_calls += certificate.n_support_calls;
+    if (result.verdict.outcome == Outcome::disjoint) result.lower = std::max(result.lower, 0.0);
+    if (result.verdict.outcome == Outcome::overlap) result.upper = std::min(result.upper, 0.0);
+  }
+  const bool is_apart = result.verdict.outcome == Outcome::disjoint, meets = result.verdict.outcome == Outcome::overlap;
+  if ((goal == Goal::distance && meets) || (goal == Goal::depth && is_apart)) {
+    const int n_support_calls = result.n_support_calls;
+    const Verdict verdict = result.verdict;
+    result = {};
+    result.verdict = verdict;
+    result.n_support_calls = n_support_calls;
+    (meets ? result.lower : result.upper) = meets ? -kInfinity : kInfinity;
+    return;
+  }
+  result.signed_distance = std::clamp(result.signed_distance, result.lower, result.upper);
+}
+
+bool is_settled(const Separation& found, Goal goal, double wanted) {
+  if (goal == Goal::depth && found.lower > 0.0) return true;
+  if (goal == Goal::distance && found.upper < 0.0) return true;
+  return (found.lower > 0.0 || found.upper < 0.0) && found.upper - found.lower <= wanted;
+}
+
+constexpr double kLeastReach = 0x1p-150, kLargestReach = 0x1p150;
+
+Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, Goal goal,
+                      const SeparationSettings& settings, WarmStart* warm_start) {
+  VEX_EXPECT(settings.relative_gap >= 0.0);
+  const double reach = a.reach() + b.reach() + norm_1(a_from_b.translation);
+  const double relative_gap = std::max(settings.relative_gap, 1e-12);
+  Separation result;
+  result.lower = -kInfinity;
+  result.upper = kInfinity;
+  const auto wanted = [&](const Separation& found) {
+    return relative_gap * (std::fabs(found.signed_distance) + (a.circumradius() + b.circumradius()));
+  };
+  if (reach > kLeastReach && reach < kLargestReach) {
+    result = search_in_double(a, b, a_from_b, goal, settings, warm_start);
+    if (is_settled(result, goal, wanted(result))) {
+      conclude(a, b, a_from_b, goal, DecidedBy::gjk, result);
+      return result;
+    }
+  }
+  if (const std::optional<PlacedForms> placed = placed_forms(a, b, a_from_b)) {
+    const Vec3d dir = norm_1(result.normal) > 0.0 ? result.normal : Vec3d{0.6, 0.0, 0.8};
+    Separation extended = search_in_extended(*placed, a, b, goal, settings, dir);
+    extended.n_support_calls += result.n_support_calls;
+    extended.lower = std::max(extended.lower, result.lower);
+    extended.upper = std::min(extended.upper, result.upper);
+    result = extended;
+    conclude(a, b, a_from_b, goal, DecidedBy::double_double, result);
+    return result;
+  }
+  conclude(a, b, a_from_b, goal, DecidedBy::gjk, result);
+  return result;
+}
+
+}  // namespace
+
+Separation signed_distance(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
+                           const SeparationSettings& settings, WarmStart* warm_start) {
+  return separation(a, b, a_from_b, Goal::signed_distance, settings, warm_start);
+}
+
+Separation distance(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
+                    const SeparationSettings& settings, WarmStart* warm_start) {
+  return separation(a, b, a_from_b, Goal::distance, settings, warm_start);
+}
+
+Separation penetration_depth(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
+                             const SeparationSettings& settings, WarmStart* warm_start) {
+  return separation(a, b, a_from_b, Goal::depth, settings, warm_start);
+}
+
+ConvexBody with_margin(const ConvexBody& body, double margin) { return Inflated<ConvexBody>(body, margin); }
+
+}  // namespace vex
