@@ -60,7 +60,6 @@ SeparationJudge::SeparationJudge(const ConvexBody& a, const ConvexBody& b)
 SeparationJudgement SeparationJudge::judge(const Transformd& a_from_b, const Separation& answer,
                                            double accuracy) const {
   SeparationJudgement result;
-  Findings findings(result, accuracy);
   const Vec3dd normal = widened(answer.normal);
   const DoubleDouble length = norm(normal);
   const bool is_usable = is_finite(answer.normal) && is_finite(answer.point_a) && is_finite(answer.point_b) &&
@@ -84,6 +83,9 @@ SeparationJudgement SeparationJudge::judge(const Transformd& a_from_b, const Sep
   result.size = radii_ + std::max(std::fabs(result.lower), std::fabs(result.upper));
   result.is_known = (upper - lower).value() <= 0.1 * accuracy * result.size;
   result.width = (answer.upper - answer.lower) / result.size;
+  // Of ever so many shortest ways out no search finds the shortest: the answer's bounds tell how well it is known.
+  if (!result.is_known) accuracy = std::max(accuracy, result.width);
+  Findings findings(result, accuracy);
 
   findings.refuse(!is_usable || !answer.has_witnesses, "there is no answer, or one that is not finite");
   const double above = (DoubleDouble(answer.lower) - upper).value(), below = (lower - answer.upper).value();
@@ -92,9 +94,7 @@ SeparationJudgement SeparationJudge::judge(const Transformd& a_from_b, const Sep
   findings.refuse(!(below <= 0.0), "the upper bound is below the truth", below / result.size);
   findings.refuse(!(answer.lower <= answer.signed_distance && answer.signed_distance <= answer.upper),
                   "the value is not between its bounds");
-  if (result.is_known) {
-    findings.refuse(!(result.width <= accuracy), "the bounds are farther from each other than asked", result.width);
-  }
+  findings.refuse(!(result.width <= accuracy), "the bounds are farther from each other than asked", result.width);
   const DoubleDouble value = answer.signed_distance;
   const double error = std::max({0.0, (value - upper).value(), (lower - value).value()});
   result.error = error / result.size;

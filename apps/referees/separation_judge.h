@@ -36,7 +36,9 @@ class SeparationJudge {
   double accuracy() const { return is_rounded_polytope_ ? 1e-12 : 1e-9; }
 
   /// Of an answer of `signed_distance`: value, points and normal to within `accuracy` of the size, bounds to nothing
-  /// but the judge's own, about 1e-25. An answer that was asked for less is given its relative gap.
+  /// but the judge's own, about 1e-25. An answer that was asked for less is given its relative gap. Where the truth is
+  /// not known to the accuracy, which happens where ever so many ways out are the shortest, the answer's own bounds
+  /// take its place; they must hold.
   SeparationJudgement judge(const Transformd& a_from_b, const Separation& answer) const {
     return judge(a_from_b, answer, accuracy());
   }

@@ -63,22 +63,20 @@ inline void put_centres_apart(const ConvexBody& a, const ConvexBody& b, const Ve
   pose.translation = (a.centre() - pose(b.centre())) + step;
 }
 
-/// A random turn and a random line of B's centre through A's, and where the bodies come into contact along it: the
-/// truth of a pose beside it must be learnt from a referee.
+/// A line of B's centre through A's and a turn of B, and where the bodies come into contact along it: the truth of a
+/// pose beside it must be learnt from a referee.
 struct ContactLine {
   Transformd turn;
   Vec3d unit_dir;
-  double contact;
+  double contact = 0.0;
 
-  ContactLine(const ConvexBody& a, const ConvexBody& b, std::mt19937_64& random) : turn(random_rotation(random)) {
-    const Vec3d dir = random_direction(random);
-    unit_dir = (1.0 / norm(dir)) * dir;
-    double together = 0.0, apart = 1.01 * (a.circumradius() + b.circumradius());
+  ContactLine(const ConvexBody& a, const ConvexBody& b, const Transformd& turn_of_b, const Vec3d& dir)
+      : turn(turn_of_b), unit_dir((1.0 / norm(dir)) * dir) {
+    double apart = 1.01 * (a.circumradius() + b.circumradius());
     for (int step = 0; step < 64; ++step) {
-      const double middle = 0.5 * (together + apart);
-      (overlap(a, b, at(a, b, middle)).outcome == Outcome::disjoint ? apart : together) = middle;
+      const double middle = 0.5 * (contact + apart);
+      (overlap(a, b, at(a, b, middle)).outcome == Outcome::disjoint ? apart : contact) = middle;
     }
-    contact = together;
   }
   Transformd at(const ConvexBody& a, const ConvexBody& b, double distance) const {
     Transformd pose = turn;
@@ -87,11 +85,43 @@ struct ContactLine {
   }
 };
 
+inline ContactLine random_contact_line(const ConvexBody& a, const ConvexBody& b, std::mt19937_64& random) {
+  const Transformd turn = random_rotation(random);
+  return {a, b, turn, random_direction(random)};
+}
+
 /// 2^-3 ... 2^-50 of R_A + R_B from contact along a line, on either side, the k-th of a sequence of poses.
-inline Transformd near_contact_pose(const ConvexBody& a, const ConvexBody& b, std::mt19937_64& random, int k) {
+inline Transformd beside_contact(const ConvexBody& a, const ConvexBody& b, const ContactLine& line, int k) {
   const double shift = std::ldexp(a.circumradius() + b.circumradius(), -3 - (k / 2) % 48);
-  const ContactLine line(a, b, random);
   return line.at(a, b, line.contact + (k % 2 == 0 ? shift : -shift));
+}
+inline Transformd near_contact_pose(const ConvexBody& a, const ConvexBody& b, std::mt19937_64& random, int k) {
+  return beside_contact(a, b, random_contact_line(a, b, random), k);
+}
+
+/// B's frame is A's, but for quarter turns and for what a turn there and back leaves of rounding, and B's centre is
+/// along an axis of it from A's: faces, edges and rims meet flush, and ways out tie. Near contact, deep, or the same.
+inline Transformd aligned_pose(const ConvexBody& a, const ConvexBody& b, std::mt19937_64& random, int k) {
+  Transformd turn;
+  const Transformd r = random_rotation(random);
+  const auto there_and_back = [&r](const Vec3d& x) {
+    return r.direction_to_b({dot(r.row_x, x), dot(r.row_y, x), dot(r.row_z, x)});
+  };
+  if (random() % 2 == 0) {
+    turn = {there_and_back(turn.row_x), there_and_back(turn.row_y), there_and_back(turn.row_z), {}};
+  }
+  for (std::uint64_t n = random() % 4; n > 0; --n) turn = {turn.row_y, -turn.row_x, turn.row_z, {}};
+  for (std::uint64_t n = random() % 4; n > 0; --n) turn = {turn.row_x, turn.row_z, -turn.row_y, {}};
+  const double sign = random() % 2 == 0 ? 1.0 : -1.0;
+  const std::uint64_t axis = random() % 3;
+  const ContactLine line(a, b, turn, {axis == 0 ? sign : 0.0, axis == 1 ? sign : 0.0, axis == 2 ? sign : 0.0});
+  switch (random() % 8) {
+    case 0: return line.at(a, b, 0.0);
+    case 1: return line.at(a, b, random_in_unit_interval(random) * line.contact);
+    case 2: return line.at(a, b, (1.0 + random_in_unit_interval(random)) * line.contact);
+    case 3: return line.at(a, b, line.contact);
+    default: return beside_contact(a, b, line, k);
+  }
 }
 
 }  // namespace vex

@@ -27,7 +27,8 @@ inline std::string pose_as_source(const Transformd& pose) {
 /// Lengths relative to the judgement's size.
 struct SeparationTally {
   std::uint64_t n = 0, n_apart = 0, n_wrong = 0, n_bounds_violated = 0, n_undecided = 0, n_unknown = 0;
-  double worst_distance = 0.0, worst_depth = 0.0, widest = 0.0, farthest_off = 0.0, n_support_calls = 0.0;
+  double worst_distance = 0.0, worst_depth = 0.0, widest = 0.0, widest_unknown = 0.0, farthest_off = 0.0,
+         n_support_calls = 0.0;
   struct Fault {
     std::uint64_t n = 0;
     std::string first;  // with its figure and its pose
@@ -43,7 +44,8 @@ struct SeparationTally {
     n_bounds_violated += judgement.bounds_hold ? 0 : 1;
     n_undecided += answer.verdict.outcome == Outcome::undecided ? 1 : 0;
     n_unknown += judgement.is_known ? 0 : 1;
-    if (judgement.is_known) widest = std::max(widest, judgement.width);
+    double& widest_of = judgement.is_known ? widest : widest_unknown;
+    widest_of = std::max(widest_of, judgement.width);
     farthest_off = std::max(farthest_off, judgement.points_off);
     n_support_calls += answer.n_support_calls;
     n_wrong += judgement.is_right() ? 0 : 1;

@@ -1,8 +1,9 @@
 // Distances and depths of millions of poses, each judged in twice the precision (apps/referees/separation_judge.h), for
 // pairs of bodies of all kinds: a table, kind by kind, of the worst that was seen. Ends with 1 where any answer is
 // wrong, and says at which pose the first of them was.
-//   vex_query_truth [--pairs N] [--near N] [--threads N] [--seed N] [KIND...]      (40000 10000 2 1, all kinds)
-// A kind is two bodies with a blank between, or one: "box:1,2,3 hull:20". Half an hour on two cores.
+//   vex_query_truth [--pairs N] [--near N] [--aligned N] [--threads N] [--seed N] [KIND...]
+// Without options: 40000 poses anywhere, 10000 near contact, 1000 with the bodies' axes parallel, of every kind. A kind
+// is two bodies with a blank between, or one: "box:1,2,3 hull:20". Half an hour on two cores.
 #include <atomic>
 #include <cstdlib>
 #include <cstring>
@@ -20,7 +21,7 @@ namespace vex {
 namespace {
 
 struct Counts {
-  int n_pairs = 40000, n_near = 10000, n_threads = 2, seed = 1;
+  int n_pairs = 40000, n_near = 10000, n_aligned = 1000, n_threads = 2, seed = 1;
 };
 
 SeparationTally tally_of(const SeparationKind& kind, const Counts& counts) {
@@ -31,27 +32,28 @@ SeparationTally tally_of(const SeparationKind& kind, const Counts& counts) {
   std::seed_seq seeds(seed_text.begin(), seed_text.end());
   std::mt19937_64 random(seeds);
   SeparationTally tally;
-  for (int k = 0; k < counts.n_pairs + counts.n_near; ++k) {
-    const Transformd pose =
-        k < counts.n_pairs ? random_pose(random, domain, b) : near_contact_pose(a, b, random, k - counts.n_pairs);
+  const auto ask = [&](const Transformd& pose) {
     const Separation answer = signed_distance(a, b, pose);
     tally.add(pose, answer, judge.judge(pose, answer));
-  }
+  };
+  for (int k = 0; k < counts.n_pairs; ++k) ask(random_pose(random, domain, b));
+  for (int k = 0; k < counts.n_near; ++k) ask(near_contact_pose(a, b, random, k));
+  for (int k = 0; k < counts.n_aligned; ++k) ask(aligned_pose(a, b, random, k));
   return tally;
 }
 
 void print_head() {
-  std::printf("%-48s %8s %8s %9s %9s %9s %9s %6s %6s %6s %6s %6s\n", "kind", "pairs", "apart", "distance", "depth",
-              "bounds", "points", "wrong", "bounds", "undec.", "unkn.", "calls");
+  std::printf("%-48s %8s %8s %9s %9s %9s %9s %6s %6s %6s %6s %7s %6s\n", "kind", "pairs", "apart", "distance", "depth",
+              "bounds", "points", "wrong", "bounds", "undec.", "ties", "bounds", "calls");
 }
 
 void print_row(const SeparationKind& kind, const SeparationTally& tally) {
-  std::printf("%-48s %8llu %8llu %9.1e %9.1e %9.1e %9.1e %6llu %6llu %6llu %6llu %6.1f\n", kind.name().c_str(),
+  std::printf("%-48s %8llu %8llu %9.1e %9.1e %9.1e %9.1e %6llu %6llu %6llu %6llu %7.0e %6.1f\n", kind.name().c_str(),
               static_cast<unsigned long long>(tally.n), static_cast<unsigned long long>(tally.n_apart),
               tally.worst_distance, tally.worst_depth, tally.widest, tally.farthest_off,
               static_cast<unsigned long long>(tally.n_wrong), static_cast<unsigned long long>(tally.n_bounds_violated),
               static_cast<unsigned long long>(tally.n_undecided), static_cast<unsigned long long>(tally.n_unknown),
-              tally.n_support_calls / static_cast<double>(std::max<std::uint64_t>(tally.n, 1)));
+              tally.widest_unknown, tally.n_support_calls / static_cast<double>(std::max<std::uint64_t>(tally.n, 1)));
   for (const auto& [text, fault] : tally.faults) {
     std::printf("   %llu times, first: %s\n", static_cast<unsigned long long>(fault.n), fault.first.c_str());
   }
@@ -92,6 +94,7 @@ int main(int argc, char** argv) {
     const std::string text = argv[k];
     const std::pair<const char*, int*> options[] = {{"--pairs", &counts.n_pairs},
                                                     {"--near", &counts.n_near},
+                                                    {"--aligned", &counts.n_aligned},
                                                     {"--threads", &counts.n_threads},
                                                     {"--seed", &counts.seed}};
     const auto* const option = std::ranges::find_if(options, [&](const auto& one) { return text == one.first; });
