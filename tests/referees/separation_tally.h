@@ -48,7 +48,7 @@ struct SeparationTally {
     widest_of = std::max(widest_of, judgement.width);
     farthest_off = std::max(farthest_off, judgement.points_off);
     n_support_calls += answer.n_support_calls;
-    n_wrong += judgement.is_right() ? 0 : 1;
+    if (!judgement.is_right()) ++n_wrong;
     for (const std::string& text : judgement.faults) {
       Fault& fault = faults[text.substr(0, text.find(" ("))];
       if (fault.n++ == 0) fault.first = text + " at " + pose_as_source(pose);
