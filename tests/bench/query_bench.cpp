@@ -158,7 +158,8 @@ BenchReport compare(SeparationGoal goal, const BenchSettings& settings) {
       std::string(is_distance ? "### Distance\n\n" : "### Penetration depth\n\n") + poses +
       (is_distance ? "are apart" : "overlap") +
       "; in motion: from such a pose steps of a thousandth of R_A + R_B and turns of a thousandth of a full one, up to "
-      "32. Nanoseconds a query: median of rounds in which everyone takes a turn, and their spread.\n\n" +
+      "32. Who is slow is asked about the first of them, as many as take a tenth of a second. Nanoseconds a query: "
+      "median of rounds in which everyone takes a turn, and their spread.\n\n" +
       table(rows, contenders,
             [](const Row& row, const SeparationContender& one) { return timing_text(row.timings.at(one.name)); }) +
       "\nTimes what the engine takes at full precision on the same poses.\n\n" +
