@@ -108,7 +108,7 @@ Vec3dd DifferenceBody::approximate(const ExactForm& form, const std::vector<Vec3
   return DoubleDouble(scale_) * (widened(piece.centre) + stretched(at.x, piece.semi_axes));
 }
 
-DifferencePoint DifferenceBody::support(const Vec3dd& dir) const {
+DifferencePoint DifferenceBody::support_of_cores(const Vec3dd& dir) const {
   DifferencePoint result;
   result.a = core_support(a_, scaled_a_, dir);
   const Vec3dd back = -dir;
@@ -124,6 +124,11 @@ DifferencePoint DifferenceBody::support(const Vec3dd& dir) const {
     q = Vec3dd{dot(rx, in_b), dot(ry, in_b), dot(rz, in_b)} + widened(scale_ * pose_.translation);
   }
   result.approximately = p - q;
+  return result;
+}
+
+DifferencePoint DifferenceBody::support(const Vec3dd& dir) const {
+  DifferencePoint result = support_of_cores(dir);
   const DoubleDouble radius = (DoubleDouble(a_.ball_radius) + b_.ball_radius) * scale_;
   if (radius.high > 0.0) {
     result.ball_part = unit(dir);

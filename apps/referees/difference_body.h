@@ -41,6 +41,8 @@ class DifferenceBody {
 
   /// The farthest point in a direction, up to a few parts in 2^100.
   DifferencePoint support(const Vec3dd& dir) const;
+  /// The same without the balls: of A's core less B's, each placed as it is under its ball.
+  DifferencePoint support_of_cores(const Vec3dd& dir) const;
 
   /// A point that is in A - B beyond doubt, in the bodies' own units: curved parts are shrunk by 2^-96.
   DyadicPoint exactly(const DifferencePoint& point) const;

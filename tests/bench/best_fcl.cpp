@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "apps/peers/fcl_geometry.h"
 #include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
 #include "meshes/exact_hull.h"
@@ -40,15 +41,6 @@ std::shared_ptr<const fcl::Convexd> fcl_shape(const Polytope& polytope) {
     for (const std::uint32_t corner : corners) faces->push_back(static_cast<int>(corner));
   }
   return std::make_shared<fcl::Convexd>(vertices, static_cast<int>(hull->size()), faces, true);
-}
-
-fcl::Transform3d fcl_pose(const Transformd& a_from_b) {
-  fcl::Transform3d pose = fcl::Transform3d::Identity();
-  pose.linear() << a_from_b.row_x.x, a_from_b.row_x.y, a_from_b.row_x.z,  //
-      a_from_b.row_y.x, a_from_b.row_y.y, a_from_b.row_y.z,               //
-      a_from_b.row_z.x, a_from_b.row_z.y, a_from_b.row_z.z;
-  pose.translation() << a_from_b.translation.x, a_from_b.translation.y, a_from_b.translation.z;
-  return pose;
 }
 
 // `collide`, as its documentation shows it.

@@ -9,12 +9,15 @@
 // touch by their contact function, and were then moved along the common normal (`normal`, near to it).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -22,7 +25,9 @@
 #include "apps/referees/exact_axes.h"
 #include "apps/referees/exact_distance.h"
 #include "apps/referees/exact_referee.h"
+#include "apps/referees/separation_judge.h"
 #include "engine/query/overlap.h"
+#include "engine/query/separation.h"
 #include "shapes/any_shape.h"
 
 namespace vex {
@@ -121,6 +126,62 @@ TEST(KnownFailures, AreProvenByTheirCertificates) {
     const Outcome opposite = one.outcome == Outcome::overlap ? Outcome::disjoint : Outcome::overlap;
     EXPECT_FALSE(check_certificate(one.a, one.b, one.pose, opposite, certificate).is_proven) << one.id;
   }
+}
+
+// The value and its bounds, where the bodies are asked to be so far apart or so deep in each other.
+void expect_signed_distance(const KnownFailure& one, const Separation& answer) {
+  const double size = one.a.circumradius() + one.b.circumradius();
+  EXPECT_NEAR(answer.signed_distance, one.distance.value, 1e-12 * size);
+  EXPECT_LE(answer.lower, one.distance.value + one.distance.error);
+  EXPECT_GE(answer.upper, one.distance.value - one.distance.error);
+  EXPECT_LE(answer.upper - answer.lower, 1e-12 * (size + std::fabs(one.distance.value)));
+  const SeparationJudgement judgement = SeparationJudge(one.a, one.b).judge(one.pose, answer);
+  EXPECT_TRUE(judgement.is_right()) << judgement.faults.front();
+}
+
+TEST(KnownFailures, HaveTheirDistanceOrDepth) {
+  for (const KnownFailure& one : known_failures()) {
+    SCOPED_TRACE(one.id);
+    const Separation answer = signed_distance(one.a, one.b, one.pose);
+    expect_signed_distance(one, answer);
+    EXPECT_TRUE(answer.verdict.outcome == one.outcome ||
+                (answer.verdict.outcome == Outcome::undecided && one.may_be_undecided()));
+  }
+}
+
+TEST(KnownFailures, AgreeOnDistanceAndDepthWithTheBooleanQuery) {
+  for (const KnownFailure& one : known_failures()) {
+    SCOPED_TRACE(one.id);
+    const Outcome outcome = overlap(one.a, one.b, one.pose).outcome;
+    const Separation apart = distance(one.a, one.b, one.pose), deep = penetration_depth(one.a, one.b, one.pose);
+    EXPECT_EQ(apart.verdict.outcome, outcome);
+    EXPECT_EQ(deep.verdict.outcome, outcome);
+    if (outcome == Outcome::undecided) continue;
+    const Separation& answer = outcome == Outcome::disjoint ? apart : deep;
+    const Separation& none = outcome == Outcome::disjoint ? deep : apart;
+    expect_signed_distance(one, answer);
+    EXPECT_FALSE(none.has_witnesses);
+    EXPECT_EQ(none.signed_distance, 0.0);
+    EXPECT_TRUE(std::isinf(outcome == Outcome::disjoint ? none.upper : none.lower));
+  }
+}
+
+TEST(KnownFailures, KissingBoxesAreAsFarApartAsTheyWereMeantToBe) {
+  // fcl-495 in full: sides {.01, .25, .5, 10, 1000} and gaps {0, +-1e-16, +-2.5e-16, +-1e-15} times max(1, side).
+  std::map<double, std::set<double>> gaps_of_sides;
+  for (const KnownFailure& one : known_failures()) {
+    if (one.id.rfind("fcl-495 side=", 0) != 0) continue;
+    SCOPED_TRACE(one.id);
+    ASSERT_TRUE(one.nominal_distance);
+    const double side = 2.0 * one.a.support({1.0, 1.0, 1.0}).x;
+    gaps_of_sides[side].insert(*one.nominal_distance / std::max(1.0, side));
+    const Separation answer = signed_distance(one.a, one.b, one.pose);
+    EXPECT_NEAR(answer.signed_distance, *one.nominal_distance, 1e-12);
+    EXPECT_NEAR(answer.signed_distance, one.distance.value, 1e-12 * std::min(1.0, side));
+    EXPECT_GT(std::fabs(answer.normal.y), 1.0 - 1e-12) << "along the boxes' y axis";
+  }
+  EXPECT_EQ(gaps_of_sides.size(), 5u);
+  for (const auto& [side, gaps] : gaps_of_sides) EXPECT_EQ(gaps.size(), 7u) << side;
 }
 
 TEST(KnownFailures, HaveTheAnswersOfTheReferees) {
