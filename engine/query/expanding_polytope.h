@@ -66,6 +66,8 @@ struct PolytopeStore {
 template <class L, class Point, class Difference>
 class ExpandingPolytope {
  public:
+  using Corners = std::array<std::uint32_t, 3>;  // indices of points
+
   enum class End {
     converged,  // the bounds are as near as asked for
     stalled,    // rounding allows no larger hull
@@ -121,6 +123,18 @@ class ExpandingPolytope {
   }
   int n_support_calls() const { return n_support_calls_; }
 
+  /// The face through which the ray from the origin leaves a hull that holds it.
+  std::optional<Corners> face_along(const Vec3<L>& dir) const {
+    for (const Face& face : faces_) {
+      const Vec3<L>&p = at(face.corners[0]), &q = at(face.corners[1]), &r = at(face.corners[2]);
+      if (face.is_alive && dot(cross(p, q), dir) >= L(0.0) && dot(cross(q, r), dir) >= L(0.0) &&
+          dot(cross(r, p), dir) >= L(0.0)) {
+        return face.corners;
+      }
+    }
+    return std::nullopt;
+  }
+
   /// The foot of the origin on the nearest face, as a combination of its corners: `visit(weight, point)`.
   template <class Visit>
   void visit_foot(const Visit& visit) const {
@@ -148,7 +162,6 @@ class ExpandingPolytope {
   }
 
  private:
-  using Corners = std::array<std::uint32_t, 3>;
   using Face = detail::HullFace<L>;
   using FaceEdge = detail::FaceEdge;
 

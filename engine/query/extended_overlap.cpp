@@ -6,9 +6,9 @@
 #include <cmath>
 #include <span>
 
-#include "engine/query/expanding_hull.h"
+#include "engine/query/expanding_polytope.h"
 #include "engine/query/extended_difference.h"
-#include "engine/query/nearest_point.h"
+#include "engine/query/nearest_descent.h"
 #include "engine/query/overlap.h"
 #include "engine/query/portal_refinement.h"
 
@@ -40,11 +40,33 @@ std::array<Vec3e, kWeights.size()> inner_points(const ExtendedDifference& differ
 
 constexpr QueryError<Extended> kError{Extended(8.0), Extended(kExtendedError)};
 
-using Hull = ExpandingHull<Extended, ExtendedDifference>;
+// What the searches of distances take: A - B, point by point.
+struct Point {
+  Vec3e w;
+};
+class Points {
+ public:
+  explicit Points(const ExtendedDifference& difference) : difference_(difference) {}
+  Point support(const Vec3e& dir) const { return {difference_.support(dir)}; }
+
+ private:
+  const ExtendedDifference& difference_;
+};
+
+using Hull = ExpandingPolytope<Extended, Point, Points>;
+
+// Grows from a few directions of its own, until every face has the origin behind it by more than the points' error.
+bool goes_around_origin(Hull& hull) {
+  const auto as_soon_as_proven = [](const Extended& distance) {
+    return distance > Extended(4.0) * kError.support ? Extended(HUGE_VAL) : Extended(0.0);
+  };
+  return hull.run({}, as_soon_as_proven) == Hull::End::converged && hull.depth_lower() > Extended(0.0);
+}
 
 double distance_of_triangle(const Vec3e& v1, const Vec3e& v2, const Vec3e& v3) {
-  const std::array<Vec3e, 3> corners = {v1, v2, v3};
-  return norm(nearest_point<Extended>(corners).at).high;
+  NearestSimplex<Extended, Point> simplex;
+  for (const Vec3e& v : {v1, v2, v3}) simplex.add({v});
+  return norm(simplex.at()).high;
 }
 
 // What the searches of one query have found out, besides the difference's bound from below.
@@ -72,22 +94,24 @@ bool portal_overlaps(const ExtendedDifference& difference, int max_support_calls
 
 // The nearest point: of any difference, but no proof of an overlap.
 void descend_to_nearest(const ExtendedDifference& difference, int max_support_calls, Findings& findings) {
-  const Descent<Extended> found =
-      descend<Extended>(difference, extended(kDirections.front()), kError, max_support_calls);
+  using Descent = NearestDescent<Extended, Point>;
+  const auto nearest = [](const Extended&) { return Extended(0.0); };
+  const Descent found =
+      descend_to_origin<Extended, Point>(Points(difference), extended(kDirections.front()), {}, kError, nearest,
+                                         Extended(0.0), DescentGoal::separated, max_support_calls);
   findings.n_support_calls += found.n_support_calls;
-  findings.is_capped = found.end == Descent<Extended>::End::capped;
-  findings.limit_gap(norm(found.nearest).high);
+  findings.is_capped = found.end == Descent::End::capped;
+  findings.limit_gap(norm(found.simplex.at()).high);
 }
 
 bool hull_overlaps(const ExtendedDifference& difference, int max_support_calls, Findings& findings) {
-  Hull hull(difference, kError);
-  const Hull::End end = hull.run(max_support_calls);
-  findings.n_support_calls += static_cast<int>(hull.points().size());
-  findings.is_capped = end == Hull::End::capped;
-  if (end == Hull::End::overlap) return true;
-  hull.for_each_face(
-      [&](const Vec3e& p, const Vec3e& q, const Vec3e& r) { findings.limit_gap(distance_of_triangle(p, q, r)); });
-  return false;
+  const Points points(difference);
+  PolytopeStore<Extended, Point> store;
+  Hull hull(points, kError, max_support_calls, store);
+  const bool overlaps = goes_around_origin(hull);
+  findings.n_support_calls += hull.n_support_calls();
+  findings.is_capped = !overlaps && hull.n_support_calls() >= max_support_calls;
+  return overlaps;
 }
 
 // A gap that is known so well is contact, whatever kept a search going.
@@ -169,20 +193,22 @@ bool find_witnesses_by_hull(const LocalForms& forms, OverlapCertificate& certifi
   std::vector<ExtendedRecord> records;
   const ExtendedDifference difference(forms, &records);
   const Witnesses witnesses(records, certificate, is_proof);
-  Hull hull(difference, kError);
-  if (hull.run(kMaxSupportCalls) != Hull::End::overlap) return false;
+  const Points points(difference);
+  PolytopeStore<Extended, Point> store;
+  Hull hull(points, kError, kMaxSupportCalls, store);
+  if (!goes_around_origin(hull)) return false;
   std::vector<Vec3e> lines;
   for (const Vec3d& dir : kDirections) lines.push_back(extended(dir));
-  for (std::size_t k = 1; k < hull.points().size(); ++k) {
-    lines.push_back(hull.points()[k] + Extended(0.37) * hull.points()[k - 1]);
-    lines.push_back(hull.points()[k]);
+  for (std::size_t k = 1; k < store.points.size(); ++k) {
+    lines.push_back(store.points[k].w + Extended(0.37) * store.points[k - 1].w);
+    lines.push_back(store.points[k].w);
   }
   for (const Vec3e& line : lines) {
     const Vec3e dir = scaled_to_unit_exponent(line);
-    const std::optional<Hull::Triangle> front = hull.face_along(dir), back = hull.face_along(-dir);
+    const std::optional<Hull::Corners> front = hull.face_along(dir), back = hull.face_along(-dir);
     if (!front || !back) continue;
     std::vector<std::size_t> calls;  // a point of the hull and the record of its call have the same index
-    for (const Hull::Triangle& corners : {*front, *back}) {
+    for (const Hull::Corners& corners : {*front, *back}) {
       for (const std::size_t corner : corners) {
         if (std::ranges::find(calls, corner) == calls.end()) calls.push_back(corner);
       }
