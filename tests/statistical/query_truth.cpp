@@ -2,11 +2,10 @@
 // pairs of bodies of all kinds: a table, kind by kind, of the worst that was seen. Ends with 1 where any answer is
 // wrong, and says at which pose the first of them was.
 //   vex_query_truth [--pairs N] [--near N] [--aligned N] [--threads N] [--seed N] [KIND...]
-// Without options: 40000 poses anywhere, 10000 near contact, 1000 with the bodies' axes parallel, of every kind. A kind
-// is two bodies with a blank between, or one: "box:1,2,3 hull:20". Half an hour on two cores.
+// Without options: 100000 poses anywhere, 10000 near contact, 1000 with the bodies' axes parallel, of every kind. A
+// kind is two bodies with a blank between, or one: "box:1,2,3 hull:20". Half an hour on two cores.
 #include <atomic>
 #include <cstdlib>
-#include <cstring>
 #include <mutex>
 #include <random>
 #include <string>
@@ -21,7 +20,7 @@ namespace vex {
 namespace {
 
 struct Counts {
-  int n_pairs = 40000, n_near = 10000, n_aligned = 1000, n_threads = 2, seed = 1;
+  int n_pairs = 100000, n_near = 10000, n_aligned = 1000, n_threads = 2, seed = 1;
 };
 
 SeparationTally tally_of(const SeparationKind& kind, const Counts& counts) {
