@@ -8,6 +8,7 @@
 #include <optional>
 #include <random>
 
+#include "engine/numeric/rounding.h"
 #include "engine/query/overlap.h"
 #include "engine/query/separation.h"
 #include "shapes/any_shape.h"
@@ -164,6 +165,33 @@ TEST(CastRay, ThroughCornersEdgesAndMiddlesHits) {
     EXPECT_GE(found.upper, 1.5);
     EXPECT_LE(found.upper - found.lower, 1e-12);
   }
+}
+
+// Past an edge by some 2^-52: what is proven there must be right, and a few roundings off all is decided.
+TEST(CastRay, ThatNearlyMissesIsNotSaidToHitNorTheOtherWayRound) {
+  const ConvexBody box = Box(1.0, 2.0, 3.0);
+  std::mt19937_64 random(10);
+  int n_hits = 0, n_misses = 0, n_undecided = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const double off = std::ldexp(std::round(8.0 * (2.0 * random_in_unit_interval(random) - 1.0)), -54 + k % 10);
+    const double along = 0.5 * std::round(8.0 * random_in_unit_interval(random)) / 4.0 - 0.5;
+    // Past an edge along a face, or across the edge, with coordinates that are exact.
+    const Vec3d dir = k % 2 == 0 ? Vec3d{-1.0, 0.0, 0.0} : Vec3d{-1.0, 1.0, 0.0};
+    const Vec3d place = k % 2 == 0 ? Vec3d{0.5, 1.0 + off, along} : Vec3d{0.5 + off, 1.0, along};
+    const Vec3d origin = place - 2.0 * dir;
+    const bool hits = k % 2 == 0 ? origin.y <= 1.0 : origin.x + origin.y <= 1.5;
+    const FirstContact found = cast_ray(box, origin, dir);
+    if (found.verdict.outcome == Outcome::undecided) {
+      ++n_undecided;
+      EXPECT_LT(std::fabs(off), 1024.0 * kUnitRoundoff);
+      continue;
+    }
+    EXPECT_EQ(found.verdict.outcome == Outcome::overlap, hits);
+    ++(hits ? n_hits : n_misses);
+  }
+  EXPECT_GT(n_hits, 200);
+  EXPECT_GT(n_misses, 200);
+  EXPECT_GT(n_undecided, 200);
 }
 
 TEST(CastRay, HitsAFlatBodyFromOutside) {
