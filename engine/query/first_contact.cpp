@@ -5,6 +5,7 @@
 
 #include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
+#include "engine/query/exact_cast.h"
 #include "engine/query/overlap.h"
 #include "engine/query/ray_search.h"
 #include "engine/query/separation.h"
@@ -43,6 +44,30 @@ FirstContact contact_at_start(const ConvexBody& a, const ConvexBody& b, const Tr
   return {verdict, 0.0, 0.0, 0.0, found.normal, found.point_a, found.point_b, found.n_support_calls};
 }
 
+double between(double lower, double upper) {
+  return lower + 0.5 * (std::fmin(upper, std::numeric_limits<double>::max()) - lower);
+}
+
+// What the search left open.
+void decide_exactly(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Vec3d& motion,
+                    double latest, FirstContact& contact) {
+  const ExactCast exact = cast_exactly(a, b, a_from_b, motion, contact.lower, latest);
+  contact.n_support_calls += exact.n_support_calls;
+  if (!exact.is_hit) return;
+  contact.verdict = Verdict::overlap(DecidedBy::exact);
+  contact.lower = exact.lower;
+  contact.upper = exact.upper;
+  contact.time = between(contact.lower, contact.upper);
+  // As the bodies stand before they touch; or, where that is no more, as they do.
+  Transformd pose = a_from_b;
+  pose.translation = pose.translation + contact.lower * motion;
+  const Separation apart = signed_distance(a, b, pose);
+  contact.n_support_calls += apart.n_support_calls;
+  if (dot(apart.normal, motion) < 0.0) contact.normal = apart.normal;
+  contact.point_a = apart.point_a;
+  contact.point_b = apart.point_b;
+}
+
 }  // namespace
 
 FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Vec3d& motion) {
@@ -70,19 +95,22 @@ FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Transfo
   contact.lower = scaled_down(bounds.lower, exponent);
   const Vec3d normal = scaled_to_unit_exponent(search.normal());
   if (norm_1(normal) > 0.0) contact.normal = (1.0 / norm(normal)) * normal;
-  if (!(bounds.upper >= 0.0 && bounds.upper < HUGE_VAL)) {
-    contact.verdict = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);
-    contact.time = contact.lower;
-    contact.upper = HUGE_VAL;
+  if (bounds.upper >= 0.0 && bounds.upper < HUGE_VAL) {
+    contact.verdict = Verdict::overlap(DecidedBy::gjk);
+    contact.upper = scaled_up(bounds.upper, exponent);
+    contact.time = between(contact.lower, contact.upper);
+    const DifferencePoint met = search.contact();
+    contact.point_a = times_power_of_two(met.core_a, -search.exponent()) + a.ball_radius() * contact.normal;
+    contact.point_b =
+        (times_power_of_two(met.core_b, -search.exponent()) - b.ball_radius() * contact.normal) + contact.time * motion;
     return contact;
   }
-  contact.verdict = Verdict::overlap(DecidedBy::gjk);
-  contact.upper = scaled_up(bounds.upper, exponent);
-  contact.time = contact.lower + 0.5 * (std::fmin(contact.upper, std::numeric_limits<double>::max()) - contact.lower);
-  const DifferencePoint met = search.contact();
-  contact.point_a = times_power_of_two(met.core_a, -search.exponent()) + a.ball_radius() * contact.normal;
-  contact.point_b =
-      (times_power_of_two(met.core_b, -search.exponent()) - b.ball_radius() * contact.normal) + contact.time * motion;
+  contact.verdict = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);
+  contact.time = contact.lower;
+  contact.upper = HUGE_VAL;
+  if (at_start.outcome == Outcome::disjoint) {
+    decide_exactly(a, b, a_from_b, motion, scaled_up(bounds.latest, exponent), contact);
+  }
   return contact;
 }
 

@@ -39,7 +39,7 @@ RaySearch::RaySearch(const ConvexBody& a, const ConvexBody& b, const Transformd&
   along_ = (1.0 / norm(dir)) * dir;
   across_x_ = across(along_);
   across_y_ = cross(along_, across_x_);
-  latest_ = error_.reach / norm(dir) * (1.0 + gamma(8));
+  bounds_.latest = error_.reach / norm(dir) * (1.0 + gamma(8));
 }
 
 DifferencePoint RaySearch::support(const Vec3d& dir) {
@@ -65,9 +65,9 @@ DifferencePoint RaySearch::cut(const Vec3d& normal) {
       bounds_.lower = std::fmax(bounds_.lower, before);
     }
   } else if (along - rounding > 0.0) {
-    latest_ = std::fmin(latest_, height / (along - rounding) * (1.0 + gamma(4)));
+    bounds_.latest = std::fmin(bounds_.latest, height / (along - rounding) * (1.0 + gamma(4)));
   }
-  if (bounds_.lower > latest_) bounds_.is_miss = true;
+  if (bounds_.lower > bounds_.latest) bounds_.is_miss = true;
   return w;
 }
 

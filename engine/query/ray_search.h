@@ -25,6 +25,7 @@ struct DifferencePoint {
 struct RayBounds {
   double lower = 0.0, upper = HUGE_VAL;  // of its least t
   bool is_miss = false;                  // there is none from 0 on, proven
+  double latest = HUGE_VAL;              // no t is above it
 };
 
 /// One ray from the origin, of a direction whose largest coordinate is between 1 and 2, against K times a power of two.
@@ -79,7 +80,6 @@ class RaySearch {
   QueryError<double> error_;
   double shadow_error_;
   Vec3d across_x_, across_y_, along_;
-  double latest_;  // no point of K is behind it
   RayBounds bounds_;
   Vec3d normal_;
   Corners contact_{};

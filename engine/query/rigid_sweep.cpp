@@ -105,8 +105,8 @@ double RigidSweep::gap_during(const Vec3d& unit_normal, double from, double dura
     if (half == 0.0) break;
   }
   const double remainder = 0.5 * half * half * across * from_axis_ * kUp;
-  const double balls = (a_.ball_radius() + b_.ball_radius()) * kUp / (1.0 + 0x1p-41);
-  return least - balls * (1.0 + 8.0 * kUnitRoundoff) - remainder - support_error(until) * longest - pose_error(until);
+  const double balls = (a_.ball_radius() + b_.ball_radius()) * (1.0 + gamma(8));
+  return least - balls - remainder - support_error(until) * longest - pose_error(until);
 }
 
 // K holds the points of a tetrahedron about the origin, and with it the ball in the tetrahedron, a third as large.

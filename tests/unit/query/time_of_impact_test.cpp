@@ -81,6 +81,14 @@ TEST(RigidSweep, BoundsTheGapDuringTheWholeInterval) {
   EXPECT_GT(n_near, 0.8 * n_bounds) << "of second order in the duration";
 }
 
+TEST(RigidSweep, SeesBodiesMeetOnceTheyAreInEachOtherByMoreThanRounding) {
+  const ConvexBody cube = Box(1.0, 1.0, 1.0);
+  RigidSweep sweep(cube, cube, moved_to(0.0, 0.0, 1.0), {{0.0, 0.0, -1.0}, {0.0, 0.0, 1.0}});
+  EXPECT_FALSE(sweep.meets_at(0.0)) << "they touch";
+  EXPECT_FALSE(sweep.meets_at(16.0 * kUnitRoundoff));
+  EXPECT_TRUE(sweep.meets_at(1e-12));
+}
+
 // Turned about its middle at a height h above a face, the corner of a cube's section, at sqrt(1/2), comes down to it
 // when sin(angle + 45 degrees) sqrt(1/2) = h.
 TEST(TimeOfImpact, OfACubeThatTurnsOverAFaceIsThatOfItsCorner) {
