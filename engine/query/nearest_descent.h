@@ -26,7 +26,7 @@ struct NearestDescent {
   };
   End end = End::stalled;
   NearestSimplex<L, Point> simplex;
-  Vec3<L> normal;  // unit; the origin is `lower` in front of K along it, or more
+  Vec3<L> normal;  // unit, from the simplex' nearest point to the origin; where separated, it separates
   L lower{0.0};    // of the distance, rounding included; negative where nothing is known
   L upper{0.0};
   int n_support_calls = 0;
@@ -61,15 +61,12 @@ NearestDescent<L, Point> descend_to_origin(const Difference& difference, const V
       return result;
     }
     const Vec3<L> scaled = scaled_to_unit_exponent(result.simplex.normal());
-    const Vec3<L> normal = (L(-1.0) / norm(scaled)) * scaled;
-    const Point found = difference.support(normal);
+    result.normal = (L(-1.0) / norm(scaled)) * scaled;
+    const Point found = difference.support(result.normal);
     ++result.n_support_calls;
-    const L in_front = -dot(normal, found.w);
-    if (in_front - slack > result.lower) {
-      result.lower = in_front - slack;
-      result.normal = normal;
-    }
-    if (goal == DescentGoal::separated && result.lower > radius) {
+    const L in_front = -dot(result.normal, found.w);
+    result.lower = larger(result.lower, in_front - slack);
+    if (goal == DescentGoal::separated && in_front - slack > radius) {
       result.end = End::separated;
       return result;
     }

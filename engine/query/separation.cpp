@@ -274,7 +274,8 @@ Separation search_in_double(const DoubleQuery& query, const DifferenceZonotope* 
   result.has_witnesses = core.has_normal;
   if (warm_start == nullptr || !core.has_normal) return result;
   warm_start->dir = core.normal;
-  if (query.difference.has_rolling()) return result;
+  // The corners of a face make a bad start of the next hull: of bodies that overlap the direction is more use.
+  if (query.difference.has_rolling() || !(core.distance > 0.0)) return result;
   warm_start->n_points = core.n_points;
   for (int k = 0; k < core.n_points; ++k) {
     const std::size_t i = static_cast<std::size_t>(k);
