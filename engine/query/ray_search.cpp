@@ -11,6 +11,13 @@ namespace {
 // Of one line. On polytopes a search ends by itself; curved ones need some 20 to 40 rounds to come to rounding.
 constexpr int kMostTurns = 64, kMostPortals = 192;
 
+// Triangles are shrunk once a polytope of few faces would be done; by such ratios, each the square of the one before,
+// unless that fails often.
+constexpr int kRoundsOfPolytopes = 6, kMostFailures = 1;
+constexpr double kFirstRatio = 0.125, kLeastRatio = 0x1p-12;
+// Of a triangle, K being as large as 1: its square is next to rounding.
+constexpr double kLeastSize = 0x1p-25;
+
 // Off-centre rays about one that passes an edge of portals: how far, in errors of a shadow, to begin with; how much
 // farther each time; and how often.
 constexpr double kFirstOffset = 8.0, kOffsetGrowth = 8.0;
@@ -47,7 +54,8 @@ DifferencePoint RaySearch::support(const Vec3d& dir) {
   const Vec3d core_a = a_.core_support(dir);
   const Vec3d core_b = a_from_b_(b_.core_support(-a_from_b_.direction_to_b(dir)));
   const Vec3d at = core_a - core_b;
-  return {scale_ * (ball_radius_ > 0.0 ? at + ball_support(ball_radius_, dir) : at), scale_ * core_a, scale_ * core_b};
+  return {scale_ * (ball_radius_ > 0.0 ? at + ball_support(ball_radius_, dir) : at), scale_ * core_a, scale_ * core_b,
+          dir};
 }
 
 // The support point of a normal, and what its plane tells of the ray: n . x <= h of all points of K, so t n . dir <= h.
@@ -165,8 +173,44 @@ bool RaySearch::narrow(const Line& line, Corners& corners, const DifferencePoint
   return true;
 }
 
+// Of a smooth K the normal, scaled to one height along the ray, is nearly linear in the shadow: so support points can
+// be had near three places around the line, in a triangle `ratio` as large.
+std::optional<RaySearch::Corners> RaySearch::shrunk(const Line& line, const Corners& corners, double ratio) {
+  std::array<Shadow, 3> at;
+  std::array<Vec3d, 3> slope;
+  for (std::size_t k = 0; k < 3; ++k) {
+    at[k] = shadow(corners[k], line);
+    const double along = -dot(corners[k].dir, along_);
+    if (!(along > 0x1p-10 * norm_1(corners[k].dir))) return std::nullopt;
+    slope[k] = (1.0 / along) * corners[k].dir;
+  }
+  const Shadow side{at[1].x - at[0].x, at[1].y - at[0].y}, other{at[2].x - at[0].x, at[2].y - at[0].y};
+  const double area = turn(side, other);
+  double size = 0.0;
+  for (const Shadow& corner : at) size = std::fmax(size, std::hypot(corner.x, corner.y));
+  ratio = std::fmax(ratio, kLeastSize / size);
+  if (ratio > kFirstRatio) return std::nullopt;
+  Corners next;
+  for (std::size_t k = 0; k < 3; ++k) {
+    // A smaller copy, the line in its middle.
+    const std::size_t from = (k + 1) % 3, to = (k + 2) % 3;
+    const Shadow wanted{ratio * (2.0 * at[k].x - at[from].x - at[to].x),
+                        ratio * (2.0 * at[k].y - at[from].y - at[to].y)};
+    const Shadow offset{wanted.x - at[0].x, wanted.y - at[0].y};
+    const double of_1 = turn(offset, other) / area, of_2 = turn(side, offset) / area;
+    const Vec3d normal = ((1.0 - of_1 - of_2) * slope[0] + of_1 * slope[1]) + of_2 * slope[2];
+    next[k] = cut(scaled_to_unit_exponent(normal));
+    if (bounds_.is_miss) return std::nullopt;
+  }
+  const Shadow p = shadow(next[0], line), q = shadow(next[1], line), r = shadow(next[2], line);
+  if (!turns_beyond_doubt(p, q) || !turns_beyond_doubt(q, r) || !turns_beyond_doubt(r, p)) return std::nullopt;
+  return next;
+}
+
 std::optional<RaySearch::Corners> RaySearch::close_in(Line& line) {
   std::optional<Corners> corners = corners_around(line);
+  double ratio = kFirstRatio;
+  int n_failures = 0;
   for (int round = 0; corners && round < kMostPortals && !bounds_.is_miss; ++round) {
     const Corners& c = *corners;
     // Against the ray: the corners turn counter-clockwise seen along it.
@@ -175,10 +219,18 @@ std::optional<RaySearch::Corners> RaySearch::close_in(Line& line) {
     const DifferencePoint w = cut(normal);
     line.is_settled = bound_above(line, c, normal);
     const double least = std::fmin(dot(normal, c[0].at), std::fmin(dot(normal, c[1].at), dot(normal, c[2].at)));
-    if (!(dot(normal, w.at) - least > 0.25 * error_.support * norm_1(normal))) break;
+    if (!(dot(normal, w.at) - least > error_.support * norm_1(normal))) break;
     Corners next = c;
     if (!narrow(line, next, w)) break;
     corners = next;
+    if (round < kRoundsOfPolytopes || n_failures > kMostFailures) continue;
+    if (const std::optional<Corners> smaller = shrunk(line, next, ratio)) {
+      corners = smaller;
+      ratio = std::fmax(ratio * ratio, kLeastRatio);
+    } else {
+      ratio = std::fmin(std::sqrt(ratio), kFirstRatio);
+      ++n_failures;
+    }
   }
   return corners;
 }

@@ -16,9 +16,10 @@
 
 namespace vex {
 
-/// A point of K, in A's frame, and the points of the cores that it comes from; all times the search's power of two.
+/// A point of K, in A's frame, and the points of the cores that it comes from; all times the search's power of two. It
+/// is the farthest one along `dir`, which no proof asks for.
 struct DifferencePoint {
-  Vec3d at, core_a, core_b;
+  Vec3d at, core_a, core_b, dir;
 };
 
 /// What is known of {t : t dir in K}.
@@ -68,6 +69,7 @@ class RaySearch {
   std::optional<Corners> corners_around(const Line& line);
   bool bound_above(Line& line, const Corners& corners, const Vec3d& normal) const;
   bool narrow(const Line& line, Corners& corners, const DifferencePoint& w) const;
+  std::optional<Corners> shrunk(const Line& line, const Corners& corners, double ratio);
   std::optional<Corners> close_in(Line& line);
   double width_of_rounding() const;
 
