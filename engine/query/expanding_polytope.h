@@ -97,22 +97,28 @@ class ExpandingPolytope {
     while (true) {
       const std::optional<std::uint32_t> found = nearest_face();
       if (!found) return End::stalled;
-      const std::uint32_t nearest = *found;
-      nearest_ = nearest;
+      nearest_ = *found;
+      const L distance = faces_[nearest_].distance;
+      const Vec3<L> normal = unit(faces_[nearest_].normal);
+      const std::uint32_t added = add_support(normal);
+      const L height = dot(normal, at(added));
+      const bool is_converged = height - distance <= wanted(distance);
+      if (is_converged || !has_answer_ || height < answer_height_) {
+        has_answer_ = true;
+        answer_ = nearest_;
+        answer_normal_ = normal;
+        answer_height_ = height;
+      }
+      if (is_converged) return End::converged;
       if (static_cast<int>(points_.size()) >= max_support_calls_) return End::capped;
-      const L distance = faces_[nearest].distance;
-      face_normal_ = unit(faces_[nearest].normal);
-      const std::uint32_t added = add_support(face_normal_);
-      face_height_ = dot(face_normal_, at(added));
-      if (face_height_ - distance <= wanted(distance)) return End::converged;
-      if (!grow(nearest, added)) return End::stalled;
+      if (!grow(nearest_, added)) return End::stalled;
     }
   }
 
-  /// The direction, a unit vector, in which the surface is nearest, and how far K reaches in it, to rounding. Where K
-  /// is flat: across it.
-  const Vec3<L>& normal() const { return faces_.empty() ? normal_ : face_normal_; }
-  L height() const { return faces_.empty() ? height_ : face_height_; }
+  /// The normal, a unit vector, of the face along which K reaches least far of all that were nearest, and how far that
+  /// is, to rounding. Where K is flat: across it.
+  const Vec3<L>& normal() const { return has_answer_ ? answer_normal_ : normal_; }
+  L height() const { return has_answer_ ? answer_height_ : height_; }
   /// The depth is not above it, rounding included: the least that K reaches in any direction that was asked for.
   L depth_upper() const { return height_ + slack_; }
   /// The depth is not below it, rounding included; negative where nothing is known.
@@ -135,10 +141,10 @@ class ExpandingPolytope {
     return std::nullopt;
   }
 
-  /// The foot of the origin on the nearest face, as a combination of its corners: `visit(weight, point)`.
+  /// The foot of the origin on that face, as a combination of its corners: `visit(weight, point)`.
   template <class Visit>
   void visit_foot(const Visit& visit) const {
-    std::uint32_t at = nearest_;
+    std::uint32_t at = answer_;
     // Faces in one plane share a foot: it is in one of them, a few steps away.
     for (std::size_t step = 0; step < faces_.size(); ++step) {
       const std::array<L, 3> weights = foot_weights(faces_[at]);
@@ -147,25 +153,20 @@ class ExpandingPolytope {
         if (weights[k] < weights[least]) least = k;
       }
       const std::uint32_t next = faces_[at].across[(least + 1) % 3].face;  // from that corner
-      const bool is_inside = !(weights[least] < L(0.0));
-      const bool is_coplanar = faces_[next].distance - faces_[nearest_].distance <= L(4.0) * coplanar_ + gap();
-      if (is_inside || step + 1 == faces_.size() || !is_coplanar) {
-        L sum(0.0);
-        for (const L& w : weights) sum = sum + larger(w, L(0.0));
-        for (std::size_t k = 0; k < 3; ++k) {
-          visit(larger(weights[k], L(0.0)) / sum, points_[faces_[at].corners[k]]);
-        }
-        return;
-      }
+      const bool is_coplanar = faces_[next].distance - faces_[answer_].distance <= L(4.0) * coplanar_ + gap();
+      if (!(weights[least] < L(0.0)) || !is_coplanar) break;
       at = next;
     }
+    NearestSimplex<L, Point> nearest;
+    for (const std::uint32_t corner : faces_[at].corners) nearest.add(points_[corner]);
+    for (int k = 0; k < nearest.size(); ++k) visit(nearest.weight(k), nearest.point(k));
   }
 
  private:
   using Face = detail::HullFace<L>;
   using FaceEdge = detail::FaceEdge;
 
-  L gap() const { return larger(face_height_ - faces_[nearest_].distance, L(0.0)); }
+  L gap() const { return larger(answer_height_ - faces_[answer_].distance, L(0.0)); }
 
   // Also keeps the least height.
   std::uint32_t add_support(const Vec3<L>& dir) {
@@ -262,7 +263,8 @@ class ExpandingPolytope {
   bool has_volume(std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) const {
     const detail::Face<L> face = detail::face_of(at(i), at(j), at(k));
     const L volume = absolute(dot(face.normal, at(l) - at(i)));
-    return volume > L(16.0) * slack_ * face.edge_product && norm_1(face.normal) > L(0x1p-20) * face.edge_product;
+    return volume > L(16.0) * slack_ * face.edge_product &&
+           norm_1(face.normal) > L(0x1p33 * unit_roundoff<L>()) * face.edge_product;
   }
 
   void make_tetrahedron(std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) {
@@ -307,9 +309,11 @@ class ExpandingPolytope {
     const L product = omits_e ? square_f * square_g : omits_f ? square_e * square_g : square_e * square_f;
     L square = dot(face.normal, face.normal);
     // All but a segment, whose normal would be noise: the direction of its nearest point will do, as any would.
-    const bool is_sliver = !(square > L(0x1p-52) * product);
+    const L thinnest_sq(0x1p54 * (unit_roundoff<L>() * unit_roundoff<L>()));
+    const bool is_sliver = !(square > thinnest_sq * product);
     if (is_sliver) {
-      face.normal = unit(nearest_on_longest_edge(p, q, r));
+      const Vec3<L> nearest = nearest_on_longest_edge(p, q, r);
+      face.normal = norm_1(nearest) > L(0.0) ? unit(nearest) : least_axis(e);
       square = L(1.0);
     }
     const L of_p = dot(face.normal, p), of_q = dot(face.normal, q), of_r = dot(face.normal, r);
@@ -476,9 +480,10 @@ class ExpandingPolytope {
   L slack_, coplanar_;
   int max_support_calls_;
   int n_support_calls_ = 0;
-  std::uint32_t nearest_ = 0, last_mark_ = 0;
-  Vec3<L> normal_, face_normal_;
-  L height_{0.0}, face_height_{0.0};
+  std::uint32_t nearest_ = 0, answer_ = 0, last_mark_ = 0;
+  bool has_answer_ = false;
+  Vec3<L> normal_, answer_normal_;
+  L height_{0.0}, answer_height_{0.0};
 };
 
 }  // namespace vex

@@ -100,6 +100,7 @@ struct CoreSeparation {
   std::array<Point, 4> points{};
   std::array<L, 4> weights{};
   bool has_normal = false;
+  bool is_capped = false;  // more support calls would bring the bounds nearer
 
   void add(const L& weight, const Point& point) {
     points[static_cast<std::size_t>(n_points)] = point;
@@ -136,7 +137,11 @@ CoreSeparation<L, Point> search(const Difference& difference, const Vec3<L>& fir
   CoreSeparation<L, Point> result;
   result.lower = descent.lower;
   result.upper = descent.upper;
-  if (descent.end != Descent::End::around_origin && descent.end != Descent::End::touching) {
+  result.is_capped = descent.end == Descent::End::capped;
+  // A descent that ends so near to the origin that no direction separates is one that touches.
+  const bool meets = descent.end == Descent::End::around_origin || descent.end == Descent::End::touching ||
+                     (descent.end == Descent::End::stalled && !(descent.lower > L(0.0)));
+  if (!meets) {
     result.normal = descent.normal;
     result.has_normal = result.lower > -error.reach;
     result.distance = square_root(descent.simplex.square());
@@ -152,6 +157,7 @@ CoreSeparation<L, Point> search(const Difference& difference, const Vec3<L>& fir
   const typename Polytope::End end =
       polytope.run(descent.simplex, [&wanted](const L& depth) { return wanted(-depth); });
   n_support_calls += polytope.n_support_calls();
+  result.is_capped = end == Polytope::End::capped;
   result.normal = polytope.normal();
   result.has_normal = true;
   result.distance = -polytope.height();
@@ -243,7 +249,8 @@ bool answer_without_search(const DoubleQuery& query, const DifferenceZonotope& z
   return true;
 }
 
-Separation search_in_double(const DoubleQuery& query, const DifferenceZonotope* zonotope, WarmStart* warm_start) {
+Separation search_in_double(const DoubleQuery& query, const DifferenceZonotope* zonotope, WarmStart* warm_start,
+                            bool& is_capped) {
   using Core = CoreSeparation<double, CoreDifference::Point>;
   const bool is_warm = warm_start != nullptr && norm_1(warm_start->dir) > 0.0;
   Vec3d first_dir = is_warm ? warm_start->dir : query.difference.between_centres();
@@ -258,6 +265,7 @@ Separation search_in_double(const DoubleQuery& query, const DifferenceZonotope* 
   const Core core =
       search<double, CoreDifference::Point>(query.difference, first_dir, warm_simplex(query.difference, warm_start),
                                             query.error, query.settings, depth_of_faces, result.n_support_calls);
+  is_capped = core.is_capped;
   if (warm_start != nullptr) *warm_start = {};
   if (deepest) {
     query.take(*deepest, result);
@@ -336,16 +344,17 @@ void conclude(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from
     result = {};
     result.verdict = verdict;
     result.n_support_calls = n_support_calls;
-    (meets ? result.lower : result.upper) = meets ? -kInfinity : kInfinity;
+    (meets ? result.upper : result.lower) = 0.0;
     return;
   }
   result.signed_distance = std::clamp(result.signed_distance, result.lower, result.upper);
 }
 
-bool is_settled(const Separation& found, Goal goal, double wanted) {
+// Twice the precision is of no use where it is calls that ended a search.
+bool is_settled(const Separation& found, Goal goal, double wanted, bool is_capped) {
   if (goal == Goal::depth && found.lower > 0.0) return true;
   if (goal == Goal::distance && found.upper < 0.0) return true;
-  return (found.lower > 0.0 || found.upper < 0.0) && found.upper - found.lower <= wanted;
+  return (found.lower > 0.0 || found.upper < 0.0) && (is_capped || found.upper - found.lower <= wanted);
 }
 
 constexpr double kLeastReach = 0x1p-150, kLargestReach = 0x1p150;
@@ -356,6 +365,7 @@ Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd
   const bool is_exact = a.is_rounded_polytope() && b.is_rounded_polytope();
   const double relative_gap = std::max(settings.relative_gap, is_exact ? 0x1p-40 : 2.0 * kCurvedGap);
   Separation result;
+  bool is_capped = false;
   const auto wanted = [&](const Separation& found) {
     return relative_gap * (std::fabs(found.signed_distance) + (a.circumradius() + b.circumradius()));
   };
@@ -363,11 +373,13 @@ Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd
   if (query.error.reach > kLeastReach && query.error.reach < kLargestReach) {
     if (a.generators() && b.generators()) {
       const DifferenceZonotope zonotope(*a.generators(), *b.generators(), a_from_b);
-      if (!answer_without_search(query, zonotope, result)) result = search_in_double(query, &zonotope, warm_start);
+      if (!answer_without_search(query, zonotope, result)) {
+        result = search_in_double(query, &zonotope, warm_start, is_capped);
+      }
     } else {
-      result = search_in_double(query, nullptr, warm_start);
+      result = search_in_double(query, nullptr, warm_start, is_capped);
     }
-    if (is_settled(result, goal, wanted(result))) {
+    if (is_settled(result, goal, wanted(result), is_capped)) {
       conclude(a, b, a_from_b, goal, DecidedBy::gjk, result);
       return result;
     }

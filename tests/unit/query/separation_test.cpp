@@ -9,6 +9,7 @@
 #include <numbers>
 #include <random>
 
+#include "engine/support/combinators.h"
 #include "shapes/any_shape.h"
 #include "shapes/polytope.h"
 #include "tests/referees/random_poses.h"
@@ -120,7 +121,10 @@ TEST(Separation, OfEllipsoidsAlongTheirAxes) {
 
 TEST(Separation, OfFlatBodiesThatMeetIsZero) {
   expect(signed_distance(body("plate:1,1"), body("plate:1,1"), at(0.25, 0.25, 0)), 0.0, 1e-15);
-  expect(signed_distance(body("disc:1"), body("disc:1"), at(0.25, 0.25, 0)), 0.0, 1e-15);
+  const Separation discs = signed_distance(body("disc:1"), body("disc:1"), at(0.25, 0.25, 0));
+  EXPECT_EQ(discs.verdict.outcome, Outcome::undecided);
+  EXPECT_NEAR(discs.upper, 0.0, 1e-15);
+  EXPECT_NEAR(discs.lower, 0.0, 1e-15);
   expect(signed_distance(body("needle:2"), body("needle:2"), at(0, 0, 0.5)), 0.0, 1e-15);
   expect(signed_distance(body("needle:2"), body("plate:1,1"), at(0, 0, 0.75)), -0.25, 1e-15);
 }
