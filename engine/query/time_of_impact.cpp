@@ -46,7 +46,7 @@ class Advancement {
         contact_.point_a = apart.point_a;
         contact_.point_b = apart.point_b;
       }
-      if (finds_contact(apart.normal)) return found();
+      if (finds_contact(apart)) return found();
       if (!(time_ < until_)) return undecided(UndecidedReason::rounding);
     }
     return undecided(UndecidedReason::iteration_cap);
@@ -97,21 +97,23 @@ class Advancement {
   }
 
   // In which the bodies come to be in each other by some roundings, enough for double precision to see it, if they go
-  // on as they do at first.
-  double first_step(const Vec3d& normal) {
+  // on as they do at first and are as far apart as they may be.
+  double first_step(const Vec3d& normal, double most_apart) {
     const double most_speed = norm_1(normal) > 0.0 ? sweep_.most_speed(normal) : 0.0;
     if (!(most_speed > 0.0)) return 0.0;
     const double a_moment = 0x1p-16 * size_ / most_speed;
     const double speed =
         (sweep_.gap_during(normal, time_, 0.0) - sweep_.gap_during(normal, time_ + a_moment, 0.0)) / a_moment;
-    return 16.0 * sweep_.rounding_at(time_) / std::fmax(speed, 0x1p-10 * most_speed);
+    return (16.0 * sweep_.rounding_at(time_) + most_apart) / std::fmax(speed, 0x1p-10 * most_speed);
   }
 
   // A time of contact, proven, as little after this one as doubling finds it. Where the bodies are seen to be apart
   // again first, the motion goes on from there.
-  bool finds_contact(const Vec3d& normal) {
+  bool finds_contact(const Separation& apart) {
+    const Vec3d& normal = apart.normal;
+    const double most_apart = apart.has_witnesses ? std::fmax(apart.upper, 0.0) : 0.0;
     const double remaining = until_ - time_;
-    double step = std::fmax(first_step(normal), 0x1p-50 * std::fmax(time_, 0x1p-10 * until_));
+    double step = std::fmax(first_step(normal, most_apart), 0x1p-50 * std::fmax(time_, 0x1p-10 * until_));
     double before = 0.0;
     for (int k = 0; k < kMostDoublings; ++k, before = step, step *= 2.0) {
       step = std::fmin(step, remaining);
