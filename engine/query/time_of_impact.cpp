@@ -4,6 +4,7 @@
 #include "engine/numeric/rounding.h"
 #include "engine/query/first_contact.h"
 #include "engine/query/overlap.h"
+#include "engine/query/ray_search.h"
 #include "engine/query/rigid_sweep.h"
 #include "engine/query/separation.h"
 
@@ -31,7 +32,7 @@ class Advancement {
       const double last = std::fmin(1.0, last_gap_ / size_);
       Separation apart = separation_at(time_, 0x1p-7 * last * last);
       // Nearer than was thought: nothing is said of a gap before it is known as well as it can be.
-      if (!(apart.lower > 0.5 * apart.upper)) apart = separation_at(time_, 0.0);
+      if (!(apart.lower > 0.5 * apart.upper)) look_closer(apart);
       const double gap = apart.has_witnesses ? sweep_.gap_during(apart.normal, time_, 0.0) : 0.0;
       last_gap_ = std::fmax(gap, 0.0);
       if (gap > sweep_.rounding_at(time_)) {
@@ -59,6 +60,24 @@ class Advancement {
     const Separation found = distance(a_, b_, sweep_.pose(time), settings, &warm_start_);
     n_support_calls_ += found.n_support_calls;
     return found;
+  }
+
+  // Of bodies that nearly touch: B cast straight at A, which finds their planes of contact to rounding.
+  void look_closer(Separation& apart) {
+    if (!apart.has_witnesses || apart.verdict.outcome != Outcome::disjoint) return;
+    const Vec3d dir = -scaled_to_unit_exponent(apart.normal);
+    RaySearch search(a_, b_, sweep_.pose(time_), dir);
+    const RayBounds bounds = search.run(apart.normal, true);
+    n_support_calls_ += search.n_support_calls();
+    const RaySearch::Touch touch = search.touch();
+    if (bounds.is_miss || !(bounds.upper < HUGE_VAL) || !(norm_1(touch.normal) > 0.0)) {
+      apart = separation_at(time_, 0.0);
+      return;
+    }
+    apart.normal = touch.normal;
+    apart.point_a = touch.point_a;
+    apart.point_b = touch.point_b;
+    apart.upper = std::fmin(apart.upper, std::ldexp(bounds.upper, -search.exponent()) * norm(dir));
   }
 
   // The longest time, nearly, in which the bodies are proven to stay apart along the normal: a secant search for where
