@@ -1,4 +1,5 @@
 #include <cmath>
+#include <optional>
 
 #include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
@@ -16,10 +17,22 @@ constexpr int kMostAdvances = 1 << 14;
 // Trials of the length of one advance; of how late there is contact; and of how early once it is found.
 constexpr int kMostTrials = 10, kMostDoublings = 64, kMostHalvings = 2;
 
+// Distances of polytopes and balls come to an end by themselves; small ones of curved bodies are dear.
+bool is_curved(const ConvexBody& body) {
+  const std::optional<ExactForm> form = body.exact_form();
+  return !form || !form->is_rounded_polytope();
+}
+// Of the circumradii: nearer than this the normal has hardly turned since the last gap was measured.
+constexpr double kNearGap = 0x1p-12;
+
 class Advancement {
  public:
   Advancement(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion)
-      : a_(a), b_(b), sweep_(a, b, a_from_b, motion), size_(a.circumradius() + b.circumradius()) {}
+      : a_(a),
+        b_(b),
+        sweep_(a, b, a_from_b, motion),
+        size_(a.circumradius() + b.circumradius()),
+        is_curved_(is_curved(a) || is_curved(b)) {}
 
   FirstContact run() {
     const RigidSweep::Window window = sweep_.window();
@@ -28,13 +41,10 @@ class Advancement {
     until_ = window.to;
     for (int n_advances = 0; n_advances < kMostAdvances; ++n_advances) {
       if (time_ >= until_) return touched_ ? undecided(UndecidedReason::rounding) : nothing();
-      // Gaps shrink as the squares of those before them; so much of the next one is left open.
-      const double last = std::fmin(1.0, last_gap_ / size_);
-      Separation apart = separation_at(time_, 0x1p-7 * last * last);
-      // Nearer than was thought: nothing is said of a gap before it is known as well as it can be.
-      if (!(apart.lower > 0.5 * apart.upper)) look_closer(apart);
+      const Separation apart = separation_now();
       const double gap = apart.has_witnesses ? sweep_.gap_during(apart.normal, time_, 0.0) : 0.0;
       last_gap_ = std::fmax(gap, 0.0);
+      last_normal_ = apart.normal;
       if (gap > sweep_.rounding_at(time_)) {
         time_ += longest_advance(apart.normal, gap);
         continue;
@@ -60,6 +70,24 @@ class Advancement {
     const Separation found = distance(a_, b_, sweep_.pose(time), settings, &warm_start_);
     n_support_calls_ += found.n_support_calls;
     return found;
+  }
+
+  Separation separation_now() {
+    if (is_curved_ && last_gap_ < kNearGap * size_ && norm_1(last_normal_) > 0.0) {
+      Separation apart;
+      apart.verdict = Verdict::disjoint(DecidedBy::gjk);
+      apart.has_witnesses = true;
+      apart.normal = last_normal_;
+      apart.upper = HUGE_VAL;
+      look_closer(apart);
+      return apart;
+    }
+    // Gaps shrink as the squares of those before them; so much of the next one is left open.
+    const double last = std::fmin(1.0, last_gap_ / size_);
+    Separation apart = separation_at(time_, 0x1p-7 * last * last);
+    // Nearer than was thought: nothing is said of a gap before it is known as well as it can be.
+    if (!(apart.lower > 0.5 * apart.upper)) look_closer(apart);
+    return apart;
   }
 
   // Of bodies that nearly touch: B cast straight at A, which finds their planes of contact to rounding.
@@ -182,8 +210,10 @@ class Advancement {
   const ConvexBody& b_;
   RigidSweep sweep_;
   double size_;
+  bool is_curved_;
   double time_ = 0.0, until_ = 0.0;
   double last_gap_ = HUGE_VAL;
+  Vec3d last_normal_;
   bool touched_ = false;
   FirstContact contact_;
   WarmStart warm_start_;
