@@ -93,16 +93,14 @@ FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Transfo
   FirstContact contact;
   contact.n_support_calls = n_support_calls;
   contact.lower = scaled_down(bounds.lower, exponent);
-  const Vec3d normal = scaled_to_unit_exponent(search.normal());
-  if (norm_1(normal) > 0.0) contact.normal = (1.0 / norm(normal)) * normal;
+  const RaySearch::Touch touch = search.touch();
+  contact.normal = touch.normal;
   if (bounds.upper >= 0.0 && bounds.upper < HUGE_VAL) {
     contact.verdict = Verdict::overlap(DecidedBy::gjk);
     contact.upper = scaled_up(bounds.upper, exponent);
     contact.time = between(contact.lower, contact.upper);
-    const DifferencePoint met = search.contact();
-    contact.point_a = times_power_of_two(met.core_a, -search.exponent()) + a.ball_radius() * contact.normal;
-    contact.point_b =
-        (times_power_of_two(met.core_b, -search.exponent()) - b.ball_radius() * contact.normal) + contact.time * motion;
+    contact.point_a = touch.point_a;
+    contact.point_b = touch.point_b + contact.time * motion;
     return contact;
   }
   contact.verdict = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);

@@ -278,14 +278,18 @@ RayBounds RaySearch::run(const Vec3d& separating_dir, bool is_apart_at_start) {
   return bounds_;
 }
 
-DifferencePoint RaySearch::contact() const {
-  DifferencePoint mean;
+RaySearch::Touch RaySearch::touch() const {
+  Touch touch;
+  const Vec3d normal = scaled_to_unit_exponent(normal_);
+  if (norm_1(normal) > 0.0) touch.normal = (1.0 / norm(normal)) * normal;
+  Vec3d of_a, of_b;
   for (std::size_t k = 0; k < 3; ++k) {
-    mean.at = mean.at + weights_[k] * contact_[k].at;
-    mean.core_a = mean.core_a + weights_[k] * contact_[k].core_a;
-    mean.core_b = mean.core_b + weights_[k] * contact_[k].core_b;
+    of_a = of_a + weights_[k] * contact_[k].core_a;
+    of_b = of_b + weights_[k] * contact_[k].core_b;
   }
-  return mean;
+  touch.point_a = times_power_of_two(of_a, -exponent_) + a_.ball_radius() * touch.normal;
+  touch.point_b = times_power_of_two(of_b, -exponent_) - b_.ball_radius() * touch.normal;
+  return touch;
 }
 
 }  // namespace vex

@@ -37,10 +37,12 @@ class RaySearch {
   /// Closes in as far as rounding allows. `separating_dir`: one that is known to separate the bodies, or zero.
   RayBounds run(const Vec3d& separating_dir, bool is_apart_at_start);
 
-  /// Of the plane that proved `lower`; of any length.
-  const Vec3d& normal() const { return normal_; }
-  /// The points of the cores that meet at the end, each where it is at the start of the motion.
-  DifferencePoint contact() const;
+  /// Where the bodies meet first: a unit normal, that of the plane that proved `lower`, or zero; and the points of A
+  /// and of B that meet there, each where it is at the start of the motion.
+  struct Touch {
+    Vec3d normal, point_a, point_b;
+  };
+  Touch touch() const;
 
   /// K is multiplied by 2^exponent().
   int exponent() const { return exponent_; }

@@ -1,9 +1,11 @@
 #include <cmath>
+#include <optional>
 
 #include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
 #include "engine/query/first_contact.h"
 #include "engine/query/overlap.h"
+#include "engine/query/ray_search.h"
 #include "engine/query/rigid_sweep.h"
 #include "engine/query/separation.h"
 
@@ -15,10 +17,22 @@ constexpr int kMostAdvances = 1 << 14;
 // Trials of the length of one advance; of how late there is contact; and of how early once it is found.
 constexpr int kMostTrials = 10, kMostDoublings = 64, kMostHalvings = 2;
 
+// Distances of polytopes and balls come to an end by themselves; small ones of curved bodies are dear.
+bool is_curved(const ConvexBody& body) {
+  const std::optional<ExactForm> form = body.exact_form();
+  return !form || !form->is_rounded_polytope();
+}
+// Of the circumradii: nearer than this the normal has hardly turned since the last gap was measured.
+constexpr double kNearGap = 0x1p-12;
+
 class Advancement {
  public:
   Advancement(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion)
-      : a_(a), b_(b), sweep_(a, b, a_from_b, motion), size_(a.circumradius() + b.circumradius()) {}
+      : a_(a),
+        b_(b),
+        sweep_(a, b, a_from_b, motion),
+        size_(a.circumradius() + b.circumradius()),
+        is_curved_(is_curved(a) || is_curved(b)) {}
 
   FirstContact run() {
     const RigidSweep::Window window = sweep_.window();
@@ -27,13 +41,10 @@ class Advancement {
     until_ = window.to;
     for (int n_advances = 0; n_advances < kMostAdvances; ++n_advances) {
       if (time_ >= until_) return touched_ ? undecided(UndecidedReason::rounding) : nothing();
-      // Gaps shrink as the squares of those before them; so much of the next one is left open.
-      const double last = std::fmin(1.0, last_gap_ / size_);
-      Separation apart = separation_at(time_, 0x1p-7 * last * last);
-      // Nearer than was thought: nothing is said of a gap before it is known as well as it can be.
-      if (!(apart.lower > 0.5 * apart.upper)) apart = separation_at(time_, 0.0);
+      const Separation apart = separation_now();
       const double gap = apart.has_witnesses ? sweep_.gap_during(apart.normal, time_, 0.0) : 0.0;
       last_gap_ = std::fmax(gap, 0.0);
+      last_normal_ = apart.normal;
       if (gap > sweep_.rounding_at(time_)) {
         time_ += longest_advance(apart.normal, gap);
         continue;
@@ -46,7 +57,7 @@ class Advancement {
         contact_.point_a = apart.point_a;
         contact_.point_b = apart.point_b;
       }
-      if (finds_contact(apart.normal)) return found();
+      if (finds_contact(apart)) return found();
       if (!(time_ < until_)) return undecided(UndecidedReason::rounding);
     }
     return undecided(UndecidedReason::iteration_cap);
@@ -59,6 +70,42 @@ class Advancement {
     const Separation found = distance(a_, b_, sweep_.pose(time), settings, &warm_start_);
     n_support_calls_ += found.n_support_calls;
     return found;
+  }
+
+  Separation separation_now() {
+    if (is_curved_ && last_gap_ < kNearGap * size_ && norm_1(last_normal_) > 0.0) {
+      Separation apart;
+      apart.verdict = Verdict::disjoint(DecidedBy::gjk);
+      apart.has_witnesses = true;
+      apart.normal = last_normal_;
+      apart.upper = HUGE_VAL;
+      look_closer(apart);
+      return apart;
+    }
+    // Gaps shrink as the squares of those before them; so much of the next one is left open.
+    const double last = std::fmin(1.0, last_gap_ / size_);
+    Separation apart = separation_at(time_, 0x1p-7 * last * last);
+    // Nearer than was thought: nothing is said of a gap before it is known as well as it can be.
+    if (!(apart.lower > 0.5 * apart.upper)) look_closer(apart);
+    return apart;
+  }
+
+  // Of bodies that nearly touch: B cast straight at A, which finds their planes of contact to rounding.
+  void look_closer(Separation& apart) {
+    if (!apart.has_witnesses || apart.verdict.outcome != Outcome::disjoint) return;
+    const Vec3d dir = -scaled_to_unit_exponent(apart.normal);
+    RaySearch search(a_, b_, sweep_.pose(time_), dir);
+    const RayBounds bounds = search.run(apart.normal, true);
+    n_support_calls_ += search.n_support_calls();
+    const RaySearch::Touch touch = search.touch();
+    if (bounds.is_miss || !(bounds.upper < HUGE_VAL) || !(norm_1(touch.normal) > 0.0)) {
+      apart = separation_at(time_, 0.0);
+      return;
+    }
+    apart.normal = touch.normal;
+    apart.point_a = touch.point_a;
+    apart.point_b = touch.point_b;
+    apart.upper = std::fmin(apart.upper, std::ldexp(bounds.upper, -search.exponent()) * norm(dir));
   }
 
   // The longest time, nearly, in which the bodies are proven to stay apart along the normal: a secant search for where
@@ -97,21 +144,23 @@ class Advancement {
   }
 
   // In which the bodies come to be in each other by some roundings, enough for double precision to see it, if they go
-  // on as they do at first.
-  double first_step(const Vec3d& normal) {
+  // on as they do at first and are as far apart as they may be.
+  double first_step(const Vec3d& normal, double most_apart) {
     const double most_speed = norm_1(normal) > 0.0 ? sweep_.most_speed(normal) : 0.0;
     if (!(most_speed > 0.0)) return 0.0;
     const double a_moment = 0x1p-16 * size_ / most_speed;
     const double speed =
         (sweep_.gap_during(normal, time_, 0.0) - sweep_.gap_during(normal, time_ + a_moment, 0.0)) / a_moment;
-    return 16.0 * sweep_.rounding_at(time_) / std::fmax(speed, 0x1p-10 * most_speed);
+    return (16.0 * sweep_.rounding_at(time_) + most_apart) / std::fmax(speed, 0x1p-10 * most_speed);
   }
 
   // A time of contact, proven, as little after this one as doubling finds it. Where the bodies are seen to be apart
   // again first, the motion goes on from there.
-  bool finds_contact(const Vec3d& normal) {
+  bool finds_contact(const Separation& apart) {
+    const Vec3d& normal = apart.normal;
+    const double most_apart = apart.has_witnesses ? std::fmax(apart.upper, 0.0) : 0.0;
     const double remaining = until_ - time_;
-    double step = std::fmax(first_step(normal), 0x1p-50 * std::fmax(time_, 0x1p-10 * until_));
+    double step = std::fmax(first_step(normal, most_apart), 0x1p-50 * std::fmax(time_, 0x1p-10 * until_));
     double before = 0.0;
     for (int k = 0; k < kMostDoublings; ++k, before = step, step *= 2.0) {
       step = std::fmin(step, remaining);
@@ -161,8 +210,10 @@ class Advancement {
   const ConvexBody& b_;
   RigidSweep sweep_;
   double size_;
+  bool is_curved_;
   double time_ = 0.0, until_ = 0.0;
   double last_gap_ = HUGE_VAL;
+  Vec3d last_normal_;
   bool touched_ = false;
   FirstContact contact_;
   WarmStart warm_start_;
