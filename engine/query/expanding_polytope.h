@@ -102,23 +102,22 @@ class ExpandingPolytope {
       const Vec3<L> normal = unit(faces_[nearest_].normal);
       const std::uint32_t added = add_support(normal);
       const L height = dot(normal, at(added));
-      const bool is_converged = height - distance <= wanted(distance);
-      if (is_converged || !has_answer_ || height < answer_height_) {
-        has_answer_ = true;
-        answer_ = nearest_;
-        answer_normal_ = normal;
+      if (height - distance <= wanted(distance)) {
+        is_of_face_ = true;
+        normal_ = normal;
         answer_height_ = height;
+        return End::converged;
       }
-      if (is_converged) return End::converged;
+      if (height_ - distance <= wanted(distance)) return End::converged;
       if (static_cast<int>(points_.size()) >= max_support_calls_) return End::capped;
       if (!grow(nearest_, added)) return End::stalled;
     }
   }
 
-  /// The normal, a unit vector, of the face along which K reaches least far of all that were nearest, and how far that
-  /// is, to rounding. Where K is flat: across it.
-  const Vec3<L>& normal() const { return has_answer_ ? answer_normal_ : normal_; }
-  L height() const { return has_answer_ ? answer_height_ : height_; }
+  /// The unit vector along which K reaches least far of all that were asked for, or that of the nearest face if that is
+  /// as near as asked for; and how far it reaches, to rounding. Where K is flat: across it.
+  const Vec3<L>& normal() const { return normal_; }
+  L height() const { return is_of_face_ ? answer_height_ : height_; }
   /// The depth is not above it, rounding included: the least that K reaches in any direction that was asked for.
   L depth_upper() const { return height_ + slack_; }
   /// The depth is not below it, rounding included; negative where nothing is known.
@@ -129,44 +128,53 @@ class ExpandingPolytope {
   }
   int n_support_calls() const { return n_support_calls_; }
 
-  /// The face through which the ray from the origin leaves a hull that holds it.
-  std::optional<Corners> face_along(const Vec3<L>& dir) const {
-    for (const Face& face : faces_) {
-      const Vec3<L>&p = at(face.corners[0]), &q = at(face.corners[1]), &r = at(face.corners[2]);
-      if (face.is_alive && dot(cross(p, q), dir) >= L(0.0) && dot(cross(q, r), dir) >= L(0.0) &&
-          dot(cross(r, p), dir) >= L(0.0)) {
-        return face.corners;
-      }
-    }
-    return std::nullopt;
-  }
-
-  /// The foot of the origin on that face, as a combination of its corners: `visit(weight, point)`.
+  /// Where the hull ends along the normal, as a combination of a face's corners: `visit(weight, point)`.
   template <class Visit>
   void visit_foot(const Visit& visit) const {
-    std::uint32_t at = answer_;
-    // Faces in one plane share a foot: it is in one of them, a few steps away.
-    for (std::size_t step = 0; step < faces_.size(); ++step) {
-      const std::array<L, 3> weights = foot_weights(faces_[at]);
-      std::size_t least = 0;
-      for (std::size_t k = 1; k < 3; ++k) {
-        if (weights[k] < weights[least]) least = k;
+    std::uint32_t at = nearest_;
+    if (is_of_face_) {
+      // Faces in one plane share a foot: it is in one of them, a few steps away.
+      for (std::size_t step = 0; step < faces_.size(); ++step) {
+        const std::array<L, 3> weights = weights_along_normal(faces_[at]);
+        const std::size_t least = static_cast<std::size_t>(std::ranges::min_element(weights) - weights.begin());
+        const std::uint32_t next = faces_[at].across[(least + 1) % 3].face;  // from that corner
+        const bool is_coplanar = faces_[next].distance - faces_[nearest_].distance <= L(4.0) * coplanar_ + gap();
+        if (!(weights[least] < L(0.0)) || !is_coplanar) break;
+        at = next;
       }
-      const std::uint32_t next = faces_[at].across[(least + 1) % 3].face;  // from that corner
-      const bool is_coplanar = faces_[next].distance - faces_[answer_].distance <= L(4.0) * coplanar_ + gap();
-      if (!(weights[least] < L(0.0)) || !is_coplanar) break;
-      at = next;
+    } else {
+      at = face_along(normal_).value_or(nearest_);
     }
-    NearestSimplex<L, Point> nearest;
-    for (const std::uint32_t corner : faces_[at].corners) nearest.add(points_[corner]);
-    for (int k = 0; k < nearest.size(); ++k) visit(nearest.weight(k), nearest.point(k));
+    std::array<L, 3> weights = weights_along_normal(faces_[at]);
+    L sum(0.0);
+    for (L& weight : weights) sum += weight = larger(weight, L(0.0));
+    if (!(sum > L(0.0))) weights = {sum = L(1.0), L(0.0), L(0.0)};  // a sliver
+    for (std::size_t k = 0; k < 3; ++k) visit(weights[k] / sum, points_[faces_[at].corners[k]]);
+  }
+
+  /// The corners of the face through which the ray from the origin leaves a hull that holds it.
+  std::optional<Corners> corners_along(const Vec3<L>& dir) const {
+    const std::optional<std::uint32_t> face = face_along(dir);
+    return face ? std::optional(faces_[*face].corners) : std::nullopt;
   }
 
  private:
   using Face = detail::HullFace<L>;
   using FaceEdge = detail::FaceEdge;
 
-  L gap() const { return larger(answer_height_ - faces_[answer_].distance, L(0.0)); }
+  L gap() const { return larger(answer_height_ - faces_[nearest_].distance, L(0.0)); }
+
+  std::optional<std::uint32_t> face_along(const Vec3<L>& dir) const {
+    for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+      const Face& face = faces_[f];
+      const Vec3<L>&p = at(face.corners[0]), &q = at(face.corners[1]), &r = at(face.corners[2]);
+      if (face.is_alive && dot(cross(p, q), dir) >= L(0.0) && dot(cross(q, r), dir) >= L(0.0) &&
+          dot(cross(r, p), dir) >= L(0.0)) {
+        return f;
+      }
+    }
+    return std::nullopt;
+  }
 
   // Also keeps the least height.
   std::uint32_t add_support(const Vec3<L>& dir) {
@@ -421,9 +429,9 @@ class ExpandingPolytope {
   }
 
   // Of the corners, in proportion.
-  std::array<L, 3> foot_weights(const Face& face) const {
+  std::array<L, 3> weights_along_normal(const Face& face) const {
     const Vec3<L>&p = at(face.corners[0]), &q = at(face.corners[1]), &r = at(face.corners[2]);
-    return {dot(cross(q, r), face.normal), dot(cross(r, p), face.normal), dot(cross(p, q), face.normal)};
+    return {dot(cross(q, r), normal_), dot(cross(r, p), normal_), dot(cross(p, q), normal_)};
   }
 
   // --- what the hull proves
@@ -480,9 +488,9 @@ class ExpandingPolytope {
   L slack_, coplanar_;
   int max_support_calls_;
   int n_support_calls_ = 0;
-  std::uint32_t nearest_ = 0, answer_ = 0, last_mark_ = 0;
-  bool has_answer_ = false;
-  Vec3<L> normal_, answer_normal_;
+  std::uint32_t nearest_ = 0, last_mark_ = 0;
+  bool is_of_face_ = false;
+  Vec3<L> normal_;
   L height_{0.0}, answer_height_{0.0};
 };
 

@@ -205,7 +205,7 @@ bool find_witnesses_by_hull(const LocalForms& forms, OverlapCertificate& certifi
   }
   for (const Vec3e& line : lines) {
     const Vec3e dir = scaled_to_unit_exponent(line);
-    const std::optional<Hull::Corners> front = hull.face_along(dir), back = hull.face_along(-dir);
+    const std::optional<Hull::Corners> front = hull.corners_along(dir), back = hull.corners_along(-dir);
     if (!front || !back) continue;
     std::vector<std::size_t> calls;  // a point of the hull and the record of its call have the same index
     for (const Hull::Corners& corners : {*front, *back}) {

@@ -379,6 +379,15 @@ Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd
     } else {
       result = search_in_double(query, nullptr, warm_start, is_capped);
     }
+    if (goal == Goal::distance && !result.has_witnesses) {
+      // The cores seem to overlap. If they do, that is all that is asked.
+      const int n_support_calls = result.n_support_calls;
+      result = {};
+      result.n_support_calls = n_support_calls;
+      conclude(a, b, a_from_b, goal, DecidedBy::gjk, result);
+      if (result.verdict.outcome == Outcome::overlap) return result;
+      return separation(a, b, a_from_b, Goal::signed_distance, settings, warm_start);
+    }
     if (is_settled(result, goal, wanted(result), is_capped)) {
       conclude(a, b, a_from_b, goal, DecidedBy::gjk, result);
       return result;
@@ -386,7 +395,8 @@ Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd
   }
   if (const std::optional<PlacedForms> placed = placed_forms(a, b, a_from_b)) {
     const Vec3d dir = norm_1(result.normal) > 0.0 ? result.normal : Vec3d{0.6, 0.0, 0.8};
-    Separation extended = search_in_extended(*placed, a, b, goal, settings, dir);
+    const Goal both = goal == Goal::distance ? Goal::signed_distance : goal;
+    Separation extended = search_in_extended(*placed, a, b, both, settings, dir);
     extended.n_support_calls += result.n_support_calls;
     extended.lower = std::max(extended.lower, result.lower);
     extended.upper = std::min(extended.upper, result.upper);

@@ -85,8 +85,8 @@ class Advancement {
     // Gaps shrink as the squares of those before them; so much of the next one is left open.
     const double last = std::fmin(1.0, last_gap_ / size_);
     Separation apart = separation_at(time_, 0x1p-7 * last * last);
-    // Nearer than was thought: nothing is said of a gap before it is known as well as it can be.
-    if (!(apart.lower > 0.5 * apart.upper)) look_closer(apart);
+    // Nearer than was thought: nothing is said of a gap before it is known as well as it can be, and along this normal.
+    if (!apart.has_witnesses || !(sweep_.gap_during(apart.normal, time_, 0.0) > 0.5 * apart.upper)) look_closer(apart);
     return apart;
   }
 

@@ -60,7 +60,8 @@ TEST_P(SeparationLaws, AnswersAreRight) {
   for (const auto& [text, fault] : tally.faults) ADD_FAILURE() << fault.n << " times, first: " << fault.first;
   EXPECT_EQ(tally.n_unknown, 0u) << "the judge must know";
   EXPECT_GE(tally.n_apart, tally.n / 5);
-  if (exclude_volume({GetParam().a, GetParam().b})) {
+  const bool are_needles = GetParam().a == "needle:2" && GetParam().b == "needle:2";  // which hardly ever meet
+  if (!are_needles) {
     EXPECT_LE(tally.n_apart, 4 * tally.n / 5);
   }
 }
