@@ -310,11 +310,12 @@ class ExpandingPolytope {
     const Vec3<L> e = q - p, f = r - p, g = r - q;
     const L square_e = dot(e, e), square_f = dot(f, f), square_g = dot(g, g);
     const bool omits_e = square_e > square_f && square_e > square_g, omits_f = !omits_e && square_f > square_g;
-    Face face;
+    const std::uint32_t index = static_cast<std::uint32_t>(faces_.size());
+    Face& face = faces_.emplace_back();
     face.corners = corners;
     face.across = across;
-    face.normal = omits_e ? cross(f, g) : omits_f ? cross(e, g) : cross(e, f);
-    const L product = omits_e ? square_f * square_g : omits_f ? square_e * square_g : square_e * square_f;
+    face.normal = cross(select<L>(omits_e, f, e), select<L>(omits_e || omits_f, g, f));
+    const L product = select(omits_e, square_f, square_e) * select(omits_e || omits_f, square_g, square_f);
     L square = dot(face.normal, face.normal);
     // All but a segment, whose normal would be noise: the direction of its nearest point will do, as any would.
     const L thinnest_sq(0x1p54 * (unit_roundoff<L>() * unit_roundoff<L>()));
@@ -331,12 +332,10 @@ class ExpandingPolytope {
     const L rounding_sq = L(1024.0 * (unit_roundoff<L>() * unit_roundoff<L>())) * (error_.reach * error_.reach);
     const L least_sq = least > L(0.0) ? least * least : L(0.0);
     face.has_origin_behind = !is_sliver && least_sq > rounding_sq * product;  // E21
-    const std::uint32_t index = static_cast<std::uint32_t>(faces_.size());
     // What is farther than the depth can be is never the nearest, and need not be told apart.
     const L farthest = L(1.0 + 0x1p-40) * height_;
     const bool is_far = n_support_calls_ > 0 && least_sq > (farthest * farthest) * square;
     face.distance = is_far ? height_ : least / square_root(square);
-    faces_.push_back(face);
     if (!is_far) {
       heap_.push_back({face.distance, index});
       std::push_heap(heap_.begin(), heap_.end(), is_farther);
@@ -360,7 +359,7 @@ class ExpandingPolytope {
   }
 
   using Entry = std::pair<L, std::uint32_t>;
-  static bool is_farther(const Entry& a, const Entry& b) { return a.first > b.first; }
+  static constexpr auto is_farther = [](const Entry& a, const Entry& b) { return a.first > b.first; };
 
   // None where all are farther than K reaches: by rounding only.
   std::optional<std::uint32_t> nearest_face() {

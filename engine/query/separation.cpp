@@ -22,7 +22,9 @@ enum class Goal { signed_distance, distance, depth };
 
 // How near bounds are brought, rounding apart, where no more is asked: of |signed distance| + R_A + R_B. Polytopes end
 // by themselves; what is left of curved bodies halves with every other support call.
-constexpr double kPolytopeGap = 0x1p-44, kCurvedGap = 0x1p-34;
+constexpr double kPolytopeGap = 0x1p-44, kCurvedGap = 0x1p-30;
+// Who asks for no more than this wants no digits of a contact, either.
+constexpr double kRoughGap = 0x1p-24;
 
 // --- K = A - B of the bodies' cores, their balls and rolling balls apart
 
@@ -350,11 +352,13 @@ void conclude(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from
   result.signed_distance = std::clamp(result.signed_distance, result.lower, result.upper);
 }
 
-// Twice the precision is of no use where it is calls that ended a search.
-bool is_settled(const Separation& found, Goal goal, double wanted, bool is_capped) {
+// Whether twice the precision has nothing to add: where it is calls that ended a search, or where the bounds are as
+// near as asked for and a sign that they leave open is all that they leave open.
+bool is_settled(const Separation& found, Goal goal, double wanted, bool is_capped, bool is_rough) {
   if (goal == Goal::depth && found.lower > 0.0) return true;
   if (goal == Goal::distance && found.upper < 0.0) return true;
-  return (found.lower > 0.0 || found.upper < 0.0) && (is_capped || found.upper - found.lower <= wanted);
+  const bool is_near = is_capped || found.upper - found.lower <= wanted;
+  return is_near && (is_rough || found.lower > 0.0 || found.upper < 0.0);
 }
 
 constexpr double kLeastReach = 0x1p-150, kLargestReach = 0x1p150;
@@ -388,7 +392,7 @@ Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd
       if (result.verdict.outcome == Outcome::overlap) return result;
       return separation(a, b, a_from_b, Goal::signed_distance, settings, warm_start);
     }
-    if (is_settled(result, goal, wanted(result), is_capped)) {
+    if (is_settled(result, goal, wanted(result), is_capped, settings.relative_gap > kRoughGap)) {
       conclude(a, b, a_from_b, goal, DecidedBy::gjk, result);
       return result;
     }

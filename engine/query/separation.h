@@ -43,17 +43,18 @@ struct WarmStart {
 };
 
 struct SeparationSettings {
-  /// The search ends once upper - lower is below this times |signed distance| + R_A + R_B, the circumradii: 2^-43 or
-  /// less means as near as double precision gets at once. A simulation may ask for 1e-3: the bounds tell what it got.
+  /// The search ends once upper - lower is below this times |signed distance| + R_A + R_B, the circumradii. 0: as near
+  /// as double precision gets for polytopes, rounded or not, and 2^-30 for curved bodies. A simulation may ask for
+  /// less, 1e-3 or even 0.1: the bounds tell what it got, and the verdict is proven all the same.
   double relative_gap = 0.0;
   int max_support_calls = kMaxSupportCalls;  // of each search
 };
 
 /// Distance or depth, as the case is. For bodies of points and balls (polytopes, spheres, capsules, rounded polytopes)
-/// the answer is that of the nearest features, and upper - lower within 1e-12 of |signed distance| + R_A + R_B;
-/// likewise for curved bodies with an exact form, unless the shortest way out of each other has ever so many directions
-/// (of two discs with one axis): then the bounds tell. Never a guess: where rounding would decide the sign, the verdict
-/// comes from `overlap`, and bounds from twice the precision.
+/// the answer is that of the nearest features, and upper - lower within 1e-12 of |signed distance| + R_A + R_B; for
+/// curved bodies within 1e-9 of that, unless ever so many directions are the shortest way out (as for two discs with
+/// one axis): then the bounds tell. Never a guess: where rounding would decide the sign, the verdict comes from
+/// `overlap`, and bounds from twice the precision.
 ///
 /// R of the pose must be a rotation to within 1e-6. Coordinates between 1e-40 and 1e40, or 0, are answered at full
 /// speed, others by twice the precision.
