@@ -24,6 +24,7 @@ struct Point {
   double circumradius() const { return 0.0; }
   double inradius() const { return 0.0; }
   std::optional<ExactForm> exact_form() const { return ExactForm{{Vec3d{}}, {}, 0.0}; }
+  Generators generators() const { return {}; }
 };
 
 // x 2^exponent, not above it, or not below: where the result is subnormal or too large it is rounded that way.
@@ -46,6 +47,21 @@ FirstContact contact_at_start(const ConvexBody& a, const ConvexBody& b, const Tr
 
 double between(double lower, double upper) {
   return lower + 0.5 * (std::fmin(upper, std::numeric_limits<double>::max()) - lower);
+}
+
+// Where balls touch is told by their centres to all digits, and by a plane across their surface to half of them.
+void touch_by_balls(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Vec3d& motion,
+                    FirstContact& contact) {
+  const bool are_balls = a.is_rounded_polytope() && b.is_rounded_polytope() && a.ball_radius() + b.ball_radius() > 0.0;
+  if (!are_balls) return;
+  Transformd pose = a_from_b;
+  pose.translation = pose.translation + contact.time * motion;
+  const Separation found = signed_distance(a, b, pose);
+  contact.n_support_calls += found.n_support_calls;
+  if (!(dot(found.normal, motion) < 0.0)) return;
+  contact.normal = found.normal;
+  contact.point_a = found.point_a;
+  contact.point_b = found.point_b;
 }
 
 // What the search left open.
@@ -101,6 +117,7 @@ FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Transfo
     contact.time = between(contact.lower, contact.upper);
     contact.point_a = touch.point_a;
     contact.point_b = touch.point_b + contact.time * motion;
+    touch_by_balls(a, b, a_from_b, motion, contact);
     return contact;
   }
   contact.verdict = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);

@@ -389,8 +389,10 @@ Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd
       result = {};
       result.n_support_calls = n_support_calls;
       conclude(a, b, a_from_b, goal, DecidedBy::gjk, result);
-      if (result.verdict.outcome == Outcome::overlap) return result;
-      return separation(a, b, a_from_b, Goal::signed_distance, settings, warm_start);
+      if (result.verdict.outcome != Outcome::overlap) {
+        result = separation(a, b, a_from_b, Goal::signed_distance, settings, warm_start);
+      }
+      return result;
     }
     if (is_settled(result, goal, wanted(result), is_capped, settings.relative_gap > kRoughGap)) {
       conclude(a, b, a_from_b, goal, DecidedBy::gjk, result);

@@ -68,6 +68,7 @@ Transformd small_turn(std::mt19937_64& random) {
 
 std::vector<SeparationContender> engine_separations() {
   return {engine(kEngine, "full precision", 0.0), engine("vex 1e-3", "relative_gap 1e-3", 1e-3),
+          engine("vex 0.1", "relative_gap 0.1", 0.1),
           engine_in_motion(kEngineInMotion, "full precision, each pose from scratch", false),
           engine_in_motion("vex warm", "full precision, a warm start from pose to pose", true)};
 }

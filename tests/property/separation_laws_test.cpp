@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/query/separation.h"
+#include "tests/referees/inverse_pose.h"
 #include "tests/referees/separation_kinds.h"
 #include "tests/referees/separation_tally.h"
 
@@ -13,16 +14,6 @@ namespace vex {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// R^T and -R^T t, rounded.
-Transformd inverse(const Transformd& a_from_b) {
-  Transformd b_from_a;
-  b_from_a.row_x = {a_from_b.row_x.x, a_from_b.row_y.x, a_from_b.row_z.x};
-  b_from_a.row_y = {a_from_b.row_x.y, a_from_b.row_y.y, a_from_b.row_z.y};
-  b_from_a.row_z = {a_from_b.row_x.z, a_from_b.row_y.z, a_from_b.row_z.z};
-  b_from_a.translation = -a_from_b.direction_to_b(a_from_b.translation);
-  return b_from_a;
-}
 
 class SeparationLaws : public testing::TestWithParam<SeparationKind> {
  protected:

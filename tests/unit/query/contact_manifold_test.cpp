@@ -11,6 +11,7 @@
 #include "shapes/any_shape.h"
 #include "shapes/box.h"
 #include "tests/referees/bodies.h"
+#include "tests/referees/inverse_pose.h"
 #include "tests/referees/random_poses.h"
 
 namespace vex {
@@ -25,14 +26,6 @@ Transformd turned_about_z(double angle, const Vec3d& translation) {
 Transformd turned_about_x(double angle, const Vec3d& translation) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {{1.0, 0.0, 0.0}, {0.0, c, -s}, {0.0, s, c}, translation};
-}
-Transformd inverse(const Transformd& pose) {
-  Transformd inverse;
-  inverse.row_x = {pose.row_x.x, pose.row_y.x, pose.row_z.x};
-  inverse.row_y = {pose.row_x.y, pose.row_y.y, pose.row_z.y};
-  inverse.row_z = {pose.row_x.z, pose.row_y.z, pose.row_z.z};
-  inverse.translation = -pose.direction_to_b(pose.translation);
-  return inverse;
 }
 Transformd product(const Transformd& p, const Transformd& q) {
   const auto column = [&](double x, double y, double z) {

@@ -17,6 +17,7 @@
 #include "shapes/ellipsoid.h"
 #include "shapes/sphere.h"
 #include "tests/referees/bodies.h"
+#include "tests/referees/inverse_pose.h"
 #include "tests/referees/random_poses.h"
 
 namespace vex {
@@ -249,8 +250,8 @@ TEST(LinearCast, OfBallsIsTheClosedForm) {
     ++n_hits;
     expect_contact(found, *time, ray.dir, 10.0);
     const Vec3d centre = ray.origin + found.time * ray.dir;
-    EXPECT_LE(norm(found.point_a - 0.8 * centre), 1e-6);
-    EXPECT_LE(norm(found.normal - 0.8 * centre), 1e-6);
+    EXPECT_LE(norm(found.point_a - 0.8 * centre), 1e-12);
+    EXPECT_LE(norm(found.normal - 0.8 * centre), 1e-12);
   }
   EXPECT_GT(n_hits, 150);
   EXPECT_LT(n_hits, 350);
@@ -412,15 +413,6 @@ TEST(LinearCast, OfAllPairsIsWhereProvenVerdictsChange) {
   }
   EXPECT_GT(n_hits, 0.3 * n_casts);
   EXPECT_LT(n_hits, 0.7 * n_casts);
-}
-
-Transformd inverse(const Transformd& pose) {
-  Transformd inverse;
-  inverse.row_x = {pose.row_x.x, pose.row_y.x, pose.row_z.x};
-  inverse.row_y = {pose.row_x.y, pose.row_y.y, pose.row_z.y};
-  inverse.row_z = {pose.row_x.z, pose.row_y.z, pose.row_z.z};
-  inverse.translation = -pose.direction_to_b(pose.translation);
-  return inverse;
 }
 
 TEST(LinearCast, SeenFromTheOtherBodyIsTheSame) {
