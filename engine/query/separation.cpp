@@ -53,6 +53,18 @@ class CoreDifference {
     const Vec3d b = a_from_b_(of_b);
     return {of_a - b, of_a, b, of_b};
   }
+  bool is_of(const WarmStart& warm_start) const {
+    return a_.is_same_as(warm_start.body_a) && b_.is_same_as(warm_start.body_b);
+  }
+  // Without its points.
+  void remember(WarmStart& warm_start, const Vec3d& dir) const {
+    if (!is_of(warm_start)) {
+      warm_start.body_a = a_.identity();
+      warm_start.body_b = b_.identity();
+    }
+    warm_start.dir = dir;
+    warm_start.n_points = 0;
+  }
   bool has_rolling() const { return rolling_a_ > 0.0 || rolling_b_ > 0.0; }
 
   QueryError<double> error() const {
@@ -192,8 +204,8 @@ void set_points(Separation& result, const Vec3d& core_a, const Vec3d& core_b, do
 NearestSimplex<double, CoreDifference::Point> warm_simplex(const CoreDifference& difference,
                                                            const WarmStart* warm_start) {
   NearestSimplex<double, CoreDifference::Point> simplex;
-  if (warm_start == nullptr || difference.has_rolling()) return simplex;
-  for (int k = 0; k < warm_start->n_points && !simplex.is_around_origin(); ++k) {
+  if (warm_start == nullptr || difference.has_rolling() || !difference.is_of(*warm_start)) return simplex;
+  for (int k = 0; k < std::min(warm_start->n_points, 4) && !simplex.is_around_origin(); ++k) {
     const std::size_t i = static_cast<std::size_t>(k);
     simplex.add(difference.at(warm_start->of_a[i], warm_start->of_b[i]));
   }
@@ -254,7 +266,7 @@ bool answer_without_search(const DoubleQuery& query, const DifferenceZonotope& z
 Separation search_in_double(const DoubleQuery& query, const DifferenceZonotope* zonotope, WarmStart* warm_start,
                             bool& is_capped) {
   using Core = CoreSeparation<double, CoreDifference::Point>;
-  const bool is_warm = warm_start != nullptr && norm_1(warm_start->dir) > 0.0;
+  const bool is_warm = warm_start != nullptr && norm_1(warm_start->dir) > 0.0 && is_finite(warm_start->dir);
   Vec3d first_dir = is_warm ? warm_start->dir : query.difference.between_centres();
   first_dir = norm_1(first_dir) > 0.0 ? unit(first_dir) : Vec3d{0.6, 0.0, 0.8};
   Separation result;
@@ -268,10 +280,9 @@ Separation search_in_double(const DoubleQuery& query, const DifferenceZonotope* 
       search<double, CoreDifference::Point>(query.difference, first_dir, warm_simplex(query.difference, warm_start),
                                             query.error, query.settings, depth_of_faces, result.n_support_calls);
   is_capped = core.is_capped;
-  if (warm_start != nullptr) *warm_start = {};
+  if (warm_start != nullptr) query.difference.remember(*warm_start, deepest ? deepest->normal : core.normal);
   if (deepest) {
     query.take(*deepest, result);
-    if (warm_start != nullptr) warm_start->dir = deepest->normal;
     return result;
   }
   Vec3d core_a, core_b;
@@ -283,7 +294,6 @@ Separation search_in_double(const DoubleQuery& query, const DifferenceZonotope* 
   query.take(core.normal, core.distance, core.lower, core.upper, core_a, core_b, result);
   result.has_witnesses = core.has_normal;
   if (warm_start == nullptr || !core.has_normal) return result;
-  warm_start->dir = core.normal;
   // The corners of a face make a bad start of the next hull: of bodies that overlap the direction is more use.
   if (query.difference.has_rolling() || !(core.distance > 0.0)) return result;
   warm_start->n_points = core.n_points;

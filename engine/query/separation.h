@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 
 #include "engine/numeric/transform.h"
 #include "engine/query/overlap.h"
@@ -35,11 +36,13 @@ struct Separation {
 };
 
 /// What was found of a pair, for the next query of the same pair in a pose not far from this one. Only time depends on
-/// it. Empty at first; a query reads it and writes it.
+/// it, and the last digits. Empty at first; a query reads it and writes it. Of another pair's only the direction is
+/// taken.
 struct WarmStart {
-  Vec3d dir;                            // in A's frame, from A towards B
-  int n_points = 0;                     // of the difference of the bodies
-  std::array<Vec3d, 4> of_a{}, of_b{};  // as points of the cores in the bodies' own frames
+  std::shared_ptr<const void> body_a, body_b;  // whose points these are
+  Vec3d dir;                                   // in A's frame, from A towards B
+  int n_points = 0;                            // of the difference of the bodies
+  std::array<Vec3d, 4> of_a{}, of_b{};         // as points of the cores in the bodies' own frames
 };
 
 struct SeparationSettings {

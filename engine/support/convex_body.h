@@ -116,6 +116,10 @@ class ConvexBody {
   double circumradius() const { return circumradius_; }
   double inradius() const { return inradius_; }
 
+  /// Copies of one body have the same; another body never has it while anybody holds it.
+  std::shared_ptr<const void> identity() const { return model_; }
+  bool is_same_as(const std::shared_ptr<const void>& identity) const { return identity.get() == model_.get(); }
+
   /// The shape itself, if it is a `Shape`: for adapters that hand bodies to another library. No query asks.
   template <class Shape>
   const Shape* target() const {
