@@ -54,11 +54,17 @@ struct PolytopeStore {
   std::vector<std::pair<L, std::uint32_t>> heap;  // of distances and faces, the nearest first
   std::vector<std::uint32_t> hidden;
   std::vector<RimEdge> rim;
+  struct Step {
+    std::uint32_t face, edge, n_left;
+  };
+  std::vector<Step> path;
+  std::vector<std::uint32_t> point_marks;  // of the last rim that passed
 
   void clear() {
     points.clear();
     faces.clear();
     heap.clear();
+    point_marks.clear();
   }
 };
 
@@ -72,7 +78,8 @@ class ExpandingPolytope {
     converged,  // the bounds are as near as asked for
     stalled,    // rounding allows no larger hull
     capped,
-    flat,  // K has no volume, to rounding: its depth is 0 along `normal`
+    flat,       // K has no volume, to rounding: its depth is 0 along `normal`
+    separated,  // all of K is behind the origin along `normal`, proven
   };
 
   ExpandingPolytope(const Difference& difference, const QueryError<L>& error, int max_support_calls,
@@ -82,6 +89,8 @@ class ExpandingPolytope {
         heap_(store.heap),
         hidden_(store.hidden),
         rim_(store.rim),
+        path_(store.path),
+        point_marks_(store.point_marks),
         difference_(difference),
         error_(error),
         slack_(L(2.0) * error.support),
@@ -93,8 +102,10 @@ class ExpandingPolytope {
   /// From the points of a simplex on. `wanted`: how near the bounds shall be, rounding apart, for a depth.
   template <class Wanted>
   End run(const NearestSimplex<L, Point>& simplex, const Wanted& wanted) {
-    if (!begin(simplex)) return End::flat;
+    const bool has_volume = begin(simplex);
     while (true) {
+      if (n_support_calls_ > 0 && height_ < -slack_) return End::separated;
+      if (!has_volume) return End::flat;
       const std::optional<std::uint32_t> found = nearest_face();
       if (!found) return End::stalled;
       nearest_ = *found;
@@ -392,37 +403,45 @@ class ExpandingPolytope {
   }
 
   // The connected faces about `start` that `added` is above, and in order their rim, as they go along it. Above: by
-  // more than `side` times what counts as coplanar.
+  // more than `side` times what counts as coplanar. Depth first, edge by edge counter-clockwise, gives the rim in
+  // order.
   void hide(std::uint32_t start, std::uint32_t added, const L& side) {
     hidden_.assign(1, start);
     rim_.clear();
+    path_.assign(1, {start, 0, 3});
     ++last_mark_;
     faces_[start].mark = last_mark_;
-    for (std::uint32_t k = 0; k < 3; ++k) visit(faces_[start].across[k], added, side);
-  }
-  // Depth first, edge by edge counter-clockwise, which gives the rim in order.
-  void visit(const FaceEdge& entered, std::uint32_t added, const L& side) {
-    Face& face = faces_[entered.face];
-    if (face.mark == last_mark_) return;
-    if (!(height_above(face, added) > side * face.coplanar)) {
-      rim_.push_back({face.corners[(entered.edge + 1) % 3], face.corners[entered.edge], entered});
-      return;
+    while (!path_.empty()) {
+      auto& [from, edge, n_left] = path_.back();
+      if (n_left == 0) {
+        path_.pop_back();
+        continue;
+      }
+      const FaceEdge entered = faces_[from].across[edge];
+      edge = (edge + 1) % 3;
+      --n_left;
+      Face& face = faces_[entered.face];
+      if (face.mark == last_mark_) continue;
+      if (!(height_above(face, added) > side * face.coplanar)) {
+        rim_.push_back({face.corners[(entered.edge + 1) % 3], face.corners[entered.edge], entered});
+        continue;
+      }
+      face.mark = last_mark_;
+      hidden_.push_back(entered.face);
+      path_.push_back({entered.face, (entered.edge + 1) % 3, 2});
     }
-    face.mark = last_mark_;
-    hidden_.push_back(entered.face);
-    visit(face.across[(entered.edge + 1) % 3], added, side);
-    visit(face.across[(entered.edge + 2) % 3], added, side);
   }
 
   // A single closed line that passes each of its points once.
-  bool is_one_round() const {
+  bool is_one_round() {
     const std::size_t n = rim_.size();
     if (n < 3) return false;
+    point_marks_.resize(points_.size(), 0);
     for (std::size_t k = 0; k < n; ++k) {
       if (rim_[k].to != rim_[k + 1 < n ? k + 1 : 0].from) return false;
-      for (std::size_t j = 0; j < k; ++j) {
-        if (rim_[j].from == rim_[k].from) return false;
-      }
+      std::uint32_t& mark = point_marks_[rim_[k].from];
+      if (mark == last_mark_) return false;
+      mark = last_mark_;
     }
     return true;
   }
@@ -482,6 +501,8 @@ class ExpandingPolytope {
   std::vector<Entry>& heap_;
   std::vector<std::uint32_t>& hidden_;
   std::vector<typename PolytopeStore<L, Point>::RimEdge>& rim_;
+  std::vector<typename PolytopeStore<L, Point>::Step>& path_;
+  std::vector<std::uint32_t>& point_marks_;
   const Difference& difference_;
   QueryError<L> error_;
   L slack_, coplanar_;

@@ -56,12 +56,12 @@ NearestDescent<L, Point> descend_to_origin(const Difference& difference, const V
       result.end = result.simplex.is_around_origin() ? End::around_origin : End::touching;
       return result;
     }
+    const Vec3<L> scaled = scaled_to_unit_exponent(result.simplex.normal());
+    result.normal = (L(-1.0) / norm(scaled)) * scaled;
     if (result.n_support_calls >= max_support_calls) {
       result.end = End::capped;
       return result;
     }
-    const Vec3<L> scaled = scaled_to_unit_exponent(result.simplex.normal());
-    result.normal = (L(-1.0) / norm(scaled)) * scaled;
     const Point found = difference.support(result.normal);
     ++result.n_support_calls;
     const L in_front = -dot(result.normal, found.w);
@@ -74,7 +74,7 @@ NearestDescent<L, Point> descend_to_origin(const Difference& difference, const V
       result.end = End::converged;
       return result;
     }
-    if (!result.simplex.add(found)) {
+    if (!result.simplex.add(found, !(result.lower > L(0.0)))) {
       result.end = End::stalled;
       return result;
     }

@@ -28,8 +28,9 @@ class NearestSimplex {
   bool is_around_origin() const { return n_ == 4; }
 
   /// Takes a point in and keeps those that carry the nearest point. False, and nothing changes, where no face with it
-  /// is nearer. Not for a simplex around the origin.
-  bool add(const Point& newest) {
+  /// is nearer. Not for a simplex around the origin. `may_hold_origin`: false where K is proven to lie on one side of
+  /// it.
+  bool add(const Point& newest, bool may_hold_origin = true) {
     const std::size_t n = static_cast<std::size_t>(n_);
     Candidate best;
     if (n_ == 0) {
@@ -40,7 +41,7 @@ class NearestSimplex {
     best.square = square_;
     best.is_any = false;
     const Vec3<L>& a = newest.w;
-    if (n == 3 && offer_inside(best, a)) {
+    if (n == 3 && may_hold_origin && offer_inside(best, a)) {
       keep(best, newest);
       return true;
     }

@@ -26,6 +26,13 @@ constexpr double kPolytopeGap = 0x1p-44, kCurvedGap = 0x1p-30;
 // Who asks for no more than this wants no digits of a contact, either.
 constexpr double kRoughGap = 0x1p-24;
 
+// Hulls of polytopes come to an end by themselves, if it takes all of their vertices.
+int max_hull_points(const ConvexBody& a, const ConvexBody& b, const SeparationSettings& settings) {
+  const bool is_exact = a.is_rounded_polytope() && b.is_rounded_polytope();
+  constexpr int kMost = 1 << 14;
+  return is_exact && settings.max_support_calls == kMaxSupportCalls ? kMost : settings.max_support_calls;
+}
+
 // --- K = A - B of the bodies' cores, their balls and rolling balls apart
 
 // In double precision.
@@ -130,6 +137,7 @@ struct SearchSettings {
   L size;   // R_A + R_B
   L relative_gap;
   int max_support_calls;
+  int max_hull_points;
 
   // How near to each other bounds shall be for this signed distance of the cores.
   L wanted(const L& signed_distance) const { return relative_gap * (absolute(signed_distance - radii) + size); }
@@ -154,10 +162,10 @@ CoreSeparation<L, Point> search(const Difference& difference, const Vec3<L>& fir
   result.is_capped = descent.end == Descent::End::capped;
   // A descent that ends so near to the origin that no direction separates is one that touches.
   const bool meets = descent.end == Descent::End::around_origin || descent.end == Descent::End::touching ||
-                     (descent.end == Descent::End::stalled && !(descent.lower > L(0.0)));
-  if (!meets) {
+                     descent.end == Descent::End::stalled;
+  if (!meets || descent.lower > L(0.0)) {
     result.normal = descent.normal;
-    result.has_normal = result.lower > -error.reach;
+    result.has_normal = norm_1(result.normal) > L(0.0);
     result.distance = square_root(descent.simplex.square());
     for (int k = 0; k < descent.simplex.size(); ++k) result.add(descent.simplex.weight(k), descent.simplex.point(k));
     return result;
@@ -167,7 +175,7 @@ CoreSeparation<L, Point> search(const Difference& difference, const Vec3<L>& fir
 
   using Polytope = ExpandingPolytope<L, Point, Difference>;
   thread_local PolytopeStore<L, Point> store;
-  Polytope polytope(difference, error, settings.max_support_calls, store);
+  Polytope polytope(difference, error, settings.max_hull_points, store);
   const typename Polytope::End end =
       polytope.run(descent.simplex, [&wanted](const L& depth) { return wanted(-depth); });
   n_support_calls += polytope.n_support_calls();
@@ -176,13 +184,26 @@ CoreSeparation<L, Point> search(const Difference& difference, const Vec3<L>& fir
   result.has_normal = true;
   result.distance = -polytope.height();
   result.lower = larger(result.lower, -polytope.depth_upper());
-  if (end == Polytope::End::flat) {
+  if (end == Polytope::End::separated) {
+    result.distance = square_root(descent.simplex.square());
     for (int k = 0; k < descent.simplex.size(); ++k) result.add(descent.simplex.weight(k), descent.simplex.point(k));
     return result;
   }
-  const L depth_lower = polytope.depth_lower();
-  if (-depth_lower < result.upper) result.upper = -depth_lower;
-  polytope.visit_foot([&result](const L& weight, const Point& point) { result.add(weight, point); });
+  Vec3<L> foot;
+  if (end != Polytope::End::flat) {
+    const L depth_lower = polytope.depth_lower();
+    if (-depth_lower < result.upper) result.upper = -depth_lower;
+    polytope.visit_foot([&](const L& weight, const Point& point) {
+      result.add(weight, point);
+      foot = foot + weight * point.w;
+    });
+  }
+  // Of cores that hardly meet, the nearest points are those of the descent.
+  const Vec3<L> out = polytope.height() * polytope.normal();
+  if (result.n_points == 0 || norm_1(descent.simplex.at() - out) < norm_1(foot - out)) {
+    result.n_points = 0;
+    for (int k = 0; k < descent.simplex.size(); ++k) result.add(descent.simplex.weight(k), descent.simplex.point(k));
+  }
   return result;
 }
 
@@ -225,10 +246,13 @@ struct DoubleQuery {
         error(difference.error()),
         radius_a(difference.radius_a()),
         radius_b(difference.radius_b()),
-        settings{goal, radius_a + radius_b, a.circumradius() + b.circumradius(),
+        settings{goal,
+                 radius_a + radius_b,
+                 a.circumradius() + b.circumradius(),
                  std::max(given.relative_gap,
                           a.is_rounded_polytope() && b.is_rounded_polytope() ? kPolytopeGap : kCurvedGap),
-                 given.max_support_calls} {}
+                 given.max_support_calls,
+                 max_hull_points(a, b, given)} {}
 
   // The bodies' answer from that of their cores.
   void take(const Vec3d& normal, double distance, double lower, double upper, const Vec3d& core_a, const Vec3d& core_b,
@@ -311,9 +335,12 @@ Separation search_in_extended(const PlacedForms& placed, const ConvexBody& a, co
   const LocalForms forms(placed);
   const ExtendedCore difference(forms);
   const SearchSettings<Extended> search_settings{
-      goal, forms.ball_radius(), Extended(std::ldexp(a.circumradius() + b.circumradius(), -forms.exponent())),
+      goal,
+      forms.ball_radius(),
+      Extended(std::ldexp(a.circumradius() + b.circumradius(), -forms.exponent())),
       Extended(std::max(settings.relative_gap, placed.are_rounded_polytopes() ? 0x1p-60 : kCurvedGap)),
-      settings.max_support_calls};
+      settings.max_support_calls,
+      max_hull_points(a, b, settings)};
   const QueryError<Extended> error{Extended(8.0), Extended(kExtendedError)};
   Separation result;
   const auto no_faces = [] { return std::optional<CoreSeparation<Extended, ExtendedCore::Point>>(); };
@@ -359,7 +386,7 @@ void conclude(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from
     (meets ? result.upper : result.lower) = 0.0;
     return;
   }
-  result.signed_distance = std::clamp(result.signed_distance, result.lower, result.upper);
+  result.signed_distance = std::max(result.lower, std::min(result.signed_distance, result.upper));
 }
 
 // Whether twice the precision has nothing to add: where it is calls that ended a search, or where the bounds are as
@@ -367,8 +394,8 @@ void conclude(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from
 bool is_settled(const Separation& found, Goal goal, double wanted, bool is_capped, bool is_rough) {
   if (goal == Goal::depth && found.lower > 0.0) return true;
   if (goal == Goal::distance && found.upper < 0.0) return true;
-  const bool is_near = is_capped || found.upper - found.lower <= wanted;
-  return is_near && (is_rough || found.lower > 0.0 || found.upper < 0.0);
+  if (is_capped) return true;
+  return found.upper - found.lower <= wanted && (is_rough || found.lower > 0.0 || found.upper < 0.0);
 }
 
 constexpr double kLeastReach = 0x1p-150, kLargestReach = 0x1p150;
@@ -377,7 +404,7 @@ Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd
                       const SeparationSettings& settings, WarmStart* warm_start) {
   VEX_EXPECT(settings.relative_gap >= 0.0);
   const bool is_exact = a.is_rounded_polytope() && b.is_rounded_polytope();
-  const double relative_gap = std::max(settings.relative_gap, is_exact ? 0x1p-40 : 2.0 * kCurvedGap);
+  const double relative_gap = std::max(settings.relative_gap, is_exact ? 0x1p-40 : 1e-9);
   Separation result;
   bool is_capped = false;
   const auto wanted = [&](const Separation& found) {

@@ -20,7 +20,8 @@ namespace vex {
 
 /// What is known of a signed distance. Points are in A's frame.
 struct Separation {
-  /// Of the question whether the bodies share a point: what `overlap` answers, proven or said to be undecided.
+  /// Of the question whether the bodies share a point, proven or said to be undecided: as `overlap` answers it, which
+  /// of a body without exact form may know less.
   Verdict verdict;
   /// The true value is between `lower` and `upper`, rounding included; so is `signed_distance`.
   double signed_distance = 0.0, lower = -HUGE_VAL, upper = HUGE_VAL;
@@ -30,7 +31,8 @@ struct Separation {
   /// A unit vector from A towards B: along it the bodies are `signed_distance` apart. Moving B by -signed_distance *
   /// normal brings them into contact.
   Vec3d normal;
-  /// Points of A and of B, to rounding, with point_b - point_a = signed_distance * normal to within upper - lower.
+  /// Points of A and of B with point_b - point_a = signed_distance * normal, all as well as the bounds were asked to be
+  /// near: to 1e-12 of |signed distance| + R_A + R_B for polytopes, to 1e-9 for curved bodies, or to `relative_gap`.
   Vec3d point_a, point_b;
   int n_support_calls = 0;
 };

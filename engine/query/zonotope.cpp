@@ -10,6 +10,9 @@ constexpr double kU = kUnitRoundoff;
 // Two vectors whose angle's sine is below this are taken for parallel: to turn one into the other's direction moves no
 // point of K by more than this times its length (E24).
 constexpr double kParallel = 64.0 * kU;
+// Normals of pairs turn by no more than this over the sine of the pair's angle: what they are rounded by, and 64 u for
+// each vector of the pair that is turned so (E24).
+constexpr double kTurn = 160.0;
 
 std::size_t index_of(int k) { return static_cast<std::size_t>(k); }
 
@@ -157,11 +160,15 @@ std::optional<ZonotopeSeparation> deepest_of_faces(const DifferenceZonotope& k, 
   std::size_t best = n;
   double least = HUGE_VAL, least_lower = HUGE_VAL;
   const double slack = 2.0 * error.support;
+  bool leaves_out = false;
   for (std::size_t p = 0; p < n; ++p) {
-    if (!(square[p] > (kParallel * kParallel) * product[p])) continue;
+    if (!(square[p] > (kParallel * kParallel) * product[p])) {
+      leaves_out = true;
+      continue;
+    }
     const double inverse = 1.0 / std::sqrt(square[p]);
     const double height = reach[p] * inverse;
-    const double lower = height - (80.0 * kU) * error.reach * (std::sqrt(product[p]) * inverse);
+    const double lower = height - (kTurn * kU) * error.reach * (std::sqrt(product[p]) * inverse);
     if (height < least) {
       best = p;
       least = height;
@@ -175,7 +182,7 @@ std::optional<ZonotopeSeparation> deepest_of_faces(const DifferenceZonotope& k, 
   result.normal = (sign / std::sqrt(square[best])) * Vec3d{x[best], y[best], z[best]};
   result.distance = -least;
   result.lower = -least - slack;
-  result.upper = -(least_lower - slack - kParallel * error.reach);
+  result.upper = -(least_lower - slack - (leaves_out ? 6.0 * kParallel * error.reach : 0.0));
   if (result.lower > 0.0) return answer;
   if (!(result.upper < 0.0)) return std::nullopt;
 
@@ -196,6 +203,10 @@ std::optional<ZonotopeSeparation> deepest_of_faces(const DifferenceZonotope& k, 
   }
   combine_in_plane(k, members, n_members, result.normal, target, factors);
   set_points(result, k, factors);
+  // Vectors that lean out of the face's plane by more than rounding, and hardly more, may have to be cut short, too:
+  // for the search.
+  const Vec3d off = (result.point_b - result.point_a) - result.distance * result.normal;
+  if (!(norm_1(off) <= 4.0 * slack)) return std::nullopt;
   return answer;
 }
 

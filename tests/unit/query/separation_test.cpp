@@ -8,6 +8,8 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "engine/support/combinators.h"
 #include "shapes/any_shape.h"
@@ -273,6 +275,104 @@ TEST(Separation, SaysHowFarItGotWhenItMayAskNoMore) {
   EXPECT_LE(found.lower, known.upper);
   EXPECT_GE(found.upper, known.lower);
   EXPECT_GT(found.upper - found.lower, 1e-9);
+}
+
+// Found by review: points and normal that did not go with the value.
+double mismatch(const Separation& found) {
+  return norm((found.point_b - found.point_a) - found.signed_distance * found.normal);
+}
+
+TEST(Separation, OfNearlyParallelBoxesHasPointsThatGoWithIt) {
+  std::mt19937_64 random(12);
+  for (const auto& [name_a, name_b] :
+       {std::pair{"box:1,2,3", "box:1,2,3"}, {"box:1,1,1", "plate:1,1"}, {"rounded:0.1,box:1,1,1", "box:1,1,1"}}) {
+    const ConvexBody a = body(name_a), b = body(name_b);
+    for (int k = 0; k < 400; ++k) {
+      const double tilt = std::ldexp(1.0, -10 - k % 44);
+      const Vec3d d = tilt * random_direction(random);
+      const Vec3d t = k % 3 == 0 ? Vec3d{} : k % 3 == 1 ? Vec3d{0.99, 0.1, 0.2} : Vec3d{0.25, 0.999999, 0.0};
+      const Transformd pose{{1.0, -d.z, d.y}, {d.z, 1.0, -d.x}, {-d.y, d.x, 1.0}, t};
+      if (tilt > 1e-7) continue;  // or it would be no rotation
+      const Separation found = signed_distance(a, b, pose);
+      ASSERT_LE(mismatch(found), 1e-12 * 4.0) << name_a << " " << name_b << " tilt " << tilt << " case " << k;
+      ASSERT_LE(found.upper - found.lower, 1e-12 * 4.0);
+    }
+  }
+}
+
+TEST(Separation, OfFlushTetrahedraIsAlongTheirFaces) {
+  const ConvexBody a = body("tetrahedron:1");
+  const Transformd pose{{-0x1.ffffffffffffep-1, 0x1p-54, -0x1.8p-53},
+                        {-0x1.8p-53, -0x1.8p-55, -0x1.fffffffffffffp-1},
+                        {0x1p-54, -0x1.fffffffffffffp-1, -0x1.8p-55},
+                        {0.0, 0x1.6a09e68f24d8fp-1, 0.0}};
+  const Separation found = signed_distance(a, a, pose);
+  EXPECT_NEAR(found.signed_distance, 4.56e-9, 1e-11);
+  EXPECT_NEAR(found.normal.y, 1.0, 1e-12);
+  EXPECT_LE(mismatch(found), 1e-12);
+}
+
+TEST(Separation, OfAPointOnALineHasThePointsOfContact) {
+  const std::vector<Vec3d> point = {{0.1, 0.2, 0.3}}, line = {{-1, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0.5, 0, 0}};
+  const ConvexBody a = Polytope(point, point[0], 0.0), b = Polytope(line, {}, 0.0);
+  const Transformd pose{{-0x1.1e1acd685c9e6p-1, 0x1.9c1e7ff7574dep-1, 0x1.98d231d16841bp-3},
+                        {0x1.3f92ec92e5b64p-1, 0x1.22263ac21e7b2p-1, -0x1.135f4b4db35c7p-1},
+                        {-0x1.17927b30220b1p-1, -0x1.68564ea3b055bp-3, -0x1.a35dcf0442ab4p-1},
+                        {0x1.5bda3380fb1cp-3, 0x1.f3a046a04d7dp-4, 0x1.7917d1ff3bb5fp-2}};
+  const Separation found = signed_distance(a, b, pose);
+  EXPECT_LE(mismatch(found), 1e-15);
+  EXPECT_LE(norm(found.point_b - point[0]), 1e-15);
+}
+
+TEST(Separation, OfThinBodiesWithOneCentreHasPointsThatGoWithIt) {
+  const Transformd pose{{0x1.43ba527c9b4ep-1, 0x1.c294b357a9a3p-2, 0x1.467a9df47a294p-1},
+                        {-0x1.0002a4f185c88p-6, 0x1.a9071138705dbp-1, -0x1.1d5cb2a244a92p-1},
+                        {-0x1.8c95f6a62a4dap-1, 0x1.5ea7b6c4fb895p-2, 0x1.1041d41d91a1dp-1},
+                        {0.0, 0.0, 0.0}};
+  EXPECT_LE(mismatch(signed_distance(body("needle:1e-6"), body("rounded:1e-3,needle:1"), pose)), 1e-12);
+  EXPECT_LE(mismatch(signed_distance(body("sphere:1e-9"), body("box:1,1e-9,1e-9"), pose)), 1e-12);
+}
+
+TEST(Separation, OfPolytopesOfManyVerticesGoesOnToTheEnd) {
+  std::vector<Vec3d> prism, ball;
+  for (int k = 0; k < 500; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / 500.0;
+    for (const double z : {-0.5, 0.5}) prism.push_back({std::cos(angle), std::sin(angle), z});
+  }
+  std::mt19937_64 random(13);
+  for (int k = 0; k < 4000; ++k) {
+    const Vec3d d = random_direction(random);
+    ball.push_back((1.0 / norm(d)) * d);
+  }
+  const std::vector<Vec3d> point = {{0.0, 0.0, 0.0}};
+  const ConvexBody at_one_point = Polytope(point, {}, 0.0);
+  for (const std::vector<Vec3d>& vertices : {prism, ball}) {
+    const ConvexBody a = Polytope(vertices, {}, 0.4);
+    for (const Vec3d& t : {Vec3d{0.0, 0.0, 0.0}, Vec3d{0.01, 0.02, 0.0}}) {
+      const Separation found = signed_distance(a, at_one_point, {.translation = t});
+      EXPECT_LE(found.upper - found.lower, 1e-12);
+      EXPECT_LE(mismatch(found), 1e-12);
+    }
+  }
+}
+
+TEST(Separation, HasPointsThatGoWithItHoweverFewItMayAsk) {
+  std::mt19937_64 random(14);
+  const ConvexBody a = body("disc:1"), b = body("ellipsoid:0.2,0.3,1");
+  const Domain domain = ball_domain(a, b);
+  for (int k = 0; k < 500; ++k) {
+    const Transformd pose = random_pose(random, domain, b);
+    for (const int most : {1, 2, 3, 5, 8}) {
+      const Separation found = signed_distance(a, b, pose, {.relative_gap = 0.0, .max_support_calls = most});
+      const Separation known = signed_distance(a, b, pose);
+      ASSERT_TRUE(found.has_witnesses);
+      ASSERT_LE(found.lower, known.upper);
+      ASSERT_GE(found.upper, known.lower);
+      if (found.signed_distance > 1e-6) {
+        ASSERT_LE(mismatch(found), 1e-9);
+      }
+    }
+  }
 }
 
 TEST(Margin, AsksWhetherTheGapIsAtMostSoMuch) {
