@@ -36,9 +36,11 @@ class SeparationJudge {
   double accuracy() const { return is_rounded_polytope_ ? 1e-12 : 1e-9; }
 
   /// Of an answer of `signed_distance`: value, points and normal to within `accuracy` of the size, bounds to nothing
-  /// but the judge's own, about 1e-25. An answer that was asked for less is given its relative gap. Where the truth is
-  /// not known to the accuracy, which happens where ever so many ways out are the shortest, the answer's own bounds
-  /// take its place; they must hold.
+  /// but the judge's own, about 1e-25. That is for bodies of ordinary shape: with a needle 1e9 times as long as the
+  /// other body, or a hull 1e-17 thick, the judge's own search loses its digits, and exact_distance.h has the last
+  /// word. An answer that was asked for less is given its relative gap. Where the truth is not known to the accuracy,
+  /// which happens where ever so many ways out are the shortest, the answer's own bounds take its place; they must
+  /// hold.
   SeparationJudgement judge(const Transformd& a_from_b, const Separation& answer) const {
     return judge(a_from_b, answer, accuracy());
   }

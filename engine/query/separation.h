@@ -78,6 +78,8 @@ Separation penetration_depth(const ConvexBody& a, const ConvexBody& b, const Tra
 
 /// The body with a ball of this radius, 0 or more, about each of its points: a margin. `overlap` of it and another body
 /// asks whether their gap is at most the radius, and computes no distance. A margin that is used often is made once.
+/// Of a body with a ball of its own the sum of both radii is rounded to nearest, and the margin is of that body: put it
+/// on the other one if that has none.
 ConvexBody with_margin(const ConvexBody& body, double margin);
 
 }  // namespace vex
