@@ -7,8 +7,12 @@
 
 namespace vex {
 
-/// Control characters written as \x1b, so that a text stays on its line and commands no terminal. UTF-8 passes.
+/// Control characters written as \x1b, so that a text stays on its line and commands no terminal. UTF-8 passes; a byte
+/// that is none of it becomes U+FFFD, so that the result is always UTF-8.
 std::string printable(std::string_view text);
+
+/// At most so many bytes, and no character of UTF-8 cut in two.
+std::string_view first_bytes(std::string_view text, std::size_t n_most);
 
 /// Columns as wide as their widest word, with so many blanks between them, the first one flush left and the others
 /// right.

@@ -3,20 +3,75 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
+#include "apps/common/numbers.h"
+#include "engine/numeric/errors.h"
 #include "engine/query/overlap.h"
 #include "shapes/polytope.h"
 
 namespace vex {
 namespace {
 
-// No 0 of a result has a sign.
-Vec3d without_signed_zeros(const Vec3d& v) { return v + Vec3d{}; }
+// No 0 of an answer has a sign: which one it has is chance, and readers compare texts.
+void drop_sign(double& number) {
+  if (number == 0.0) number = 0.0;
+}
+
+void drop_signs(Vec3d& v) {
+  for (double* const coordinate : {&v.x, &v.y, &v.z}) drop_sign(*coordinate);
+}
+
+void drop_signs_of_zeros(Answer& answer) {
+  for (double* const number : {&answer.value, &answer.lower, &answer.upper}) drop_sign(*number);
+  if (answer.signed_distance) drop_sign(*answer.signed_distance);
+  for (std::optional<Vec3d>* const v : {&answer.normal, &answer.point_a, &answer.point_b}) {
+    if (*v) drop_signs(**v);
+  }
+  for (ContactManifold::Contact& contact : answer.contacts) {
+    drop_signs(contact.point_a);
+    drop_signs(contact.point_b);
+    drop_sign(contact.signed_distance);
+  }
+  OverlapCertificate& certificate = answer.certificate;
+  for (Vec3d* const v : {&certificate.separating_dir, &certificate.separating_dir_low}) drop_signs(*v);
+  for (Witness& witness : certificate.witnesses) {
+    for (Vec3d* const v :
+         {&witness.dir, &witness.dir_low, &witness.dir_b, &witness.dir_b_low, &witness.point_a, &witness.point_b}) {
+      drop_signs(*v);
+    }
+  }
+}
+
+void require_in_reach(const Vec3d& translation) {
+  for (const double coordinate : {translation.x, translation.y, translation.z}) {
+    if (std::fabs(coordinate) <= kFarthest) continue;
+    throw InputError("a translation out of range (" + short_number(coordinate) + ", and " + short_number(kFarthest) +
+                     " is the most) - choose another unit of length");
+  }
+}
+
+// A search that overflows ends at the largest double.
+void require_finite(Query query, const Answer& answer) {
+  const bool is_contact = is_of_motion(query) && answer.verdict.outcome == Outcome::overlap;
+  if (is_contact && !(answer.upper < std::numeric_limits<double>::max())) {
+    throw InputError("a contact so late that its time overflows (the " + std::string(name_of_value(query, answer)) +
+                     " is not below " + short_number(std::numeric_limits<double>::max(), 3) +
+                     ") - give a faster motion");
+  }
+  bool is_told = is_of_motion(query) || query == Query::overlap || std::isfinite(answer.value);
+  for (const std::optional<Vec3d>* const v : {&answer.normal, &answer.point_a, &answer.point_b}) {
+    if (*v && !is_finite(**v)) is_told = false;
+  }
+  if (is_told) return;
+  throw InputError("a result that overflows (the " + std::string(name_of_value(query, answer)) + " of --query " +
+                   std::string(name_of(query)) + ") - choose another unit of length");
+}
 
 void set_witnesses(Answer& answer, const Vec3d& normal, const Vec3d& point_a, const Vec3d& point_b) {
-  answer.normal = without_signed_zeros(normal);
-  answer.point_a = without_signed_zeros(point_a);
-  answer.point_b = without_signed_zeros(point_b);
+  answer.normal = normal;
+  answer.point_a = point_a;
+  answer.point_b = point_b;
 }
 
 Answer contact_answer(const FirstContact& found) {
@@ -48,12 +103,7 @@ std::string_view name_of_value(Query query, const Answer& answer) {
 }
 
 Question::Question(const ConvexBody& a, const ConvexBody& b, const QuerySettings& settings)
-    : settings_(settings), a_(a), b_(b) {
-  if (settings.query == Query::overlap && settings.margin > 0.0) {
-    // On a body without a ball part, if there is one, the sum of two radii is not rounded.
-    ConvexBody& wider = a.ball_radius() == 0.0 || b.ball_radius() != 0.0 ? a_ : b_;
-    wider = with_margin(wider, settings.margin);
-  }
+    : settings_(settings), a_(a), b_(b), with_margin_(a, b, settings.query == Query::overlap ? settings.margin : 0.0) {
   if (settings.query == Query::ray) {
     ray_origin_body_ = Polytope(std::array{settings.ray_origin}, settings.ray_origin, 0.0);
     ray_on_a_ = cast_ray(a, settings.ray_origin, settings.velocity);
@@ -61,6 +111,14 @@ Question::Question(const ConvexBody& a, const ConvexBody& b, const QuerySettings
 }
 
 Answer Question::answer(const Transformd& a_from_b) const {
+  if (settings_.query != Query::overlap) require_in_reach(a_from_b.translation);
+  Answer result = answer_of_query(a_from_b);
+  require_finite(settings_.query, result);
+  drop_signs_of_zeros(result);
+  return result;
+}
+
+Answer Question::answer_of_query(const Transformd& a_from_b) const {
   Answer result;
   switch (settings_.query) {
     case Query::overlap: return overlap_answer(a_from_b);
@@ -84,17 +142,41 @@ Answer Question::answer(const Transformd& a_from_b) const {
   return result;
 }
 
+// The gap is at most the margin if the narrow pair overlaps, and larger if the wide one is disjoint; else their
+// verdicts still bound it.
 Answer Question::overlap_answer(const Transformd& a_from_b) const {
+  Answer narrow = overlap_of(with_margin_.narrow(), a_from_b);
+  if (!with_margin_.is_rounded() || narrow.verdict.outcome == Outcome::overlap) return narrow;
+  Answer wide = overlap_of(with_margin_.wide(), a_from_b);
+  wide.n_support_calls += narrow.n_support_calls;
+  if (wide.verdict.outcome == Outcome::disjoint) return wide;
+  Answer result;
+  result.verdict = Verdict::undecided(DecidedBy::exact, UndecidedReason::rounding);
+  for (const Answer* const part : {&narrow, &wide}) {
+    if (part->is_undecided()) result.verdict = part->verdict;
+  }
+  result.lower = narrow.is_undecided() ? narrow.lower : with_margin_.narrow().least;
+  result.upper = wide.is_undecided() ? wide.upper : with_margin_.wide().most;
+  result.n_support_calls = wide.n_support_calls;
+  return result;
+}
+
+Answer Question::overlap_of(const WidenedPair& pair, const Transformd& a_from_b) const {
   Answer result;
   const bool with_check = settings_.with_certificate;
-  result.verdict = overlap(a_, b_, a_from_b, &result.certificate, kMaxSupportCalls,
+  result.verdict = overlap(pair.a, pair.b, a_from_b, &result.certificate, kMaxSupportCalls,
                            with_check ? CertificateDetail::full : CertificateDetail::no_witnesses);
   result.n_support_calls = result.certificate.n_support_calls;
   if (result.is_undecided()) {
+    // Of the widened bodies, which are nearer to each other by the margin.
     result.lower = result.certificate.gap_lower;
     result.upper = result.certificate.gap_upper;
+    if (pair.most > 0.0) {
+      result.lower = std::nextafter(result.lower + pair.least, -HUGE_VAL);
+      result.upper = std::nextafter(result.upper + pair.most, HUGE_VAL);
+    }
   } else if (with_check) {
-    result.check = check_certificate(a_, b_, a_from_b, result.verdict.outcome, result.certificate);
+    result.check = check_certificate(pair.a, pair.b, a_from_b, result.verdict.outcome, result.certificate);
   }
   return result;
 }
@@ -133,15 +215,15 @@ Answer Question::ray_answer(const Transformd& a_from_b) const {
   if (hits_a && (!hits_b || on_a.time <= on_b.time)) {
     result.verdict = on_a.verdict;
     result.value = on_a.time;
-    result.normal = without_signed_zeros(on_a.normal);
-    result.point_a = without_signed_zeros(on_a.point_a);
-    result.ray_hit = Answer::RayHit::a;
+    result.normal = on_a.normal;
+    result.point_a = on_a.point_a;
+    result.ray_hit = on_a.upper < on_b.lower ? Answer::RayHit::a : Answer::RayHit::either;
   } else if (hits_b) {
     result.verdict = on_b.verdict;
     result.value = on_b.time;
-    result.normal = without_signed_zeros(-on_b.normal);
-    result.point_b = without_signed_zeros(on_b.point_b + on_b.time * settings_.velocity);
-    result.ray_hit = Answer::RayHit::b;
+    result.normal = -on_b.normal;
+    result.point_b = on_b.point_b + on_b.time * settings_.velocity;
+    result.ray_hit = on_b.upper < on_a.lower ? Answer::RayHit::b : Answer::RayHit::either;
   } else if (on_a.verdict.outcome == Outcome::undecided) {
     result.verdict = on_a.verdict;
   } else if (on_b.verdict.outcome == Outcome::undecided) {

@@ -75,13 +75,13 @@ class BlockAnswerer {
       const RowBlock::Row& row = block.rows[k];
       const std::uint64_t index = block.first_index + k;
       const bool is_listed = settings_.lists_first_rows && index < kMostListedRows;
-      Transformd pose;
+      Answer found;
       try {
         if (row.is_too_long) {
           throw InputError("too long a row (more than " + std::to_string(PoseFile::kLongestLine) +
                            " characters) - write one pose a line");
         }
-        pose = pose_of_row(block.text_of(row), file_.format());
+        found = question_.answer(pose_of_row(block.text_of(row), file_.format()));
       } catch (const InputError& error) {
         const std::string line = "line " + std::to_string(row.line);
         if (chunk.first_problem.empty()) {
@@ -95,7 +95,6 @@ class BlockAnswerer {
         if (is_listed) append_refused_row(chunk.json_lines, json_layout_, index, problem);
         continue;
       }
-      const Answer found = question_.answer(pose);
       chunk.counts.add(found);
       append_row(chunk.text, settings_.layout, index, found);
       if (is_listed) append_row(chunk.json_lines, json_layout_, index, found);

@@ -91,7 +91,7 @@ void declare_options(OptionParser& options, PairCommandLine& words) {
                  "\n  0  success; undecided verdicts are answers, too"
                  "\n  1  a certificate that is not proven again (--certificate), or a fault of the program"
                  "\n  2  wrong usage"
-                 "\n  3  input refused: a body, a pose, a motion, or a row of --poses"
+                 "\n  3  input refused: a body, a pose, a motion, or a row of --poses; a result that would overflow"
                  "\n  130, 143  interrupted (the rows answered until then are written)");
 }
 

@@ -58,24 +58,35 @@ std::string headline(const PairRun& run) {
   if (asked.query == Query::ray) {
     if (answer.is_undecided()) return "UNDECIDED whether the ray hits " + a + " or " + b;
     if (!found) return "The ray MISSES " + a + " and " + b;
-    return "The ray HITS " + (answer.ray_hit == Answer::RayHit::a ? a : b);
+    const bool at_start = answer.is_at_start();
+    if (answer.ray_hit == Answer::RayHit::either) {
+      if (at_start) return "The ray HITS " + a + " or " + b + ": it starts in one of them, or in both";
+      return "The ray HITS " + a + " or " + b + ": which one first is within rounding";
+    }
+    return "The ray HITS " + (answer.ray_hit == Answer::RayHit::a ? a : b) + (at_start ? ", in which it starts" : "");
   }
   if (is_of_motion(asked.query)) {
     if (answer.is_undecided()) return "UNDECIDED whether " + b + " meets " + a;
-    return b + (found ? " MEETS " : " NEVER MEETS ") + a;
+    if (!found) return b + " NEVER MEETS " + a;
+    return b + " MEETS " + a + (answer.is_at_start() ? " at the start: they share a point before it moves" : "");
   }
   const bool with_margin = asked.query == Query::overlap && asked.margin > 0.0;
-  const std::string pair =
-      a + " and " + b + (with_margin ? ", with a margin of " + shortest_number(asked.margin) + "," : "");
+  const std::string pair = a + " and " + b + (with_margin ? ", with a margin of " + shortest_number(asked.margin) : "");
   if (answer.is_undecided()) return pair + ": UNDECIDED";
-  if (with_margin) return pair + (found ? " OVERLAP: their gap is not larger" : " are DISJOINT: their gap is larger");
+  if (with_margin) {
+    return pair + (found ? ", OVERLAP: their gap is not larger" : ", are DISJOINT: their gap is larger");
+  }
   return pair + (found ? " OVERLAP: they share a point" : " are DISJOINT: they share no point");
 }
 
-std::string why_undecided(Query query, const Answer& answer) {
+std::string why_undecided(const QuerySettings& asked, const Answer& answer) {
   if (answer.verdict.reason != UndecidedReason::rounding) return "the search was given up";
-  return is_of_motion(query) ? "it grazes: a move by no more than rounding would make it hit, or miss"
-                             : "a move by no more than rounding would part them, or make them meet: neither is proven";
+  if (asked.query == Query::overlap && asked.margin > 0.0) {
+    return "their gap is the margin to within rounding: that it is larger is not proven, nor that it is not";
+  }
+  return is_of_motion(asked.query)
+             ? "it grazes: a move by no more than rounding would make it hit, or miss"
+             : "a move by no more than rounding would part them, or make them meet: neither is proven";
 }
 
 std::string bound_text(double value) { return std::isfinite(value) ? shortest_number(value) : "unknown"; }
@@ -89,6 +100,7 @@ std::string value_text(Query query, const Answer& answer) {
   if (is_of_motion(query) && answer.verdict.outcome != Outcome::overlap) {
     return answer.is_undecided() ? line("a contact, if any, not before", bound_text(answer.lower)) : "";
   }
+  if (is_of_motion(query) && answer.is_at_start()) return line(std::string(name_of_value(query, answer)), "0, exactly");
   return line(std::string(name_of_value(query, answer)), bound_text(answer.value)) +
          line("   between", bound_text(answer.lower) + " and " + bound_text(answer.upper));
 }
@@ -119,7 +131,7 @@ std::string report_text(const PairRun& run) {
   std::string text;
   if (run.options.dump_vertices) text += body_text(run.a, "A", true) + body_text(run.b, "B", true) + "\n";
   text += headline(run) + "\n";
-  text += answer.is_undecided() ? line("because", why_undecided(query, answer))
+  text += answer.is_undecided() ? line("because", why_undecided(run.options.query, answer))
                                 : line("proven by", in_words(answer.verdict.by));
   text += value_text(query, answer) + witness_text(query, answer);
   text += line("support calls", std::to_string(answer.n_support_calls));

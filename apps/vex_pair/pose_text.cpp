@@ -58,7 +58,7 @@ std::size_t number_of_cells(std::string_view line) {
 // What a message quotes: not more than a reader takes in, and no character that ends a message.
 std::string quoted(std::string_view text) {
   constexpr std::size_t kLongest = 40;
-  return "\"" + printable(text.substr(0, kLongest)) + (text.size() > kLongest ? "...\"" : "\"");
+  return "\"" + printable(first_bytes(text, kLongest)) + (text.size() > kLongest ? "...\"" : "\"");
 }
 
 enum class Reading { a_number, not_a_number, not_finite, out_of_range };

@@ -36,6 +36,10 @@ constexpr bool is_of_motion(Query query) {
 /// The answer is a distance or a depth, as the case is.
 constexpr bool is_of_either_sign(Query query) { return query == Query::signed_distance || query == Query::manifold; }
 
+/// The largest coordinate of a translation, a ray or a motion where the answer is a number, so that sums of a few of
+/// them are finite. An overlap is decided at any.
+inline constexpr double kFarthest = 1e300;
+
 struct QuerySettings {
   Query query = Query::overlap;
   Vec3d ray_origin;                // in A's frame, as all below

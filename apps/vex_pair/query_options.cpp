@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
 
+#include "apps/common/numbers.h"
 #include "apps/vex_pair/pose_text.h"
 #include "engine/numeric/errors.h"
 #include "shapes/any_shape.h"
@@ -66,6 +69,16 @@ double margin_of_word(const std::string& word) {
   return margin;
 }
 
+// The numbers of a ray or a motion.
+void read_motion(const std::string& word, const char* option, std::span<double> numbers) {
+  read_numbers(word, option, numbers);
+  for (const double number : numbers) {
+    if (std::fabs(number) <= kFarthest) continue;
+    throw InputError("a number out of range (" + short_number(number) + " for " + option + ", and " +
+                     short_number(kFarthest) + " is the most) - choose another unit of length or of time");
+  }
+}
+
 Vec3d direction_of(const Vec3d& dir, const char* option) {
   if (dir.x == 0.0 && dir.y == 0.0 && dir.z == 0.0) {
     throw InputError(std::string("a direction of length 0 (0,0,0 for ") + option + ") - any other length will do");
@@ -88,7 +101,7 @@ void declare_query_options(OptionParser& options, QueryWords& words, const std::
   options
       .add_option("--ray", words.ray,
                   "Of --query ray: origin and direction, of any length but 0, in A's frame. The parameter is in units "
-                  "of the direction's length")
+                  "of the direction's length. Hit is \"either\" where rounding leaves open which body is first")
       .type_name("ox,oy,oz,dx,dy,dz")
       .group(heading);
   options
@@ -120,16 +133,16 @@ QuerySettings interpret_query(const QueryWords& words) {
   require_own_options(words, settings.query);
   std::array<double, 6> n{};
   if (!words.ray.empty()) {
-    read_numbers(words.ray, "--ray", n);
+    read_motion(words.ray, "--ray", n);
     settings.ray_origin = {n[0], n[1], n[2]};
     settings.velocity = direction_of({n[3], n[4], n[5]}, "--ray");
   }
   if (!words.cast.empty()) {
-    read_numbers(words.cast, "--cast", std::span(n).first<3>());
+    read_motion(words.cast, "--cast", std::span(n).first<3>());
     settings.velocity = direction_of({n[0], n[1], n[2]}, "--cast");
   }
   if (!words.toi.empty()) {
-    read_numbers(words.toi, "--toi", n);
+    read_motion(words.toi, "--toi", n);
     settings.velocity = {n[0], n[1], n[2]};
     settings.angular_velocity_degrees = {n[3], n[4], n[5]};
   }

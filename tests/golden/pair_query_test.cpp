@@ -200,6 +200,81 @@ TEST_F(PairOnePose, AMarginCountsAsContact) {
   }
 }
 
+// With radii of both bodies, a sum of one and the margin may be rounded: then the other one's is taken, or both sides.
+TEST_F(PairOnePose, AMarginIsNotRounded) {
+  const auto row = [this](const Words& bodies, const std::string& centre, const std::string& margin) {
+    Words words = bodies;
+    words.insert(words.end(), {"--translation", centre, "--margin", margin, "--certificate", "--jsonl"});
+    return row_of(words);
+  };
+  const auto both_ways = [](const std::string& a, const std::string& b) {
+    return std::array{Words{a, b}, Words{b, a}};
+  };
+  for (const Words& bodies : both_ways("sphere:1e10", "sphere:1")) {
+    const json near = row(bodies, "10000000001,31.6,0", "1e-7");
+    EXPECT_EQ(near.at("verdict"), "overlap") << "the gap is 4.99e-8: " << near;
+    EXPECT_EQ(near.at("reproven"), true);
+    EXPECT_EQ(row(bodies, "10000000001,31.6,0", "4e-8").at("verdict"), "disjoint");
+  }
+  for (const Words& bodies : both_ways("sphere:0.1", "sphere:0.2")) {
+    const json far = row(bodies, "0.6,6.9e-9,0", "0.3");
+    EXPECT_EQ(far.at("verdict"), "disjoint") << "the gap is larger by 1.2e-17: " << far;
+    EXPECT_EQ(far.at("reproven"), true);
+  }
+  // 0.1 + 0.3 is a tie between two doubles, and the gap is the margin: neither side proves it.
+  const json open = row({"sphere:0.1", "sphere:0.1"}, "0.5,0,0", "0.3");
+  EXPECT_EQ(open.at("verdict"), "undecided") << open;
+  EXPECT_EQ(open.at("undecided_reason"), "rounding");
+  EXPECT_LE(open.at("lower").get<double>(), 0.3) << "the bounds are of the gap of the bodies themselves";
+  EXPECT_GE(open.at("upper").get<double>(), 0.3);
+  EXPECT_LT(open.at("upper").get<double>() - open.at("lower").get<double>(), 1e-15);
+}
+
+TEST_F(PairOnePose, AnUndecidedMarginBoundsTheGapWithoutIt) {
+  const Words words = {"ellipsoid:1,1,1", "ellipsoid:1,1,1", "--translation", "2.25,0,0", "--margin", "0.25"};
+  Words as_json = words;
+  as_json.emplace_back("--jsonl");
+  const json row = row_of(as_json);
+  ASSERT_EQ(row.at("verdict"), "undecided") << row;
+  EXPECT_LE(row.at("lower").get<double>(), 0.25);
+  EXPECT_GE(row.at("upper").get<double>(), 0.25);
+  EXPECT_LE(row.at("upper").get<double>() - row.at("lower").get<double>(), 1e-9);
+  const std::string report = run(words).out;
+  EXPECT_EQ(report.rfind("A ellipsoid:1,1,1 and B ellipsoid:1,1,1, with a margin of 0.25: UNDECIDED\n", 0), 0u);
+  EXPECT_NE(report.find("their gap is the margin to within rounding"), std::string::npos) << report;
+}
+
+TEST_F(PairOnePose, WhichBodyARayHitsFirstIsProven) {
+  const auto ray = [this](const std::string& centre, const std::string& numbers) {
+    return row_of(
+        {"cylinder:1,1", "sphere:1.5", "--translation", centre, "--query", "ray", "--ray", numbers, "--jsonl"});
+  };
+  const json either = ray("0.499999999999997,0,0", "-3,0,0,1,0,0");
+  EXPECT_EQ(either.at("verdict"), "overlap");
+  EXPECT_EQ(either.at("hit"), "either") << either;
+  expect_value(either, "parameter", 2.0);
+  EXPECT_TRUE(either.at("normal").is_array());
+  EXPECT_EQ(ray("0.4999,0,0", "-3,0,0,1,0,0").at("hit"), "b");
+  EXPECT_EQ(ray("0.5001,0,0", "-3,0,0,1,0,0").at("hit"), "a");
+  EXPECT_EQ(ray("0.5,0,0", "0,0,0,1,0,0").at("hit"), "either") << "it starts in both";
+}
+
+TEST_F(PairOnePose, NoZeroHasASign) {
+  for (const Words& form : {Words{"--jsonl"}, Words{"--csv"}, Words{}}) {
+    for (const Words& query : {Words{"manifold"}, Words{"signed"}, Words{"signed", "--certificate"}}) {
+      Words words = {"rounded:0.1,plate:1,1", "plate:1,1", "--translation", "0.25,0,0.1", "--query"};
+      words.insert(words.end(), query.begin(), query.end());
+      words.insert(words.end(), form.begin(), form.end());
+      const std::string text = run(words).out;
+      EXPECT_NE(text.find("0.25"), std::string::npos) << text;
+      for (std::size_t at = text.find("-0"); at != std::string::npos; at = text.find("-0", at + 1)) {
+        const bool is_exponent = at > 0 && text[at - 1] == 'e';
+        EXPECT_TRUE(is_exponent || text[at + 2] == '.') << text.substr(at, 20);
+      }
+    }
+  }
+}
+
 TEST_F(PairOnePose, ACertificateOfADistance) {
   for (const char* query : {"distance", "depth", "signed"}) {
     for (const char* centre : {"1.5,0,0", "0.75,0,0"}) {
@@ -230,6 +305,15 @@ TEST_F(PairOnePose, InWords) {
   expect_parts(report("1.5,0,0", {"ray", "--ray", "-3,0,0,-2,0,0"}), {"The ray MISSES " + a + " and " + b});
   expect_parts(report("1.5,0,0", {"cast", "--cast", "-1,0,0"}), {b + " MEETS " + a, "\n   parameter  "});
   expect_parts(report("1.5,0,0", {"toi", "--toi", "1,0,0,0,0,0"}), {b + " NEVER MEETS " + a});
+  expect_parts(report("0.75,0,0", {"ray", "--ray", "-0.4,0,0,1,0,0"}),
+               {"The ray HITS " + a + ", in which it starts\n", "\n   parameter                         0, exactly\n"});
+  expect_parts(report("0.75,0,0", {"ray", "--ray", "0.5,0,0,1,0,0"}),
+               {"The ray HITS " + a + " or " + b + ": it starts in one of them, or in both\n"});
+  expect_parts(report("0.25,0,0", {"ray", "--ray", "0.25,3,0,0,-1,0"}), {": which one first is within rounding\n"});
+  for (const Words& motion : {Words{"cast", "--cast", "1,0,0"}, Words{"toi", "--toi", "1,0,0,0,0,9"}}) {
+    expect_parts(report("0.75,0,0", motion),
+                 {b + " MEETS " + a + " at the start: they share a point before it moves\n", " 0, exactly\n"});
+  }
   expect_parts(report("0.75,0,0", {"manifold"}), {"OVERLAP", "\n   contacts ", "signed distance"});
   expect_parts(report("1.5,0,0", {"overlap", "--margin", "1"}), {", with a margin of 1, OVERLAP"});
   expect_parts(report("1.5,0,0", {"overlap", "--margin", "0.25"}), {", with a margin of 0.25, are DISJOINT"});

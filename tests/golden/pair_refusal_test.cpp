@@ -75,6 +75,37 @@ TEST_F(PairRefusal, AQueryAndItsOptionsBelongTogether) {
       << "rest is a motion, too";
 }
 
+TEST_F(PairRefusal, AResultThatOverflows) {
+  const std::string far = "1e308,1.5e308,0";
+  for (const char* query : {"distance", "depth", "signed", "manifold"}) {
+    expect_wrong({"--translation", far, "--query", query, "--jsonl"}, 3,
+                 "a translation out of range (1e308, and 1e300");
+  }
+  EXPECT_EQ(cubes({"--translation", far}).exit_code, 0) << "an overlap has no number that overflows";
+  EXPECT_EQ(cubes({"--translation", "1e300,-1e300,0", "--query", "signed"}).exit_code, 0);
+  const std::string late = "a contact so late that its time overflows";
+  expect_wrong({"--translation", "3,3,3", "--query", "ray", "--ray=-2,0,0,1e-320,0,0"}, 3, late);
+  expect_wrong({"--translation", "3,3,3", "--query", "cast", "--cast=-5e-324,-5e-324,-5e-324"}, 3, late);
+  expect_wrong({"--translation", "3,3,3", "--query", "toi", "--toi=-5e-324,-5e-324,-5e-324,0,0,0"}, 3, late);
+  expect_wrong({"--translation", "3,3,3", "--query", "ray", "--ray=-2e300,0,0,1,0,0"}, 3, "(-2e300 for --ray, and");
+  expect_wrong({"--translation", "3,3,3", "--query", "cast", "--cast=0,0,1e301"}, 3, "(1e301 for --cast, and");
+  expect_wrong({"--translation", "3,3,3", "--query", "toi", "--toi=0,0,0,0,0,1e301"}, 3, "(1e301 for --toi, and");
+  write_file("poses.csv", kQuaternionHeader + "3,0,0,1,0,0,0\n1e308,0,0,1,0,0,0\n3,0,0,1,0,0,0\n");
+  const Words stream = {"--poses", "poses.csv", "--query", "signed", "--jsonl"};
+  const Finished stopped = cubes(stream);
+  EXPECT_EQ(stopped.exit_code, 3);
+  EXPECT_EQ(objects_of(stopped.out).size(), 1u);
+  EXPECT_NE(stopped.err.find("poses.csv, line 3, index 1: a translation out of range"), std::string::npos);
+  Words words = stream;
+  words.emplace_back("--keep-going");
+  const Finished going = cubes(words);
+  EXPECT_EQ(going.exit_code, 3);
+  const std::vector<nlohmann::json> rows = objects_of(going.out);
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[1].at("error").get<std::string>().rfind("line 3: a translation out of range", 0), 0u);
+  EXPECT_EQ(rows[2].at("distance"), rows[0].at("distance"));
+}
+
 TEST_F(PairRefusal, OptionsThatMeanNothing) {
   expect_wrong({"--translatoin", "0,0,0"}, 2, "did you mean --translation?");
   expect_wrong({"--pose", "poses.csv"}, 2, "did you mean --poses?");

@@ -97,6 +97,17 @@ TEST_F(PairStream, KeepGoingAnswersWhatIsBehindABadRow) {
   EXPECT_EQ(csv[1].back(), ',');
 }
 
+TEST_F(PairStream, BytesThatAreNotUtf8DoNotPass) {
+  write_file("poses.csv", kQuaternionHeader + "\xff,0,0,1,0,0,0\n");
+  const std::string problem = "not a number (\"\xef\xbf\xbd\" for tx)";
+  for (const char* form : {"--csv", "--jsonl", "--quiet"}) {
+    const Finished finished = cubes({"--poses", "poses.csv", "--keep-going", form});
+    EXPECT_EQ(finished.exit_code, 3);
+    EXPECT_EQ((finished.out + finished.err).find('\xff'), std::string::npos) << form;
+    EXPECT_NE(finished.err.find(problem), std::string::npos) << finished.err;
+  }
+}
+
 TEST_F(PairStream, AnInterruptEndsTheWaitForMorePoses) {
   ASSERT_EQ(mkfifo(path("in").c_str(), 0600), 0);
   const int in = open(path("in").c_str(), O_RDWR);  // stays open, so that the stream has no end

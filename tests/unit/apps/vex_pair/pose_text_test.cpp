@@ -142,6 +142,8 @@ TEST(PoseText, ARowThatIsBadIsRefusedWithTheColumn) {
   expect_row_refused("1e308,1e308,0,-1e308,1e308,0,0,0,1,0,0,0", matrix, "not a rotation");
   expect_row_refused(std::string("0,0,\0,1,0,0,0", 13), quaternion, "(\"\\x00\" for tz)");
   expect_row_refused("0,0,0,1,0,0," + std::string(5000, '9') + "x", quaternion, "999...\" for qz)");
+  expect_row_refused("0,\xff,0,1,0,0,0", quaternion, "(\"\xef\xbf\xbd\" for ty)");
+  expect_row_refused("0,0,0,1,0,0," + std::string(39, '9') + "\xc3\xa9", quaternion, "999...\" for qz)");
 }
 
 TEST(PoseText, ARotationIsOneToWithinAMillionth) {

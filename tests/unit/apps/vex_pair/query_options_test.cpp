@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
+#include "apps/vex_pair/margin.h"
+#include "engine/numeric/double_double.h"
 #include "engine/numeric/errors.h"
 
 namespace vex {
@@ -120,6 +125,28 @@ TEST(QueryOptions, ACertificateIsOfBodiesAtRest) {
     words.certificate = true;
     expect_refused<UsageError>(words, "(--certificate with --query " + words.query + ")");
   }
+}
+
+// What a pair of bodies is widened by: on the side that was asked for, and by no more than the next double.
+TEST(QueryOptions, AMarginIsRoundedToTheSafeSide) {
+  std::mt19937_64 random(20020711);
+  std::uniform_real_distribution<double> exponent(-40.0, 40.0), mantissa(1.0, 2.0);
+  std::size_t n_rounded = 0;
+  for (int k = 0; k < 100000; ++k) {
+    const double radius = std::ldexp(mantissa(random), static_cast<int>(exponent(random)));
+    const double margin = std::ldexp(mantissa(random), static_cast<int>(exponent(random)));
+    const double down = margin_rounded_down(radius, margin), up = margin_rounded_up(radius, margin);
+    const DoubleDouble exact = two_sum(radius, margin);
+    ASSERT_GE(down, 0.0);
+    ASSERT_LE(down, margin);
+    ASSERT_GE(up, margin);
+    const double low = radius + down, high = radius + up;
+    ASSERT_TRUE(low < exact.high || (low == exact.high && exact.low >= 0.0)) << radius << " " << margin;
+    ASSERT_TRUE(high > exact.high || (high == exact.high && exact.low <= 0.0)) << radius << " " << margin;
+    ASSERT_LE(high, std::nextafter(std::nextafter(low, HUGE_VAL), HUGE_VAL));
+    if (exact.low != 0.0) ++n_rounded;
+  }
+  EXPECT_GT(n_rounded, 50000u);
 }
 
 }  // namespace

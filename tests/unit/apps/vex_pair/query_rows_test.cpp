@@ -123,6 +123,7 @@ TEST(QueryRows, KeysOfWhatMoves) {
   EXPECT_TRUE(ray.at("point_a").is_null());
   EXPECT_EQ(ray.at("point_b"), (json{4.0, 1e-300, 6.0}));
   EXPECT_EQ(json_row(Query::ray, hit(Answer::RayHit::a)).at("hit"), "a");
+  EXPECT_EQ(json_row(Query::ray, hit(Answer::RayHit::either)).at("hit"), "either");
   EXPECT_TRUE(json_row(Query::ray, missed()).at("hit").is_null());
   EXPECT_EQ(json_row(Query::cast, hit(Answer::RayHit::nothing)).at("parameter"), 0.1);
   EXPECT_FALSE(json_row(Query::cast, missed()).contains("hit"));
@@ -193,6 +194,7 @@ TEST(QueryRows, TheScreenNamesTheValue) {
   EXPECT_EQ(row(Format::screen, Query::signed_distance, deep()), "3 overlap gjk depth 0.1\n");
   EXPECT_EQ(row(Format::screen, Query::manifold, deep()), "3 overlap gjk depth 0.1 contacts 2\n");
   EXPECT_EQ(row(Format::screen, Query::ray, hit(Answer::RayHit::b)), "3 overlap exact parameter 0.1 hit b\n");
+  EXPECT_EQ(row(Format::screen, Query::ray, hit(Answer::RayHit::either)), "3 overlap exact parameter 0.1 hit either\n");
   EXPECT_EQ(row(Format::screen, Query::ray, missed()), "3 disjoint outer_bound\n");
   EXPECT_EQ(row(Format::screen, Query::time_of_impact, grazed()), "3 undecided rounding\n");
 }

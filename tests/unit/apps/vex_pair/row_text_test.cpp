@@ -141,5 +141,21 @@ TEST(RowText, TheScreenHasOneLineAPose) {
   EXPECT_EQ(row_header({Format::screen}), "");
 }
 
+// Bytes that are not UTF-8, of others' files, become the same in every form.
+TEST(RowText, ARefusedRowIsUtf8) {
+  const std::string bad = "\xff \xc3\xa9 \xe2\x82 \xed\xa0\x80 \xc0\xaf \xf0\x9f\x98\x80 \xf4\x90\x80\x80";
+  const std::string r = "\xef\xbf\xbd";
+  const std::string expected =
+      r + " \xc3\xa9 " + r + r + " " + r + r + r + " " + r + r + " \xf0\x9f\x98\x80 " + r + r + r + r;
+  const auto refused = [&](Format format) {
+    std::string text;
+    append_refused_row(text, {format, false, true, Query::overlap}, 0, bad);
+    return text;
+  };
+  EXPECT_EQ(json::parse(refused(Format::jsonl)).at("error"), expected);
+  EXPECT_EQ(refused(Format::csv), "0,,,,,,,\"" + expected + "\"\n");
+  EXPECT_EQ(refused(Format::screen), "0 error " + expected + "\n");
+}
+
 }  // namespace
 }  // namespace vex
