@@ -22,7 +22,7 @@ enum class Goal { signed_distance, distance, depth };
 
 // How near bounds are brought, rounding apart, where no more is asked: of |signed distance| + R_A + R_B. Polytopes end
 // by themselves; what is left of curved bodies halves with every other support call.
-constexpr double kPolytopeGap = 0x1p-44, kCurvedGap = 0x1p-30;
+constexpr double kPolytopeGap = 0x1p-44, kCurvedGap = 0x1p-32;
 // Who asks for no more than this wants no digits of a contact, either.
 constexpr double kRoughGap = 0x1p-24;
 

@@ -49,7 +49,7 @@ struct WarmStart {
 
 struct SeparationSettings {
   /// The search ends once upper - lower is below this times |signed distance| + R_A + R_B, the circumradii. 0: as near
-  /// as double precision gets for polytopes, rounded or not, and 2^-30 for curved bodies. A simulation may ask for
+  /// as double precision gets for polytopes, rounded or not, and 2^-32 for curved bodies. A simulation may ask for
   /// less, 1e-3 or even 0.1: the bounds tell what it got, and the verdict is proven all the same.
   double relative_gap = 0.0;
   int max_support_calls = kMaxSupportCalls;  // of each search
