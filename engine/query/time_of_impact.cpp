@@ -92,6 +92,8 @@ class Advancement {
 
   // Of bodies that nearly touch: B cast straight at A, which finds their planes of contact to rounding.
   void look_closer(Separation& apart) {
+    // Of bodies that touch a rough answer's points may be far apart, and its normal far off.
+    if (apart.verdict.outcome == Outcome::undecided) apart = separation_at(time_, 0.0);
     if (!apart.has_witnesses || apart.verdict.outcome != Outcome::disjoint) return;
     const Vec3d dir = -scaled_to_unit_exponent(apart.normal);
     RaySearch search(a_, b_, sweep_.pose(time_), dir);
@@ -160,7 +162,8 @@ class Advancement {
     const Vec3d& normal = apart.normal;
     const double most_apart = apart.has_witnesses ? std::fmax(apart.upper, 0.0) : 0.0;
     const double remaining = until_ - time_;
-    double step = std::fmax(first_step(normal, most_apart), 0x1p-50 * std::fmax(time_, 0x1p-10 * until_));
+    const double least = least_step(normal);
+    double step = std::fmax(first_step(normal, most_apart), least);
     double before = 0.0;
     for (int k = 0; k < kMostDoublings; ++k, before = step, step *= 2.0) {
       step = std::fmin(step, remaining);
@@ -175,12 +178,33 @@ class Advancement {
       }
       const double gap = k % 8 < 7 && norm_1(normal) > 0.0 ? sweep_.gap_during(normal, time_ + step, 0.0)
                                                            : separation_at(time_ + step, 0.0).lower;
-      if (gap > 4.0 * sweep_.rounding_at(time_ + step) || step >= remaining) {
+      const bool is_apart = gap > 4.0 * sweep_.rounding_at(time_ + step);
+      if (k == 0 && is_apart && finds_contact_before(step, normal, least)) return true;
+      if (is_apart || step >= remaining) {
         time_ += step;
         return false;
       }
     }
     time_ = until_;
+    return false;
+  }
+
+  // The shortest step worth a trial: of the times until now, or of one in which the bodies come as far as they are
+  // large.
+  double least_step(const Vec3d& normal) const {
+    const double most_speed = norm_1(normal) > 0.0 ? sweep_.most_speed(normal) : 0.0;
+    const double a_while = most_speed > 0.0 ? std::fmin(until_, size_ / most_speed) : until_;
+    return 0x1p-50 * std::fmax(time_, 0x1p-10 * a_while);
+  }
+
+  // Where the first step has gone too far: a thin part of one body may have passed through the other's rim meanwhile.
+  bool finds_contact_before(double step, const Vec3d& normal, double least) {
+    for (step *= 0x1p-4; step > least; step *= 0x1p-4) {
+      if (sweep_.gap_during(normal, time_ + step, 0.0) > 4.0 * sweep_.rounding_at(time_ + step)) continue;
+      if (!sweep_.meets_at(time_ + step)) continue;
+      contact_.upper = time_ + step;
+      return true;
+    }
     return false;
   }
 
@@ -202,7 +226,8 @@ class Advancement {
   FirstContact found() const {
     FirstContact contact = contact_;
     contact.verdict = Verdict::overlap(DecidedBy::gjk);
-    contact.time = contact.lower + 0.5 * (contact.upper - contact.lower);
+    // Normal and points are those of the bodies as they are then, however much later a contact is proven.
+    contact.time = contact.lower;
     return counted(contact);
   }
 

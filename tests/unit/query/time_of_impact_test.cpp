@@ -297,5 +297,41 @@ TEST(TimeOfImpact, OfSmallAndLargeBodiesIsThatOfTheirShape) {
   }
 }
 
+// Bodies that touch at the start, to within rounding, and go into each other: at once, or as the square of the time, or
+// for so short a time that a step of a thousandth of a turn passes it by.
+TEST(TimeOfImpact, OfBodiesThatTouchAtTheStartIsFoundSoonAfterIt) {
+  struct Start {
+    const char *a, *b;
+    Vec3d at, angular_velocity, normal;
+    double latest;
+  };
+  const Start starts[] = {
+      {"ellipsoid:1,1,0.01", "box:1,1,1", {1.5, 0.0, 0.5}, {0.0, 0.5 * kPi, 0.0}, {1.0, 0.0, 0.0}, 1e-9},
+      {"cylinder:1,0.5", "box:1,1,1", {1.0, 0.0, 0.0}, {0.0, 0.5 * kPi, 0.0}, {1.0, 0.0, 0.0}, 1e-9},
+      {"box:1,2,0.1", "ellipsoid:0.5,0.7,1", {-1.0, 1.0, 0.0}, {0.0, 0.0, -0.5 * kPi}, {-1.0, 0.0, 0.0}, 1e-5},
+  };
+  for (const Start& start : starts) {
+    const ConvexBody a = parse_shape(start.a).body, b = parse_shape(start.b).body;
+    const Transformd pose = moved_to(start.at.x, start.at.y, start.at.z);
+    const FirstContact found = time_of_impact(a, b, pose, {{}, start.angular_velocity});
+    expect_time(found, 0.0, start.latest);
+    EXPECT_EQ(overlap(a, b, pose_at(pose, {{}, start.angular_velocity}, found.upper)).outcome, Outcome::overlap);
+    EXPECT_LE(norm(found.normal - start.normal), 1e-4) << start.a;
+    EXPECT_LE(norm(found.point_a - found.point_b), 1e-8) << start.a;
+  }
+}
+
+// The plate's edge touches the cylinder and leaves it; a third of a turn later its corner comes back to it.
+TEST(TimeOfImpact, IsTheTimeAtWhichNormalAndPointsAreWhereTheBoundsAreWide) {
+  const ConvexBody a = parse_shape("cylinder:1,0.5").body, b = parse_shape("plate:1,1").body;
+  const FirstContact found = time_of_impact(a, b, moved_to(0.5, -1.0, 0.25), {{}, {0.0, 0.0, 2.0 * kPi / 3.0}});
+  ASSERT_EQ(found.verdict.outcome, Outcome::overlap);
+  EXPECT_EQ(found.lower, 0.0);
+  EXPECT_EQ(found.time, 0.0);
+  EXPECT_LE(norm(found.normal - Vec3d{0.0, -1.0, 0.0}), 1e-4);
+  EXPECT_LE(norm(found.point_a - Vec3d{0.0, -0.5, 0.25}), 1e-4);
+  EXPECT_LE(norm(found.point_a - found.point_b), 1e-8);
+}
+
 }  // namespace
 }  // namespace vex
