@@ -12,6 +12,9 @@
 namespace vex {
 namespace {
 
+// Of the resolution: what is no farther apart is one corner.
+constexpr double kLeastExtent = 0x1p20;
+
 // A right-handed frame with the normal as its third axis: a place is where a point is across the normal.
 struct ContactFrame {
   Vec3d across_x, across_y, normal;
@@ -36,7 +39,7 @@ class Feature {
     const auto height = [&](const Vec3d& v) { return dot(normal, v); };
     top_ = *std::ranges::max_element(vertices, {}, height);
     // Points that are no farther from each other are no edge: its direction would be in doubt.
-    const double least_extent = 0x1p20 * resolution;
+    const double least_extent = kLeastExtent * resolution;
     double best = -HUGE_VAL;
     for (const Vec3d& v : vertices) {
       const Vec3d along = v - top_;
@@ -191,9 +194,14 @@ class Face {
   double resolution_ = 0.0;
 };
 
-// Of two edges: where they cross, or, of parallel ones, the two ends of what they have beside each other.
-std::vector<PlanarPoint> common_places(const std::vector<PlanarPoint>& p, const std::vector<PlanarPoint>& q,
-                                       double feature_angle, double resolution) {
+// Opposite each other along the normal; on nearly parallel edges, a little beside each other too.
+struct OppositePlaces {
+  PlanarPoint of_a, of_b;
+};
+
+// Of two edges: where they cross, or, of nearly parallel ones, the two ends of what they have beside each other.
+std::vector<OppositePlaces> common_places(const std::vector<PlanarPoint>& p, const std::vector<PlanarPoint>& q,
+                                          double feature_angle, double resolution) {
   const PlanarPoint along_p = p[1] - p[0], along_q = q[1] - q[0];
   const double length_p = std::hypot(along_p.x, along_p.y), length_q = std::hypot(along_q.x, along_q.y);
   const double sine = turn(along_p, along_q) / (length_p * length_q);
@@ -202,21 +210,28 @@ std::vector<PlanarPoint> common_places(const std::vector<PlanarPoint>& p, const 
     const double share_q = turn(q[0] - p[0], along_p) / turn(along_p, along_q);
     if (std::fabs(share_p - 0.5) * length_p > 0.5 * length_p + resolution) return {};
     if (std::fabs(share_q - 0.5) * length_q > 0.5 * length_q + resolution) return {};
-    return {p[0] + share_p * along_p};
+    const PlanarPoint crossing = p[0] + share_p * along_p;
+    return {{crossing, crossing}};
   }
-  // Along the mean of both directions, through the middle between them.
+  // From end to end along the mean of both directions; on each edge itself, since the other may be beside it.
   const double sign = dot(along_p, along_q) < 0.0 ? -1.0 : 1.0;
   const PlanarPoint both = (1.0 / length_p) * along_p + (sign / length_q) * along_q;
   const PlanarPoint axis = (1.0 / std::hypot(both.x, both.y)) * both;
   const PlanarPoint middle = 0.25 * ((p[0] + p[1]) + (q[0] + q[1]));
   const auto at = [&](const PlanarPoint& x) { return dot(axis, x - middle); };
+  const auto on = [&](const std::vector<PlanarPoint>& edge, double along) {
+    const double share = std::clamp((along - at(edge[0])) / (at(edge[1]) - at(edge[0])), 0.0, 1.0);
+    return (1.0 - share) * edge[0] + share * edge[1];
+  };
   const double from = std::fmax(std::fmin(at(p[0]), at(p[1])), std::fmin(at(q[0]), at(q[1])));
   const double to = std::fmin(std::fmax(at(p[0]), at(p[1])), std::fmax(at(q[0]), at(q[1])));
   if (from > to + resolution) return {};
-  return planar_hull({middle + from * axis, middle + to * axis}, resolution);
+  std::vector<OppositePlaces> ends{{on(p, from), on(q, from)}};
+  if (to > from + resolution) ends.push_back({on(p, to), on(q, to)});
+  return ends;
 }
 
-std::vector<PlanarPoint> common_places(const Face& a, const Face& b, double feature_angle, double resolution) {
+std::vector<OppositePlaces> common_places(const Face& a, const Face& b, double feature_angle, double resolution) {
   const std::vector<PlanarPoint>&p = a.outline(), &q = b.outline();
   std::vector<PlanarPoint> places;
   if (p.size() >= 3 && (q.size() < 3 || p.size() >= q.size())) {
@@ -226,7 +241,33 @@ std::vector<PlanarPoint> common_places(const Face& a, const Face& b, double feat
   } else if (p.size() == 2 && q.size() == 2) {
     return common_places(p, q, feature_angle, resolution);
   }
-  return places.empty() ? places : planar_hull(places, resolution);
+  std::vector<OppositePlaces> opposite;
+  if (places.empty()) return opposite;
+  for (const PlanarPoint& place : planar_hull(places, resolution)) opposite.push_back({place, place});
+  return opposite;
+}
+
+// Of neighbours that are no farther from each other than this the nearer contact.
+void merge(std::vector<ContactManifold::Contact>& contacts, double distance) {
+  std::vector<ContactManifold::Contact> merged;
+  const auto take = [](ContactManifold::Contact& kept, const ContactManifold::Contact& other) {
+    if (other.signed_distance < kept.signed_distance) kept = other;
+  };
+  const auto are_one = [&](const ContactManifold::Contact& p, const ContactManifold::Contact& q) {
+    return norm(p.point_a - q.point_a) <= distance && norm(p.point_b - q.point_b) <= distance;
+  };
+  for (const ContactManifold::Contact& contact : contacts) {
+    if (merged.empty() || !are_one(merged.back(), contact)) {
+      merged.push_back(contact);
+    } else {
+      take(merged.back(), contact);
+    }
+  }
+  if (merged.size() > 1 && are_one(merged.front(), merged.back())) {
+    take(merged.front(), merged.back());
+    merged.pop_back();
+  }
+  contacts = std::move(merged);
 }
 
 // None where a body is curved.
@@ -245,29 +286,36 @@ ContactManifold contact_manifold(const ConvexBody& a, const ConvexBody& b, const
   manifold.separation = signed_distance(a, b, a_from_b);
   const Separation& found = manifold.separation;
   if (found.lower > margin || !found.has_witnesses) return manifold;
-  const std::optional<std::vector<Vec3d>> of_a = vertices_of_core(a);
-  std::optional<std::vector<Vec3d>> of_b = vertices_of_core(b);
-  if (of_a && of_b) {
+  const std::optional<std::vector<Vec3d>> vertices_a = vertices_of_core(a);
+  std::optional<std::vector<Vec3d>> vertices_b = vertices_of_core(b);
+  if (vertices_a && vertices_b) {
     // About the witness of A: what is small is then compared with the bodies, not with how far they are from origins.
-    std::vector<Vec3d> from_a = *of_a;
+    std::vector<Vec3d> from_a = *vertices_a;
     const Vec3d origin = found.point_a;
     for (Vec3d& v : from_a) v = v - origin;
-    for (Vec3d& v : *of_b) v = a_from_b(v) - origin;
+    for (Vec3d& v : *vertices_b) v = a_from_b(v) - origin;
     const ContactFrame frame(found.normal);
     // Of coordinates across the normal, several roundings each.
     const double resolution =
         64.0 * kUnitRoundoff * (a.reach() + b.reach() + norm_1(a_from_b.translation) + norm_1(origin));
     const Face face_a(from_a, frame, 1.0, feature_angle, resolution);
-    const Face face_b(*of_b, frame, -1.0, feature_angle, resolution);
-    for (const PlanarPoint& place : common_places(face_a, face_b, feature_angle, resolution)) {
-      const double height_a = face_a.height_at(place) + a.ball_radius();
-      const double height_b = -face_b.height_at(place) - b.ball_radius();
+    const Face face_b(*vertices_b, frame, -1.0, feature_angle, resolution);
+    for (const auto& [of_a, of_b] : common_places(face_a, face_b, feature_angle, resolution)) {
+      const double height_a = face_a.height_at(of_a) + a.ball_radius();
+      const double height_b = -face_b.height_at(of_b) - b.ball_radius();
       if (height_b - height_a > std::fmax(margin, found.upper) + resolution) continue;
       manifold.contacts.push_back(
-          {origin + frame.point(place, height_a), origin + frame.point(place, height_b), height_b - height_a});
+          {origin + frame.point(of_a, height_a), origin + frame.point(of_b, height_b), height_b - height_a});
     }
+    merge(manifold.contacts, kLeastExtent * resolution);
   }
-  if (manifold.contacts.empty()) manifold.contacts.push_back({found.point_a, found.point_b, found.signed_distance});
+  if (manifold.contacts.empty()) {
+    // Witnesses of curved bodies are the distance apart to within its bounds: B's is moved along the normal by the
+    // rest.
+    const double along = found.signed_distance + 0.0;  // not -0
+    const double rest = along - dot(found.point_b - found.point_a, found.normal);
+    manifold.contacts.push_back({found.point_a, found.point_b + rest * found.normal, along});
+  }
   return manifold;
 }
 

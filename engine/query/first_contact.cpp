@@ -27,22 +27,34 @@ struct Point {
   Generators generators() const { return {}; }
 };
 
-// x 2^exponent, not above it, or not below: where the result is subnormal or too large it is rounded that way.
-double scaled_down(double x, int exponent) {
-  const double scaled = std::ldexp(x, exponent);
-  if (std::isinf(scaled)) return std::numeric_limits<double>::max();
-  return x > 0.0 && scaled < std::numeric_limits<double>::min() ? std::nextafter(scaled, 0.0) : scaled;
-}
-double scaled_up(double x, int exponent) {
-  const double scaled = std::ldexp(x, exponent);
-  return x > 0.0 && scaled < std::numeric_limits<double>::min() ? std::nextafter(scaled, 1.0) : scaled;
-}
-
 FirstContact no_contact(Verdict verdict) { return {verdict, HUGE_VAL, HUGE_VAL, HUGE_VAL, {}, {}, {}, 0}; }
+
+Vec3d against(const Vec3d& motion) {
+  const Vec3d dir = -scaled_to_unit_exponent(motion);
+  return (1.0 / norm(dir)) * dir;
+}
 
 FirstContact contact_at_start(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, Verdict verdict) {
   const Separation found = penetration_depth(a, b, a_from_b);
   return {verdict, 0.0, 0.0, 0.0, found.normal, found.point_a, found.point_b, found.n_support_calls};
+}
+
+// Of bodies that touch at the start the search finds no plane between them: normal and points are those of the
+// distance there, or, where that has none either, along the motion through the points that the search has.
+void touch_at_start(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Vec3d& motion,
+                    const RaySearch::Touch& touch, FirstContact& contact) {
+  contact.time = contact.lower;
+  const Separation found = signed_distance(a, b, a_from_b);
+  contact.n_support_calls += found.n_support_calls;
+  if (found.has_witnesses && norm_1(found.normal) > 0.0) {
+    contact.normal = found.normal;
+    contact.point_a = found.point_a;
+    contact.point_b = found.point_b;
+    return;
+  }
+  contact.normal = against(motion);
+  contact.point_a = touch.point_a + a.ball_radius() * contact.normal;
+  contact.point_b = touch.point_b - b.ball_radius() * contact.normal;
 }
 
 double between(double lower, double upper) {
@@ -73,13 +85,14 @@ void decide_exactly(const ConvexBody& a, const ConvexBody& b, const Transformd& 
   contact.verdict = Verdict::overlap(DecidedBy::exact);
   contact.lower = exact.lower;
   contact.upper = exact.upper;
-  contact.time = between(contact.lower, contact.upper);
+  contact.time = contact.lower;
   // As the bodies stand before they touch; or, where that is no more, as they do.
   Transformd pose = a_from_b;
   pose.translation = pose.translation + contact.lower * motion;
   const Separation apart = signed_distance(a, b, pose);
   contact.n_support_calls += apart.n_support_calls;
-  if (dot(apart.normal, motion) < 0.0) contact.normal = apart.normal;
+  if (dot(apart.normal, motion) < 0.0 || !(norm_1(contact.normal) > 0.0)) contact.normal = apart.normal;
+  if (!(norm_1(contact.normal) > 0.0)) contact.normal = against(motion);
   contact.point_a = apart.point_a;
   contact.point_b = apart.point_b;
 }
@@ -92,8 +105,13 @@ FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Transfo
   const Verdict at_start = overlap(a, b, a_from_b, &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
   if (at_start.outcome == Outcome::overlap) {
     FirstContact contact = contact_at_start(a, b, a_from_b, at_start);
+    if (!(norm_1(contact.normal) > 0.0)) contact.normal = against(motion);
     contact.n_support_calls += certificate.n_support_calls;
     return contact;
+  }
+  if (!are_within_range(a, b, a_from_b)) {
+    const Verdict undecided = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);
+    return {undecided, 0.0, 0.0, HUGE_VAL, {}, {}, {}, certificate.n_support_calls};
   }
   const int motion_exponent =
       std::ilogb(std::fmax(std::fabs(motion.x), std::fmax(std::fabs(motion.y), std::fabs(motion.z))));
@@ -118,6 +136,7 @@ FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Transfo
     contact.point_a = touch.point_a;
     contact.point_b = touch.point_b + contact.time * motion;
     touch_by_balls(a, b, a_from_b, motion, contact);
+    if (!(norm_1(contact.normal) > 0.0)) touch_at_start(a, b, a_from_b, motion, touch, contact);
     return contact;
   }
   contact.verdict = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);

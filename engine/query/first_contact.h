@@ -15,8 +15,9 @@ struct FirstContact {
   /// grazes to within rounding.
   Verdict verdict;
   /// The first time of contact is between `lower` and `upper`, and so is `time`; 0 where there is contact at the start.
-  /// Where the verdict is disjoint all three are infinite; where it is undecided, a contact, if any, is not before
-  /// `lower`, and `upper` is infinite.
+  /// Of bodies that turn `time` is `lower`: where they touch at the start to within rounding, contact may be proven
+  /// much later only. Where the verdict is disjoint all three are infinite; where it is undecided, a contact, if any,
+  /// is not before `lower`, and `upper` is infinite.
   double time = 0.0, lower = 0.0, upper = 0.0;
   /// A unit vector along which the bodies first touch, from A towards what moves (of contact at the start, that of
   /// `signed_distance`).

@@ -1,6 +1,7 @@
 #include "engine/query/ray_search.h"
 
 #include <cmath>
+#include <limits>
 
 #include "engine/query/portal_refinement.h"
 #include "engine/support/combinators.h"
@@ -33,7 +34,23 @@ Vec3d across(const Vec3d& unit) {
   return (1.0 / norm(side)) * side;
 }
 
+constexpr double kMostReach = 0x1p1000;
+
 }  // namespace
+
+bool are_within_range(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b) {
+  return a.reach() < kMostReach && b.reach() < kMostReach && norm_1(a_from_b.translation) < kMostReach;
+}
+
+double scaled_down(double time, int exponent) {
+  const double scaled = std::ldexp(time, exponent);
+  if (std::isinf(scaled)) return std::numeric_limits<double>::max();
+  return time > 0.0 && scaled < std::numeric_limits<double>::min() ? std::nextafter(scaled, 0.0) : scaled;
+}
+double scaled_up(double time, int exponent) {
+  const double scaled = std::ldexp(time, exponent);
+  return time > 0.0 && scaled < std::numeric_limits<double>::min() ? std::nextafter(scaled, 1.0) : scaled;
+}
 
 RaySearch::RaySearch(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Vec3d& dir)
     : a_(a), b_(b), a_from_b_(a_from_b), dir_(dir), error_(query_error(a, b, a_from_b)) {

@@ -16,6 +16,15 @@
 
 namespace vex {
 
+/// All coordinates of the pair are below 2^1000: farther from the origins sums of a few lengths are no longer finite,
+/// and nothing is proven of casts.
+bool are_within_range(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b);
+
+/// A bound of a time times 2^exponent, not above that, or not below it: where the result is subnormal or too large it
+/// is rounded that way.
+double scaled_down(double time, int exponent);
+double scaled_up(double time, int exponent);
+
 /// A point of K, in A's frame, and the points of the cores that it comes from; all times the search's power of two. It
 /// is the farthest one along `dir`, which no proof asks for.
 struct DifferencePoint {

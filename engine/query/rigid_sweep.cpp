@@ -12,16 +12,28 @@ namespace {
 
 constexpr double kUp = 1.0 + 0x1p-40;  // more than any dozen of roundings
 
+// More than what is lost of three coordinates where they are subnormal.
+constexpr double kSubnormal = 0x1p-1072;
+
+// Of any length but 0, to a few roundings.
+Vec3d unit(const Vec3d& a) {
+  const Vec3d dir = scaled_to_unit_exponent(a);
+  const double length = norm(dir);
+  return {dir.x / length, dir.y / length, dir.z / length};
+}
+
 }  // namespace
 
 // Rodrigues: exp([x]) = I + sin(angle) [k] + (1 - cos(angle)) [k]^2, x = angle * k.
 Transformd pose_at(const Transformd& a_from_b, const RigidMotion& motion, double time) {
   Transformd pose = a_from_b;
   pose.translation = a_from_b.translation + time * motion.velocity;
-  const double spin = safe_norm(motion.angular_velocity);
-  if (!(spin > 0.0)) return pose;
-  const Vec3d k{motion.angular_velocity.x / spin, motion.angular_velocity.y / spin, motion.angular_velocity.z / spin};
-  const double angle = time * spin;
+  const Vec3d& w = motion.angular_velocity;
+  if (!(norm_1(w) > 0.0)) return pose;
+  const Vec3d k = unit(w);
+  // The length of a subnormal vector has few digits.
+  const int exponent = std::ilogb(std::fmax(std::fabs(w.x), std::fmax(std::fabs(w.y), std::fabs(w.z))));
+  const double angle = std::ldexp(time, exponent) * norm(times_power_of_two(w, -exponent));
   const double sine = std::sin(angle), half = std::sin(0.5 * angle), versine = 2.0 * half * half;
   const auto turned = [&](const Vec3d& x) {
     const Vec3d across = cross(k, x);
@@ -51,8 +63,7 @@ RigidSweep::RigidSweep(const ConvexBody& a, const ConvexBody& b, const Transform
   if (spin_ > 0.0) {
     Transformd turn = a_from_b;
     turn.translation = {};
-    const Vec3d axis{motion.angular_velocity.x / spin_, motion.angular_velocity.y / spin_,
-                     motion.angular_velocity.z / spin_};
+    const Vec3d axis = unit(motion.angular_velocity);
     const double off_axis = safe_norm(cross(axis, turn(centre))) + 16.0 * kUnitRoundoff * norm_1(centre);
     from_axis_ = std::fmin(from_origin_, std::fmax(0.0, off_axis * kUp + core) * (1.0 + 2e-6));
   }
@@ -60,8 +71,10 @@ RigidSweep::RigidSweep(const ConvexBody& a, const ConvexBody& b, const Transform
 
 // E23: what pose_at may be off by, at a point of B's core.
 double RigidSweep::pose_error(double time) const {
+  const double lost = time * kSubnormal * (1.0 + from_origin_);
   return kUnitRoundoff *
-         ((8.0 * time * spin_ + 48.0) * from_origin_ + 4.0 * (norm_1(a_from_b_.translation) + time * speed_1_));
+             ((8.0 * time * spin_ + 48.0) * from_origin_ + 4.0 * (norm_1(a_from_b_.translation) + time * speed_1_)) +
+         lost;
 }
 
 // E1, for every place that B has until then.
@@ -75,7 +88,8 @@ double RigidSweep::rounding_at(double time) const { return 2.0 * support_error(t
 double RigidSweep::most_speed(const Vec3d& unit_normal) const {
   const double turning = safe_norm(cross(unit_normal, motion_.angular_velocity)) + 8.0 * kUnitRoundoff * spin_;
   return (std::fmax(0.0, -dot(unit_normal, motion_.velocity)) + 8.0 * kUnitRoundoff * speed_1_ + turning * from_axis_) *
-         kUp;
+             kUp +
+         kSubnormal * (1.0 + from_origin_);
 }
 
 double RigidSweep::gap_during(const Vec3d& unit_normal, double from, double duration) {
@@ -138,11 +152,11 @@ RigidSweep::Window RigidSweep::window() const {
     const double turn = 2.0 * std::numbers::pi / spin_ * kUp;
     return safe_norm(from_a) > radii ? Window{1.0, 0.0} : Window{0.0, turn * kUp};
   }
-  const Vec3d along{motion_.velocity.x / speed, motion_.velocity.y / speed, motion_.velocity.z / speed};
+  const Vec3d along = unit(motion_.velocity);
   const double least = safe_norm(cross(from_a, along));
   if (least > radii) return {1.0, 0.0};
   const double at_least = -dot(from_a, along);
-  const double half = std::sqrt((radii - least) * (radii + least)) * kUp + rounding;
+  const double half = std::sqrt(radii - least) * std::sqrt(radii + least) * kUp + rounding;
   const Window window{((at_least - half) - rounding) / speed, ((at_least + half) + rounding) / speed};
   const double from = window.from - 8.0 * kUnitRoundoff * std::fabs(window.from);
   return {std::fmax(0.0, from), window.to + 8.0 * kUnitRoundoff * std::fabs(window.to)};

@@ -1,4 +1,7 @@
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <limits>
 #include <optional>
 
 #include "engine/numeric/expect.h"
@@ -25,22 +28,47 @@ bool is_curved(const ConvexBody& body) {
 // Of the circumradii: nearer than this the normal has hardly turned since the last gap was measured.
 constexpr double kNearGap = 0x1p-12;
 
+// Units of time in which a pair moves by its size, or turns by some radians, in 2^-200 of them, or in 2^200, are as
+// good as others: no square of a time or a speed is subnormal or infinite.
+constexpr int kMostExponent = 200;
+// The directions of slower motions are not known to all digits.
+constexpr double kLeastSpeed = 0x1p-1000;
+// What happens later is not looked at.
+constexpr double kLatest = 0x1p480;
+
+int exponent_of(double x) { return x > 0.0 ? std::ilogb(x) : 0; }
+double largest_of(const Vec3d& a) { return std::fmax(std::fabs(a.x), std::fmax(std::fabs(a.y), std::fabs(a.z))); }
+
+// E23: the unit of time is 2^-result of the motion's, so that its speeds are neither tiny nor huge.
+int exponent_of_motion(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
+                       const RigidMotion& motion) {
+  const double moving = largest_of(motion.velocity), turning = largest_of(motion.angular_velocity);
+  const int size = exponent_of(a.reach() + b.reach() + norm_1(a_from_b.translation));
+  const int by_turning = std::ilogb(turning);
+  const int exponent = moving > 0.0 ? std::max(std::ilogb(moving) - size, by_turning) : by_turning;
+  return std::abs(exponent) > kMostExponent ? exponent : 0;
+}
+
 class Advancement {
  public:
-  Advancement(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion)
+  /// `ends`: the velocity is known well enough for the sweep's window to be one.
+  Advancement(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion,
+              bool ends)
       : a_(a),
         b_(b),
         sweep_(a, b, a_from_b, motion),
         size_(a.circumradius() + b.circumradius()),
-        is_curved_(is_curved(a) || is_curved(b)) {}
+        is_curved_(is_curved(a) || is_curved(b)),
+        ends_(ends) {}
 
   FirstContact run() {
     const RigidSweep::Window window = sweep_.window();
-    if (!(window.from <= window.to)) return nothing();
-    time_ = window.from;
-    until_ = window.to;
+    if (ends_ && !(window.from <= window.to)) return nothing();
+    time_ = ends_ ? std::fmin(window.from, std::numeric_limits<double>::max()) : 0.0;
+    until_ = std::fmin(window.to, kLatest);
+    ends_ = ends_ && window.to < kLatest;
     for (int n_advances = 0; n_advances < kMostAdvances; ++n_advances) {
-      if (time_ >= until_) return touched_ ? undecided(UndecidedReason::rounding) : nothing();
+      if (time_ >= until_) return touched_ || !ends_ ? undecided(UndecidedReason::rounding) : nothing();
       const Separation apart = separation_now();
       const double gap = apart.has_witnesses ? sweep_.gap_during(apart.normal, time_, 0.0) : 0.0;
       last_gap_ = std::fmax(gap, 0.0);
@@ -92,6 +120,8 @@ class Advancement {
 
   // Of bodies that nearly touch: B cast straight at A, which finds their planes of contact to rounding.
   void look_closer(Separation& apart) {
+    // Of bodies that touch a rough answer's points may be far apart, and its normal far off.
+    if (apart.verdict.outcome == Outcome::undecided) apart = separation_at(time_, 0.0);
     if (!apart.has_witnesses || apart.verdict.outcome != Outcome::disjoint) return;
     const Vec3d dir = -scaled_to_unit_exponent(apart.normal);
     RaySearch search(a_, b_, sweep_.pose(time_), dir);
@@ -160,7 +190,8 @@ class Advancement {
     const Vec3d& normal = apart.normal;
     const double most_apart = apart.has_witnesses ? std::fmax(apart.upper, 0.0) : 0.0;
     const double remaining = until_ - time_;
-    double step = std::fmax(first_step(normal, most_apart), 0x1p-50 * std::fmax(time_, 0x1p-10 * until_));
+    const double least = least_step(normal);
+    double step = std::fmax(first_step(normal, most_apart), least);
     double before = 0.0;
     for (int k = 0; k < kMostDoublings; ++k, before = step, step *= 2.0) {
       step = std::fmin(step, remaining);
@@ -175,12 +206,33 @@ class Advancement {
       }
       const double gap = k % 8 < 7 && norm_1(normal) > 0.0 ? sweep_.gap_during(normal, time_ + step, 0.0)
                                                            : separation_at(time_ + step, 0.0).lower;
-      if (gap > 4.0 * sweep_.rounding_at(time_ + step) || step >= remaining) {
+      const bool is_apart = gap > 4.0 * sweep_.rounding_at(time_ + step);
+      if (k == 0 && is_apart && finds_contact_before(step, normal, least)) return true;
+      if (is_apart || step >= remaining) {
         time_ += step;
         return false;
       }
     }
     time_ = until_;
+    return false;
+  }
+
+  // The shortest step worth a trial: of the times until now, or of one in which the bodies come as far as they are
+  // large.
+  double least_step(const Vec3d& normal) const {
+    const double most_speed = norm_1(normal) > 0.0 ? sweep_.most_speed(normal) : 0.0;
+    const double a_while = most_speed > 0.0 ? std::fmin(until_, size_ / most_speed) : until_;
+    return 0x1p-50 * std::fmax(time_, 0x1p-10 * a_while);
+  }
+
+  // Where the first step has gone too far: a thin part of one body may have passed through the other's rim meanwhile.
+  bool finds_contact_before(double step, const Vec3d& normal, double least) {
+    for (step *= 0x1p-4; step > least; step *= 0x1p-4) {
+      if (sweep_.gap_during(normal, time_ + step, 0.0) > 4.0 * sweep_.rounding_at(time_ + step)) continue;
+      if (!sweep_.meets_at(time_ + step)) continue;
+      contact_.upper = time_ + step;
+      return true;
+    }
     return false;
   }
 
@@ -202,7 +254,8 @@ class Advancement {
   FirstContact found() const {
     FirstContact contact = contact_;
     contact.verdict = Verdict::overlap(DecidedBy::gjk);
-    contact.time = contact.lower + 0.5 * (contact.upper - contact.lower);
+    // Normal and points are those of the bodies as they are then, however much later a contact is proven.
+    contact.time = contact.lower;
     return counted(contact);
   }
 
@@ -210,7 +263,7 @@ class Advancement {
   const ConvexBody& b_;
   RigidSweep sweep_;
   double size_;
-  bool is_curved_;
+  bool is_curved_, ends_;
   double time_ = 0.0, until_ = 0.0;
   double last_gap_ = HUGE_VAL;
   Vec3d last_normal_;
@@ -238,7 +291,20 @@ FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Tran
     const double never = at_start.outcome == Outcome::disjoint ? HUGE_VAL : 0.0;
     return {at_start, never, never, HUGE_VAL, {}, {}, {}, certificate.n_support_calls};
   }
-  FirstContact contact = Advancement(a, b, a_from_b, motion).run();
+  if (!are_within_range(a, b, a_from_b)) {
+    const Verdict undecided = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);
+    return {undecided, 0.0, 0.0, HUGE_VAL, {}, {}, {}, certificate.n_support_calls};
+  }
+  const int exponent = exponent_of_motion(a, b, a_from_b, motion);
+  const RigidMotion scaled{times_power_of_two(motion.velocity, -exponent),
+                           times_power_of_two(motion.angular_velocity, -exponent)};
+  const bool ends = !moves || norm_1(scaled.velocity) > kLeastSpeed;
+  FirstContact contact = Advancement(a, b, a_from_b, scaled, ends).run();
+  if (exponent != 0) {
+    if (contact.verdict.outcome != Outcome::disjoint) contact.lower = scaled_down(contact.lower, -exponent);
+    contact.time = contact.verdict.outcome != Outcome::disjoint ? contact.lower : HUGE_VAL;
+    contact.upper = scaled_up(contact.upper, -exponent);
+  }
   contact.n_support_calls += certificate.n_support_calls;
   return contact;
 }

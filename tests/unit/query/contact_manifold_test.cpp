@@ -306,6 +306,74 @@ TEST(ContactManifold, OfSwappedBodiesIsTheSame) {
   EXPECT_LT(n_several, 0.7 * n_manifolds);
 }
 
+// Edges at 0.0023 radians: on a mean line between them contacts would be off both.
+TEST(ContactManifold, OfNearlyParallelEdgesIsOnBothEdges) {
+  const ConvexBody plate = parse_shape("box:1,2,0.1").body;
+  const Transformd pose{{0.99999832743031491, -0.0016511840829067153, 0.00078659245928191124},
+                        {0.0016524952239314072, 0.99999724161439019, -0.0016691384441795403},
+                        {-0.00078383423472539392, 0.0016704354927113221, 0.99999829762312953},
+                        {0.99861120575760831, -0.13485713527898743, 0.1010519263102696}};
+  const Transformd back = inverse(pose);
+  const Vec3d half{0.5, 1.0, 0.05};
+  // On an edge of the box that is along y.
+  const auto off_edge = [&](const Vec3d& p) {
+    return std::hypot(std::fabs(p.x) - half.x, std::fabs(p.z) - half.z, std::fmax(std::fabs(p.y) - half.y, 0.0));
+  };
+  for (const double margin : {1e-9, 1e-3}) {
+    const ContactManifold manifold = contact_manifold(plate, plate, pose, margin);
+    ASSERT_EQ(manifold.contacts.size(), 2u);
+    EXPECT_GT(norm(manifold.contacts[0].point_a - manifold.contacts[1].point_a), 1.8);
+    for (const auto& c : manifold.contacts) {
+      EXPECT_LE(off_edge(c.point_a), 1e-14);
+      EXPECT_LE(off_edge(back(c.point_b)), 1e-14);
+      EXPECT_NEAR(dot(c.point_b - c.point_a, manifold.separation.normal), c.signed_distance, 1e-15);
+      EXPECT_NEAR(c.signed_distance, manifold.separation.signed_distance, 1e-14);
+      EXPECT_LE(norm(c.point_b - c.point_a), 0.0024 * 2.0);
+    }
+  }
+}
+
+TEST(ContactManifold, OfCurvedBodiesHasTheDistanceOfItsPoints) {
+  std::mt19937_64 random(4);
+  for (const BodyPair& pair : unordered_pairs()) {
+    const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
+    for (int k = 0; k < 4; ++k) {
+      Transformd pose = random_rotation(random);
+      pose.translation = (0.3 * (a.circumradius() + b.circumradius())) * random_direction(random);
+      const ContactManifold manifold = contact_manifold(a, b, pose);
+      for (const auto& c : manifold.contacts) {
+        EXPECT_NEAR(c.signed_distance, dot(c.point_b - c.point_a, manifold.separation.normal),
+                    1e-14 * (a.reach() + b.reach()));
+      }
+    }
+  }
+  const ConvexBody ball = parse_shape("sphere:0.5").body;
+  const ContactManifold touching = contact_manifold(ball, ball, turned_about_z(0.0, {0.0, 0.0, 1.0}));
+  ASSERT_EQ(touching.contacts.size(), 1u);
+  EXPECT_EQ(touching.contacts[0].signed_distance, 0.0);
+  EXPECT_FALSE(std::signbit(touching.contacts[0].signed_distance));
+}
+
+// The upper sides of two squares cross so near to a corner of one of them that to any use they do there.
+TEST(ContactManifold, HasNoTwoCornersInOnePlace) {
+  const auto contacts = [](double angle, double from_corner) {
+    const double up = from_corner * std::tan(angle) - (0.5 / std::cos(angle) - 0.5);
+    const ContactManifold manifold = contact_manifold(cube(), cube(), turned_about_z(angle, {0.5, up, 1.0 - 0x1p-10}));
+    expect_is_sound(manifold, 1e-14);
+    return manifold.contacts;
+  };
+  for (const double angle : {1e-5, 1e-4, 1e-3, 0.01, 0.1}) {
+    for (const double from_corner : {0.0, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8}) {
+      const auto found = contacts(angle, from_corner);
+      EXPECT_EQ(found.size(), 4u) << angle << " " << from_corner;
+      for (std::size_t k = 0; k < found.size(); ++k) {
+        EXPECT_GT(norm(found[k].point_a - found[(k + 1) % found.size()].point_a), 0x1p-27);
+      }
+    }
+    EXPECT_EQ(contacts(angle, 1e-6).size(), 5u);
+  }
+}
+
 TEST(PlanarHull, OfPointsOnALineIsItsEndsAndOfOnePlaceAPoint) {
   EXPECT_EQ(planar_hull({{0.0, 0.0}, {1.0, 1.0}, {0.5, 0.5}, {0.25, 0.25 + 1e-15}}, 1e-12).size(), 2u);
   EXPECT_EQ(planar_hull({{1.0, 2.0}, {1.0, 2.0}, {1.0 + 1e-15, 2.0}}, 1e-12).size(), 1u);

@@ -456,5 +456,49 @@ TEST(LinearCast, OfAMotionThatIsFasterIsSoonerByThat) {
   EXPECT_GT(n_hits, 30);
 }
 
+// Sums of such coordinates are not finite, and no bound that is made of them is one.
+TEST(LinearCast, OfBodiesFartherOffThanSumsAreFiniteIsUndecided) {
+  const ConvexBody ball = Sphere(1.0);
+  const auto expect_undecided = [](const FirstContact& found) {
+    EXPECT_EQ(found.verdict.outcome, Outcome::undecided);
+    EXPECT_EQ(found.lower, 0.0);
+    EXPECT_EQ(found.time, 0.0);
+    EXPECT_EQ(found.upper, HUGE_VAL);
+  };
+  expect_undecided(linear_cast(ball, ball, moved_to(9e307, 9e307, 0.0), {-9e307, -9e307, 0.0}));
+  expect_undecided(cast_ray(ball, {9e307, 9e307, 0.0}, {-1.0, -1.0, 0.0}));
+  // Below that: such a motion is a direction like others.
+  const FirstContact found = linear_cast(ball, ball, moved_to(4.0, 0.0, 0.0), {-0x1p1023, 0.0, 0.0});
+  ASSERT_EQ(found.verdict.outcome, Outcome::overlap);
+  EXPECT_LE(found.lower, 0x1p-1022);
+  EXPECT_GE(found.upper, 0x1p-1022);
+}
+
+TEST(LinearCast, OfCurvedBodiesThatTouchAtTheStartHasNormalAndPoints) {
+  struct Start {
+    const char *a, *b;
+    Vec3d at, motion;
+  };
+  const Start starts[] = {{"cylinder:1,0.5", "box:1,1,1", {1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}},
+                          {"sphere:0.5", "cylinder:1,0.5", {0.0, 0.0, 1.0}, {0.0, 0.0, -1.0}},
+                          {"cylinder:1,0.5", "sphere:0.5", {1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}}};
+  const auto expect_touch = [](const FirstContact& found, const Vec3d& motion, const Vec3d& at) {
+    ASSERT_EQ(found.verdict.outcome, Outcome::overlap);
+    EXPECT_EQ(found.time, 0.0);
+    EXPECT_LE(norm(found.normal + motion), 1e-4);
+    EXPECT_NEAR(norm(found.normal), 1.0, 1e-15);
+    EXPECT_LE(norm(found.point_a - found.point_b), 1e-8);
+    // Along the normal; across it the face of a box and the side of a cylinder have a line in common.
+    EXPECT_NEAR(dot(found.point_a - at, motion), 0.0, 1e-8);
+  };
+  for (const Start& start : starts) {
+    const ConvexBody a = parse_shape(start.a).body, b = parse_shape(start.b).body;
+    const FirstContact found = linear_cast(a, b, moved_to(start.at.x, start.at.y, start.at.z), start.motion);
+    expect_touch(found, start.motion, 0.5 * start.at);
+  }
+  const ConvexBody ellipsoid = Ellipsoid(1.0, 2.0, 3.0);
+  expect_touch(cast_ray(ellipsoid, {1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}), {-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
+}
+
 }  // namespace
 }  // namespace vex

@@ -297,5 +297,109 @@ TEST(TimeOfImpact, OfSmallAndLargeBodiesIsThatOfTheirShape) {
   }
 }
 
+// Bodies that touch at the start, to within rounding, and go into each other: at once, or as the square of the time, or
+// for so short a time that a step of a thousandth of a turn passes it by.
+TEST(TimeOfImpact, OfBodiesThatTouchAtTheStartIsFoundSoonAfterIt) {
+  struct Start {
+    const char *a, *b;
+    Vec3d at, angular_velocity, normal;
+    double latest;
+  };
+  const Start starts[] = {
+      {"ellipsoid:1,1,0.01", "box:1,1,1", {1.5, 0.0, 0.5}, {0.0, 0.5 * kPi, 0.0}, {1.0, 0.0, 0.0}, 1e-9},
+      {"cylinder:1,0.5", "box:1,1,1", {1.0, 0.0, 0.0}, {0.0, 0.5 * kPi, 0.0}, {1.0, 0.0, 0.0}, 1e-9},
+      {"box:1,2,0.1", "ellipsoid:0.5,0.7,1", {-1.0, 1.0, 0.0}, {0.0, 0.0, -0.5 * kPi}, {-1.0, 0.0, 0.0}, 1e-5},
+  };
+  for (const Start& start : starts) {
+    const ConvexBody a = parse_shape(start.a).body, b = parse_shape(start.b).body;
+    const Transformd pose = moved_to(start.at.x, start.at.y, start.at.z);
+    const FirstContact found = time_of_impact(a, b, pose, {{}, start.angular_velocity});
+    expect_time(found, 0.0, start.latest);
+    EXPECT_EQ(overlap(a, b, pose_at(pose, {{}, start.angular_velocity}, found.upper)).outcome, Outcome::overlap);
+    EXPECT_LE(norm(found.normal - start.normal), 1e-4) << start.a;
+    EXPECT_LE(norm(found.point_a - found.point_b), 1e-8) << start.a;
+  }
+}
+
+// The plate's edge touches the cylinder and leaves it; a third of a turn later its corner comes back to it.
+TEST(TimeOfImpact, IsTheTimeAtWhichNormalAndPointsAreWhereTheBoundsAreWide) {
+  const ConvexBody a = parse_shape("cylinder:1,0.5").body, b = parse_shape("plate:1,1").body;
+  const FirstContact found = time_of_impact(a, b, moved_to(0.5, -1.0, 0.25), {{}, {0.0, 0.0, 2.0 * kPi / 3.0}});
+  ASSERT_EQ(found.verdict.outcome, Outcome::overlap);
+  EXPECT_EQ(found.lower, 0.0);
+  EXPECT_EQ(found.time, 0.0);
+  EXPECT_LE(norm(found.normal - Vec3d{0.0, -1.0, 0.0}), 1e-4);
+  EXPECT_LE(norm(found.point_a - Vec3d{0.0, -0.5, 0.25}), 1e-4);
+  EXPECT_LE(norm(found.point_a - found.point_b), 1e-8);
+}
+
+TEST(TimeOfImpact, OfHugeAndTinySpeedsIsThatOfTheMotionInAnotherUnitOfTime) {
+  const ConvexBody a = parse_shape("frustum:1,0.7,0.3").body, b = parse_shape("octahedron:1").body;
+  std::mt19937_64 random(7);
+  int n_hits = 0;
+  for (int k = 0; k < 40; ++k) {
+    const Fall fall = random_fall(random, a, b, k);
+    const FirstContact found = time_of_impact(a, b, fall.pose, fall.motion);
+    for (const int exponent : {-900, -400, 300, 700, 1000}) {
+      const RigidMotion scaled{times_power_of_two(fall.motion.velocity, exponent),
+                               times_power_of_two(fall.motion.angular_velocity, exponent)};
+      const FirstContact other = time_of_impact(a, b, fall.pose, scaled);
+      ASSERT_EQ(other.verdict.outcome, found.verdict.outcome) << exponent;
+      if (found.verdict.outcome != Outcome::overlap) continue;
+      ++n_hits;
+      EXPECT_LE(std::ldexp(other.lower, exponent), found.upper);
+      EXPECT_GE(std::ldexp(other.upper, exponent), found.lower);
+      EXPECT_LE(std::ldexp(other.upper - other.lower, exponent), 1e-9);
+      EXPECT_EQ(overlap(a, b, pose_at(fall.pose, scaled, other.upper)).outcome, Outcome::overlap);
+    }
+  }
+  EXPECT_GT(n_hits, 60);
+}
+
+// Subnormal speeds have few digits; the directions of such motions are still those of their coordinates.
+TEST(TimeOfImpact, OfSubnormalSpeedsIsNotSaidToBeNeverWhereItIsLate) {
+  const ConvexBody ball = Sphere(1.0), cube = Box(1.0, 1.0, 1.0);
+  const FirstContact late =
+      time_of_impact(ball, ball, moved_to(3.0, 3.0, 0.0), {{-5e-324, -5e-324, 0.0}, {0.0, 0.0, 1e-310}});
+  EXPECT_NE(late.verdict.outcome, Outcome::disjoint);
+  EXPECT_EQ(late.upper, HUGE_VAL);
+  // Its corner, at sqrt(1/2), does not reach so far.
+  const FirstContact never = time_of_impact(cube, cube, moved_to(1.25, 0.0, 0.0), {{}, {0.0, 0.0, 5e-324}});
+  EXPECT_EQ(never.verdict.outcome, Outcome::disjoint);
+  const Transformd near = moved_to(1.125, 0.0, 0.0);
+  const double angle = std::asin(0.625 * std::numbers::sqrt2) - 0.25 * kPi;
+  const FirstContact found = time_of_impact(cube, cube, near, {{}, {0.0, 0.0, 0x1p-1020}});
+  ASSERT_EQ(found.verdict.outcome, Outcome::overlap);
+  EXPECT_NEAR(std::ldexp(found.lower, -1020), angle, 1e-9);
+  EXPECT_NEAR(std::ldexp(found.upper, -1020), angle, 1e-9);
+}
+
+TEST(TimeOfImpact, OfSpeedsOfVeryDifferentSizesIsNotGuessed) {
+  const ConvexBody cube = Box(1.0, 1.0, 1.0);
+  const Transformd pose = moved_to(3.0, 0.25, 0.0);
+  // It turns as fast as one likes, and comes: never is wrong, and so is a bound after the time of its balls' touch.
+  for (const double slow : {1e-300, 1e-310, 5e-324}) {
+    const FirstContact found = time_of_impact(cube, cube, pose, {{-slow, 0.0, 0.0}, {0.0, 0.0, 9e300}});
+    EXPECT_EQ(found.verdict.outcome, Outcome::undecided);
+    EXPECT_LE(found.lower, 2.0 / slow);
+  }
+  // As good as straight.
+  const FirstContact found = time_of_impact(cube, cube, pose, {{-1e300, 0.0, 0.0}, {0.0, 0.0, 9e-300}});
+  ASSERT_EQ(found.verdict.outcome, Outcome::overlap);
+  EXPECT_NEAR(found.lower, 2e-300, 1e-311);
+  EXPECT_NEAR(found.upper, 2e-300, 1e-311);
+}
+
+TEST(TimeOfImpact, OfBodiesFartherOffThanSumsAreFiniteIsUndecided) {
+  const ConvexBody ball = Sphere(1.0);
+  for (const Vec3d& spin : {Vec3d{}, Vec3d{0.0, 0.0, 1.0}}) {
+    const FirstContact found =
+        time_of_impact(ball, ball, moved_to(1e308, 1.5e308, 0.0), {{-1e308, -1.5e308, 0.0}, spin});
+    EXPECT_EQ(found.verdict.outcome, Outcome::undecided);
+    EXPECT_EQ(found.lower, 0.0);
+    EXPECT_EQ(found.upper, HUGE_VAL);
+  }
+}
+
 }  // namespace
 }  // namespace vex
