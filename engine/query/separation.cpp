@@ -304,7 +304,8 @@ Separation search_in_double(const DoubleQuery& query, const DifferenceZonotope* 
       search<double, CoreDifference::Point>(query.difference, first_dir, warm_simplex(query.difference, warm_start),
                                             query.error, query.settings, depth_of_faces, result.n_support_calls);
   is_capped = core.is_capped;
-  if (warm_start != nullptr) query.difference.remember(*warm_start, deepest ? deepest->normal : core.normal);
+  // Of bodies that overlap neither the way out nor the corners of a face make a good start of the next hull.
+  if (warm_start != nullptr) query.difference.remember(*warm_start, core.distance > 0.0 ? core.normal : Vec3d{});
   if (deepest) {
     query.take(*deepest, result);
     return result;
@@ -318,7 +319,6 @@ Separation search_in_double(const DoubleQuery& query, const DifferenceZonotope* 
   query.take(core.normal, core.distance, core.lower, core.upper, core_a, core_b, result);
   result.has_witnesses = core.has_normal;
   if (warm_start == nullptr || !core.has_normal) return result;
-  // The corners of a face make a bad start of the next hull: of bodies that overlap the direction is more use.
   if (query.difference.has_rolling() || !(core.distance > 0.0)) return result;
   warm_start->n_points = core.n_points;
   for (int k = 0; k < core.n_points; ++k) {
