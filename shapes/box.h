@@ -43,9 +43,7 @@ class Box {
     return all;
   }
   ExactForm exact_form() const { return {vertices(), {}, 0.0}; }
-  Generators generators() const {
-    return {{}, {{{half_.x, 0.0, 0.0}, {0.0, half_.y, 0.0}, {0.0, 0.0, half_.z}}}, 3};
-  }
+  Generators generators() const { return {{}, {{{half_.x, 0.0, 0.0}, {0.0, half_.y, 0.0}, {0.0, 0.0, half_.z}}}, 3}; }
   std::size_t n_faces() const { return 6; }
   /// Full edges along x, y, z.
   Vec3d edges() const { return 2.0 * half_; }

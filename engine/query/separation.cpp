@@ -170,7 +170,9 @@ CoreSeparation<L, Point> search(const Difference& difference, const Vec3<L>& fir
     for (int k = 0; k < descent.simplex.size(); ++k) result.add(descent.simplex.weight(k), descent.simplex.point(k));
     return result;
   }
-  if (settings.goal == Goal::distance && !(settings.radii > L(0.0))) return result;
+  // That they overlap is all that is asked.
+  const bool meets_by_balls = settings.radii > L(0.0) && descent.upper < settings.radii;
+  if (settings.goal == Goal::distance && (meets_by_balls || !(settings.radii > L(0.0)))) return result;
   if (std::optional<CoreSeparation<L, Point>> known = depth_of_faces()) return *known;
 
   using Polytope = ExpandingPolytope<L, Point, Difference>;

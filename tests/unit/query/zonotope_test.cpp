@@ -45,7 +45,8 @@ TEST(Zonotope, HasTheNearestPointsOfSegments) {
       ++n_answers;
       ASSERT_NEAR(norm(found->normal), 1.0, 1e-15);
       ASSERT_LE(found->lower, found->upper);
-      ASSERT_LE(found->upper - found->lower, 1e-13 * (a.circumradius() + b.circumradius())) << name_a << " " << name_b << " " << k;
+      ASSERT_LE(found->upper - found->lower, 1e-13 * (a.circumradius() + b.circumradius()))
+          << name_a << " " << name_b << " " << k;
       ASSERT_NEAR(-reach(a, b, pose, found->normal), found->distance, 1e-14);
       ASSERT_LE(norm((found->point_b - found->point_a) - found->distance * found->normal), 1e-14);
     }
