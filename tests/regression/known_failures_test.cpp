@@ -26,6 +26,8 @@
 #include "apps/referees/exact_distance.h"
 #include "apps/referees/exact_referee.h"
 #include "apps/referees/separation_judge.h"
+#include "engine/query/contact_manifold.h"
+#include "engine/query/first_contact.h"
 #include "engine/query/overlap.h"
 #include "engine/query/separation.h"
 #include "shapes/any_shape.h"
@@ -164,6 +166,64 @@ TEST(KnownFailures, AgreeOnDistanceAndDepthWithTheBooleanQuery) {
     EXPECT_FALSE(none.has_witnesses);
     EXPECT_EQ(none.signed_distance, 0.0);
     EXPECT_TRUE(std::isinf(outcome == Outcome::disjoint ? none.upper : none.lower));
+  }
+}
+
+// B comes from far away along the normal: where it touches first is where proven verdicts change, whoever is asked.
+TEST(KnownFailures, AreMetWhereProvenVerdictsChange) {
+  for (const KnownFailure& one : known_failures()) {
+    SCOPED_TRACE(one.id);
+    const double size = one.a.circumradius() + one.b.circumradius();
+    const Vec3d normal = signed_distance(one.a, one.b, one.pose).normal;
+    ASSERT_NEAR(norm(normal), 1.0, 1e-14);
+    Transformd start = one.pose;
+    start.translation = start.translation + (2.0 * size) * normal;
+    const Vec3d motion = -(4.0 * size) * normal;
+    const auto outcome_at = [&](double time) {
+      return overlap(one.a, one.b, pose_at(start, {motion, {}}, time)).outcome;
+    };
+    const FirstContact cast = linear_cast(one.a, one.b, start, motion);
+    ASSERT_EQ(cast.verdict.outcome, Outcome::overlap);
+    EXPECT_LE(cast.upper - cast.lower, 1e-9);
+    EXPECT_NE(outcome_at(cast.lower - 1e-14), Outcome::overlap);
+    EXPECT_EQ(outcome_at(cast.upper + 1e-14), Outcome::overlap);
+    EXPECT_NEAR(norm(cast.normal), 1.0, 1e-14);
+    EXPECT_LT(dot(cast.normal, motion), 0.0);
+    const FirstContact impact = time_of_impact(one.a, one.b, start, {motion, {}});
+    ASSERT_EQ(impact.verdict.outcome, Outcome::overlap);
+    EXPECT_LE(impact.lower, cast.upper);
+    EXPECT_GE(impact.upper, cast.lower);
+    EXPECT_LE(impact.upper - impact.lower, 1e-7);
+  }
+}
+
+// Their own witness is in A, so a ray at it from outside hits A no later; and contacts go as deep as the bodies are.
+TEST(KnownFailures, AreHitByRaysAndHaveContacts) {
+  for (const KnownFailure& one : known_failures()) {
+    SCOPED_TRACE(one.id);
+    const double size = one.a.circumradius() + one.b.circumradius();
+    const Separation answer = signed_distance(one.a, one.b, one.pose);
+    const Vec3d inside = 0.999 * answer.point_a + 0.001 * one.a.centre();
+    const FirstContact hit = cast_ray(one.a, inside + (2.0 * size) * answer.normal, -answer.normal);
+    ASSERT_EQ(hit.verdict.outcome, Outcome::overlap);
+    EXPECT_LE(hit.lower, 2.0 * size);
+    EXPECT_LE(hit.upper - hit.lower, 1e-9 * size);
+    EXPECT_GE(dot(hit.normal, answer.normal), 0.0);
+
+    const double margin = 1e-9 * size;
+    const ContactManifold manifold = contact_manifold(one.a, one.b, one.pose, margin);
+    if (answer.lower > margin) {
+      EXPECT_TRUE(manifold.contacts.empty());
+      continue;
+    }
+    ASSERT_FALSE(manifold.contacts.empty());
+    double deepest = HUGE_VAL;
+    for (const ContactManifold::Contact& contact : manifold.contacts) {
+      EXPECT_NEAR(dot(contact.point_b - contact.point_a, manifold.separation.normal), contact.signed_distance,
+                  1e-14 * size);
+      deepest = std::min(deepest, contact.signed_distance);
+    }
+    EXPECT_NEAR(deepest, answer.signed_distance, 2e-9 * size);
   }
 }
 
