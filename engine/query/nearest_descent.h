@@ -49,6 +49,7 @@ NearestDescent<L, Point> descend_to_origin(const Difference& difference, const V
     result.n_support_calls = 1;
   }
   result.lower = -error.reach;
+  Vec3<L> best_normal;
   while (true) {
     const L length = square_root(result.simplex.square());
     result.upper = length + slack;
@@ -65,7 +66,10 @@ NearestDescent<L, Point> descend_to_origin(const Difference& difference, const V
     const Point found = difference.support(result.normal);
     ++result.n_support_calls;
     const L in_front = -dot(result.normal, found.w);
-    result.lower = larger(result.lower, in_front - slack);
+    if (in_front - slack > result.lower) {
+      result.lower = in_front - slack;
+      best_normal = result.normal;
+    }
     if (goal == DescentGoal::separated && in_front - slack > radius) {
       result.end = End::separated;
       return result;
@@ -75,6 +79,11 @@ NearestDescent<L, Point> descend_to_origin(const Difference& difference, const V
       return result;
     }
     if (!result.simplex.add(found, !(result.lower > L(0.0)))) {
+      // Next to the origin the nearest point's direction is all rounding, and an earlier one may have been better: the
+      // one along which, or to the point of which, less is missing.
+      const Vec3<L> aside = result.simplex.at() + length * best_normal;
+      const bool is_better = dot(aside, aside) < (length - in_front) * (length - in_front);
+      if (is_better && norm_1(best_normal) > L(0.0)) result.normal = best_normal;
       result.end = End::stalled;
       return result;
     }
