@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/numeric/directions.h"
 #include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
 #include "engine/query/planar_polygon.h"
@@ -20,9 +21,7 @@ struct ContactFrame {
   Vec3d across_x, across_y, normal;
 
   explicit ContactFrame(const Vec3d& unit_normal) : normal(unit_normal) {
-    const double x = std::fabs(normal.x), y = std::fabs(normal.y), z = std::fabs(normal.z);
-    const Vec3d axis = x <= y && x <= z ? Vec3d{1.0, 0.0, 0.0} : y <= z ? Vec3d{0.0, 1.0, 0.0} : Vec3d{0.0, 0.0, 1.0};
-    const Vec3d side = cross(axis, normal);
+    const Vec3d side = cross(least_axis(normal), normal);
     across_x = (1.0 / norm(side)) * side;
     across_y = cross(normal, across_x);
   }

@@ -67,10 +67,9 @@ class ExactMotion {
 ExactCast cast_exactly(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Vec3d& motion,
                        double lower, double latest) {
   ExactCast result;
-  const std::optional<ExactForm> form_a = a.exact_form(), form_b = b.exact_form();
-  if (!form_a || !form_b || !form_a->is_rounded_polytope() || !form_b->is_rounded_polytope()) return result;
+  if (!a.is_rounded_polytope() || !b.is_rounded_polytope()) return result;
   if (!(latest > 0.0 && std::isfinite(latest))) return result;
-  ExactMotion exact(a, b, a_from_b, motion, form_b->points);
+  ExactMotion exact(a, b, a_from_b, motion, b.exact_form().value().points);
   for (const int digits : kTimeDigits) {
     const double unit = std::ldexp(1.0, std::ilogb(latest) - digits);
     // The nearest such time, which may be the only one of contact; and others, up to the last.

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/numeric/directions.h"
 #include "engine/query/nearest_simplex.h"
 #include "engine/query/portal_refinement.h"
 
@@ -110,7 +111,7 @@ class ExpandingPolytope {
       if (!found) return End::stalled;
       nearest_ = *found;
       const L distance = faces_[nearest_].distance;
-      const Vec3<L> normal = unit(faces_[nearest_].normal);
+      const Vec3<L> normal = unit_along(faces_[nearest_].normal);
       const std::uint32_t added = add_support(normal);
       const L height = dot(normal, at(added));
       if (height - distance <= wanted(distance)) {
@@ -198,10 +199,6 @@ class ExpandingPolytope {
     }
     return static_cast<std::uint32_t>(points_.size() - 1);
   }
-  static Vec3<L> unit(const Vec3<L>& dir) {
-    const Vec3<L> scaled = scaled_to_unit_exponent(dir);
-    return (L(1.0) / norm(scaled)) * scaled;
-  }
   const Vec3<L>& at(std::uint32_t i) const { return points_[i].w; }
 
   // --- the first tetrahedron
@@ -214,7 +211,7 @@ class ExpandingPolytope {
       return true;
     }
     for (const Vec3d& d : {Vec3d{0.6113, 0.4717, 0.6361}, Vec3d{-0.6113, -0.4717, -0.6361}})
-      add_support(unit(broadcast<L>(d)));
+      add_support(unit_along(broadcast<L>(d)));
     std::uint32_t first = 0, second = 0, third = 0;
     const auto find_longest = [&] {
       L largest(0.0);
@@ -240,8 +237,8 @@ class ExpandingPolytope {
       longest = find_longest();
       if (!(longest > least_length * least_length)) return false;  // a point: all directions are as good
     }
-    const Vec3<L> along = unit(at(second) - at(first));
-    const Vec3<L> across = unit(cross(along, least_axis(along))), other = cross(along, across);
+    const Vec3<L> along = unit_along(at(second) - at(first));
+    const Vec3<L> across = unit_along(cross(along, least_axis(along))), other = cross(along, across);
     const auto off_line = [&](std::uint32_t i) {
       const Vec3<L> normal = cross(along, at(i) - at(first));
       return dot(normal, normal);
@@ -260,7 +257,7 @@ class ExpandingPolytope {
       for (const Vec3<L>& d : {across, -across, other, -other}) add_support(d);
       if (!(find_third() > least_length * least_length)) return false;  // a segment: `normal` is across it
     }
-    const Vec3<L> normal = unit(cross(along, at(third) - at(first)));
+    const Vec3<L> normal = unit_along(cross(along, at(third) - at(first)));
     const std::uint32_t above = add_support(normal), below = add_support(-normal);
     const L up = dot(normal, at(above) - at(first)), down = -dot(normal, at(below) - at(first));
     const std::uint32_t apex = up > down ? above : below;
@@ -271,12 +268,6 @@ class ExpandingPolytope {
     }
     grow_by_any(apex == above ? below : above);
     return true;
-  }
-
-  static Vec3<L> least_axis(const Vec3<L>& v) {
-    const L x = absolute(v.x), y = absolute(v.y), z = absolute(v.z);
-    if (x <= y && x <= z) return {L(1.0), L(0.0), L(0.0)};
-    return y <= z ? Vec3<L>{L(0.0), L(1.0), L(0.0)} : Vec3<L>{L(0.0), L(0.0), L(1.0)};
   }
 
   bool has_volume(std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) const {
@@ -333,7 +324,7 @@ class ExpandingPolytope {
     const bool is_sliver = !(square > thinnest_sq * product);
     if (is_sliver) {
       const Vec3<L> nearest = nearest_on_longest_edge(p, q, r);
-      face.normal = norm_1(nearest) > L(0.0) ? unit(nearest) : least_axis(e);
+      face.normal = norm_1(nearest) > L(0.0) ? unit_along(nearest) : least_axis(e);
       square = L(1.0);
     }
     const L of_p = dot(face.normal, p), of_q = dot(face.normal, q), of_r = dot(face.normal, r);

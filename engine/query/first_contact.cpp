@@ -3,8 +3,10 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/numeric/directions.h"
 #include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
+#include "engine/numeric/scaled_bound.h"
 #include "engine/query/exact_cast.h"
 #include "engine/query/overlap.h"
 #include "engine/query/ray_search.h"
@@ -29,11 +31,6 @@ struct Point {
 
 FirstContact no_contact(Verdict verdict) { return {verdict, HUGE_VAL, HUGE_VAL, HUGE_VAL, {}, {}, {}, 0}; }
 
-Vec3d against(const Vec3d& motion) {
-  const Vec3d dir = -scaled_to_unit_exponent(motion);
-  return (1.0 / norm(dir)) * dir;
-}
-
 FirstContact contact_at_start(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, Verdict verdict) {
   const Separation found = penetration_depth(a, b, a_from_b);
   return {verdict, 0.0, 0.0, 0.0, found.normal, found.point_a, found.point_b, found.n_support_calls};
@@ -52,7 +49,7 @@ void touch_at_start(const ConvexBody& a, const ConvexBody& b, const Transformd& 
     contact.point_b = found.point_b;
     return;
   }
-  contact.normal = against(motion);
+  contact.normal = unit_along(-motion);
   contact.point_a = touch.point_a + a.ball_radius() * contact.normal;
   contact.point_b = touch.point_b - b.ball_radius() * contact.normal;
 }
@@ -92,7 +89,7 @@ void decide_exactly(const ConvexBody& a, const ConvexBody& b, const Transformd& 
   const Separation apart = signed_distance(a, b, pose);
   contact.n_support_calls += apart.n_support_calls;
   if (dot(apart.normal, motion) < 0.0 || !(norm_1(contact.normal) > 0.0)) contact.normal = apart.normal;
-  if (!(norm_1(contact.normal) > 0.0)) contact.normal = against(motion);
+  if (!(norm_1(contact.normal) > 0.0)) contact.normal = unit_along(-motion);
   contact.point_a = apart.point_a;
   contact.point_b = apart.point_b;
 }
@@ -105,7 +102,7 @@ FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Transfo
   const Verdict at_start = overlap(a, b, a_from_b, &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
   if (at_start.outcome == Outcome::overlap) {
     FirstContact contact = contact_at_start(a, b, a_from_b, at_start);
-    if (!(norm_1(contact.normal) > 0.0)) contact.normal = against(motion);
+    if (!(norm_1(contact.normal) > 0.0)) contact.normal = unit_along(-motion);
     contact.n_support_calls += certificate.n_support_calls;
     return contact;
   }

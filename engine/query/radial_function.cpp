@@ -1,13 +1,13 @@
 #include "engine/query/radial_function.h"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
 
 #include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
+#include "engine/numeric/scaled_bound.h"
 #include "engine/query/overlap.h"
 #include "engine/query/packet_overlap.h"
 #include "engine/query/radial_steps.h"
@@ -157,17 +157,6 @@ class Bisection {
   Vec3d together_;
   double inner_radius_;  // of a ball about the origin of K; below zero where none is known
 };
-
-// x 2^exponent, not above it, or not below: where the result is subnormal or too large it is rounded that way.
-double scaled_down(double x, int exponent) {
-  const double scaled = std::ldexp(x, exponent);
-  if (std::isinf(scaled)) return std::numeric_limits<double>::max();
-  return scaled < std::numeric_limits<double>::min() ? std::nextafter(scaled, 0.0) : scaled;
-}
-double scaled_up(double x, int exponent) {
-  const double scaled = std::ldexp(x, exponent);
-  return x > 0.0 && scaled < std::numeric_limits<double>::min() ? std::nextafter(scaled, 1.0) : scaled;
-}
 
 }  // namespace
 

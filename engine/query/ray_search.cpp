@@ -1,8 +1,8 @@
 #include "engine/query/ray_search.h"
 
 #include <cmath>
-#include <limits>
 
+#include "engine/numeric/directions.h"
 #include "engine/query/portal_refinement.h"
 #include "engine/support/combinators.h"
 
@@ -28,9 +28,7 @@ constexpr int kMostOffsets = 6;
 constexpr double kTiltX = 0.1173, kTiltY = 0.0711;
 
 Vec3d across(const Vec3d& unit) {
-  const double x = std::fabs(unit.x), y = std::fabs(unit.y), z = std::fabs(unit.z);
-  const Vec3d axis = x <= y && x <= z ? Vec3d{1.0, 0.0, 0.0} : y <= z ? Vec3d{0.0, 1.0, 0.0} : Vec3d{0.0, 0.0, 1.0};
-  const Vec3d side = cross(unit, axis);
+  const Vec3d side = cross(unit, least_axis(unit));
   return (1.0 / norm(side)) * side;
 }
 
@@ -40,16 +38,6 @@ constexpr double kMostReach = 0x1p1000;
 
 bool are_within_range(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b) {
   return a.reach() < kMostReach && b.reach() < kMostReach && norm_1(a_from_b.translation) < kMostReach;
-}
-
-double scaled_down(double time, int exponent) {
-  const double scaled = std::ldexp(time, exponent);
-  if (std::isinf(scaled)) return std::numeric_limits<double>::max();
-  return time > 0.0 && scaled < std::numeric_limits<double>::min() ? std::nextafter(scaled, 0.0) : scaled;
-}
-double scaled_up(double time, int exponent) {
-  const double scaled = std::ldexp(time, exponent);
-  return time > 0.0 && scaled < std::numeric_limits<double>::min() ? std::nextafter(scaled, 1.0) : scaled;
 }
 
 RaySearch::RaySearch(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Vec3d& dir)
@@ -297,8 +285,7 @@ RayBounds RaySearch::run(const Vec3d& separating_dir, bool is_apart_at_start) {
 
 RaySearch::Touch RaySearch::touch() const {
   Touch touch;
-  const Vec3d normal = scaled_to_unit_exponent(normal_);
-  if (norm_1(normal) > 0.0) touch.normal = (1.0 / norm(normal)) * normal;
+  if (norm_1(normal_) > 0.0) touch.normal = unit_along(normal_);
   Vec3d of_a, of_b;
   for (std::size_t k = 0; k < 3; ++k) {
     of_a = of_a + weights_[k] * contact_[k].core_a;

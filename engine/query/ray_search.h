@@ -1,5 +1,4 @@
-// Where a ray from outside first meets K = A - B: what `cast_ray` and `linear_cast` ask (docs/derivations_motion.md,
-// E22).
+// Where a ray from outside first meets K = A - B: what `cast_ray` and `linear_cast` ask (docs/derivations.md, E22).
 //
 // Seen along the ray, K is its shadow, and the ray a point of it. Three points of K whose shadow has the point inside,
 // a portal, prove that the ray is in K where it passes their plane; the support point of the plane's normal, against
@@ -19,11 +18,6 @@ namespace vex {
 /// All coordinates of the pair are below 2^1000: farther from the origins sums of a few lengths are no longer finite,
 /// and nothing is proven of casts.
 bool are_within_range(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b);
-
-/// A bound of a time times 2^exponent, not above that, or not below it: where the result is subnormal or too large it
-/// is rounded that way.
-double scaled_down(double time, int exponent);
-double scaled_up(double time, int exponent);
 
 /// A point of K, in A's frame, and the points of the cores that it comes from; all times the search's power of two. It
 /// is the farthest one along `dir`, which no proof asks for.

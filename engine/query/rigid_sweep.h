@@ -1,4 +1,4 @@
-// What can be proven of a body that turns while it moves, over an interval of time (docs/derivations_motion.md, E23).
+// What can be proven of a body that turns while it moves, over an interval of time (docs/derivations.md, E23).
 //
 // Along a fixed unit vector n, from A towards B, the bodies are apart at time t by
 //

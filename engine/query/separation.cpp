@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "engine/numeric/directions.h"
 #include "engine/numeric/expect.h"
 #include "engine/query/expanding_polytope.h"
 #include "engine/query/extended_difference.h"
@@ -26,11 +27,15 @@ constexpr double kPolytopeGap = 0x1p-44, kCurvedGap = 0x1p-32;
 // Who asks for no more than this wants no digits of a contact, either.
 constexpr double kRoughGap = 0x1p-24;
 
+bool are_rounded_polytopes(const ConvexBody& a, const ConvexBody& b) {
+  return a.is_rounded_polytope() && b.is_rounded_polytope();
+}
+
 // Hulls of polytopes come to an end by themselves, if it takes all of their vertices.
 int max_hull_points(const ConvexBody& a, const ConvexBody& b, const SeparationSettings& settings) {
-  const bool is_exact = a.is_rounded_polytope() && b.is_rounded_polytope();
   constexpr int kMost = 1 << 14;
-  return is_exact && settings.max_support_calls == kMaxSupportCalls ? kMost : settings.max_support_calls;
+  return are_rounded_polytopes(a, b) && settings.max_support_calls == kMaxSupportCalls ? kMost
+                                                                                       : settings.max_support_calls;
 }
 
 // --- K = A - B of the bodies' cores, their balls and rolling balls apart
@@ -128,6 +133,10 @@ struct CoreSeparation {
     weights[static_cast<std::size_t>(n_points)] = weight;
     ++n_points;
   }
+  void take_points(const NearestSimplex<L, Point>& simplex) {
+    n_points = 0;
+    for (int k = 0; k < simplex.size(); ++k) add(simplex.weight(k), simplex.point(k));
+  }
 };
 
 template <class L>
@@ -167,7 +176,7 @@ CoreSeparation<L, Point> search(const Difference& difference, const Vec3<L>& fir
     result.normal = descent.normal;
     result.has_normal = norm_1(result.normal) > L(0.0);
     result.distance = square_root(descent.simplex.square());
-    for (int k = 0; k < descent.simplex.size(); ++k) result.add(descent.simplex.weight(k), descent.simplex.point(k));
+    result.take_points(descent.simplex);
     return result;
   }
   // That they overlap is all that is asked.
@@ -188,7 +197,7 @@ CoreSeparation<L, Point> search(const Difference& difference, const Vec3<L>& fir
   result.lower = larger(result.lower, -polytope.depth_upper());
   if (end == Polytope::End::separated) {
     result.distance = square_root(descent.simplex.square());
-    for (int k = 0; k < descent.simplex.size(); ++k) result.add(descent.simplex.weight(k), descent.simplex.point(k));
+    result.take_points(descent.simplex);
     return result;
   }
   Vec3<L> foot;
@@ -203,18 +212,12 @@ CoreSeparation<L, Point> search(const Difference& difference, const Vec3<L>& fir
   // Of cores that hardly meet, the nearest points are those of the descent.
   const Vec3<L> out = polytope.height() * polytope.normal();
   if (result.n_points == 0 || norm_1(descent.simplex.at() - out) < norm_1(foot - out)) {
-    result.n_points = 0;
-    for (int k = 0; k < descent.simplex.size(); ++k) result.add(descent.simplex.weight(k), descent.simplex.point(k));
+    result.take_points(descent.simplex);
   }
   return result;
 }
 
 // --- answers
-
-Vec3d unit(const Vec3d& dir) {
-  const Vec3d scaled = scaled_to_unit_exponent(dir);
-  return (1.0 / norm(scaled)) * scaled;
-}
 
 double below(double x) { return std::nextafter(x, -kInfinity); }
 double above(double x) { return std::nextafter(x, kInfinity); }
@@ -251,8 +254,7 @@ struct DoubleQuery {
         settings{goal,
                  radius_a + radius_b,
                  a.circumradius() + b.circumradius(),
-                 std::max(given.relative_gap,
-                          a.is_rounded_polytope() && b.is_rounded_polytope() ? kPolytopeGap : kCurvedGap),
+                 std::max(given.relative_gap, are_rounded_polytopes(a, b) ? kPolytopeGap : kCurvedGap),
                  given.max_support_calls,
                  max_hull_points(a, b, given)} {}
 
@@ -294,7 +296,7 @@ Separation search_in_double(const DoubleQuery& query, const DifferenceZonotope* 
   using Core = CoreSeparation<double, CoreDifference::Point>;
   const bool is_warm = warm_start != nullptr && norm_1(warm_start->dir) > 0.0 && is_finite(warm_start->dir);
   Vec3d first_dir = is_warm ? warm_start->dir : query.difference.between_centres();
-  first_dir = norm_1(first_dir) > 0.0 ? unit(first_dir) : Vec3d{0.6, 0.0, 0.8};
+  first_dir = norm_1(first_dir) > 0.0 ? unit_along(first_dir) : Vec3d{0.6, 0.0, 0.8};
   Separation result;
   std::optional<ZonotopeSeparation> deepest;
   const auto depth_of_faces = [&]() -> std::optional<Core> {
@@ -405,8 +407,7 @@ constexpr double kLeastReach = 0x1p-150, kLargestReach = 0x1p150;
 Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, Goal goal,
                       const SeparationSettings& settings, WarmStart* warm_start) {
   VEX_EXPECT(settings.relative_gap >= 0.0);
-  const bool is_exact = a.is_rounded_polytope() && b.is_rounded_polytope();
-  const double relative_gap = std::max(settings.relative_gap, is_exact ? 0x1p-40 : 1e-9);
+  const double relative_gap = std::max(settings.relative_gap, are_rounded_polytopes(a, b) ? 0x1p-40 : 1e-9);
   Separation result;
   bool is_capped = false;
   const auto wanted = [&](const Separation& found) {

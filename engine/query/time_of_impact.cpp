@@ -2,10 +2,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <optional>
 
 #include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
+#include "engine/numeric/scaled_bound.h"
 #include "engine/query/first_contact.h"
 #include "engine/query/overlap.h"
 #include "engine/query/ray_search.h"
@@ -20,11 +20,6 @@ constexpr int kMostAdvances = 1 << 14;
 // Trials of the length of one advance; of how late there is contact; and of how early once it is found.
 constexpr int kMostTrials = 10, kMostDoublings = 64, kMostHalvings = 2;
 
-// Distances of polytopes and balls come to an end by themselves; small ones of curved bodies are dear.
-bool is_curved(const ConvexBody& body) {
-  const std::optional<ExactForm> form = body.exact_form();
-  return !form || !form->is_rounded_polytope();
-}
 // Of the circumradii: nearer than this the normal has hardly turned since the last gap was measured.
 constexpr double kNearGap = 0x1p-12;
 
@@ -58,7 +53,7 @@ class Advancement {
         b_(b),
         sweep_(a, b, a_from_b, motion),
         size_(a.circumradius() + b.circumradius()),
-        is_curved_(is_curved(a) || is_curved(b)),
+        is_curved_(!a.is_rounded_polytope() || !b.is_rounded_polytope()),
         ends_(ends) {}
 
   FirstContact run() {
@@ -263,7 +258,9 @@ class Advancement {
   const ConvexBody& b_;
   RigidSweep sweep_;
   double size_;
-  bool is_curved_, ends_;
+  // Distances of polytopes and balls come to an end by themselves; small ones of curved bodies are dear.
+  bool is_curved_;
+  bool ends_;
   double time_ = 0.0, until_ = 0.0;
   double last_gap_ = HUGE_VAL;
   Vec3d last_normal_;
