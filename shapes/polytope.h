@@ -55,8 +55,9 @@ class Polytope {
   static constexpr std::size_t kMostScanned = 32;
   /// The table, or null while there is none.
   const DirectionMap* direction_map() const { return map_ == nullptr ? nullptr : map_->made(); }
+  /// The table as kernels read it: made here and now where it is not there yet. None of a body of few vertices.
   std::optional<DirectionTable> direction_table() const {
-    return direction_map() == nullptr ? std::nullopt : direction_map()->table();
+    return map_ == nullptr ? std::nullopt : map_->made_now(x_, y_, z_).table();
   }
 
  private:

@@ -31,7 +31,7 @@ struct CoreForm {
   Vec3d lower, upper;           // the bounding box; a box itself
   Vec3d semi_axes;              // of an ellipsoid
   std::vector<double> x, y, z;  // of vertices
-  DirectionTable table;         // null where the body has none as yet
+  DirectionTable table;         // null where the body's numbers allow of none
   std::vector<Piece> pieces;
   double support_error = 0.0;  // of the core's own support mapping, beyond that of the body's
 };

@@ -181,7 +181,8 @@ struct TableCore : BoundsDirection {
   }
 
   /// Of lists as those around the normal of a facet with many vertices: one after the other, a register of vertices
-  /// together.
+  /// together. Of vertices that tie the first one of the list answers, as it does where lanes are asked together: which
+  /// of the two ways a lane goes hangs on its neighbours.
   template <int W>
   static Vec3<Packet<W>> one_by_one(const RowOfEach<W>& rows, const Packet<W>& n, const Vec3<Packet<W>>& dir) {
     using L = Packet<W>;
@@ -194,18 +195,24 @@ struct TableCore : BoundsDirection {
       const RowOfEach<W> list(rows.at(lane));
       L unused;
       Vec3<L> best = list.read(0, &unused);
-      L best_value = dot(best, one_dir);
+      L best_value = dot(best, one_dir), best_round(0.0);
       for (std::size_t k = kCount<W>; k < static_cast<std::size_t>(length[lane]); k += kCount<W>) {
         const Vec3<L> next = list.read(k, &unused);
         const L value = dot(next, one_dir);
-        best = vex::select<L>(value > best_value, next, best);
+        const MaskOf<L> is_better = value > best_value;
+        best = vex::select<L>(is_better, next, best);
+        best_round = select(is_better, L(static_cast<double>(k)), best_round);
         best_value = larger(value, best_value);
       }
       const Stored<W> bests(best);
-      double values[kCount<W>];
+      double values[kCount<W>], rounds[kCount<W>];
       best_value.store(values);
+      best_round.store(rounds);
       std::size_t first = 0;
-      for (std::size_t k = 1; k < kCount<W>; ++k) first = values[k] > values[first] ? k : first;
+      for (std::size_t k = 1; k < kCount<W>; ++k) {
+        const bool comes_first = values[k] == values[first] && rounds[k] < rounds[first];
+        first = values[k] > values[first] || comes_first ? k : first;
+      }
       best_of_each.x[lane] = bests.x[first];
       best_of_each.y[lane] = bests.y[first];
       best_of_each.z[lane] = bests.z[first];

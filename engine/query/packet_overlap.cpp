@@ -1,6 +1,5 @@
 #include "engine/query/packet_overlap.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "engine/query/packet_pair.h"
@@ -8,18 +7,11 @@
 namespace vex {
 namespace {
 
-// As long as a body has not its table of directions, all is left open: to be asked.
 class OwningPacketOverlap final : public PacketOverlap {
  public:
-  OwningPacketOverlap(PacketKernel make, std::unique_ptr<PacketPair> pair) : kernel_(std::move(pair), make) {}
+  explicit OwningPacketOverlap(KernelOfPair<PacketOverlap> kernel) : kernel_(std::move(kernel)) {}
 
-  void decide(const PoseTable& poses, PacketAnswer* answers) override {
-    if (PacketOverlap* const kernel = kernel_.get()) {
-      kernel->decide(poses, answers);
-    } else {
-      std::fill_n(answers, poses.n, PacketAnswer::open);
-    }
-  }
+  void decide(const PoseTable& poses, PacketAnswer* answers) override { kernel_.kernel->decide(poses, answers); }
 
  private:
   KernelOfPair<PacketOverlap> kernel_;
@@ -39,7 +31,9 @@ PacketKernel packet_kernel(InstructionSet set) {
 std::unique_ptr<PacketOverlap> make_packet_overlap(PacketKernel kernel, const ConvexBody& a, const ConvexBody& b) {
   if (kernel == nullptr) return nullptr;
   std::unique_ptr<PacketPair> pair = PacketPair::make(a, b);
-  return pair == nullptr ? nullptr : std::make_unique<OwningPacketOverlap>(kernel, std::move(pair));
+  if (pair == nullptr) return nullptr;
+  std::unique_ptr<PacketOverlap> made(kernel(pair->forms()));
+  return std::make_unique<OwningPacketOverlap>(KernelOfPair<PacketOverlap>{std::move(pair), std::move(made)});
 }
 
 }  // namespace vex

@@ -1,5 +1,6 @@
 #include "engine/query/packet_pair.h"
 
+#include <optional>
 #include <utility>
 
 #include "engine/query/overlap_filter.h"
@@ -8,11 +9,7 @@
 namespace vex {
 namespace {
 
-bool is_ready(const ConvexBody& body, CoreForm* core) {
-  if (core->kind != CoreForm::Kind::table) return true;
-  core->table = body.direction_table().value_or(DirectionTable{});
-  return core->table.cells != nullptr;
-}
+bool lacks_table(const CoreForm& core) { return core.kind == CoreForm::Kind::table && core.table.cells == nullptr; }
 
 }  // namespace
 
@@ -20,15 +17,14 @@ std::unique_ptr<PacketPair> PacketPair::make(const ConvexBody& a, const ConvexBo
   const double reach = query_error(a, b, Transformd{}).reach;
   if (!(reach > kLeastPacketReach && reach < kLargestPacketReach)) return nullptr;
   std::optional<CoreForm> core_a = core_form(a), core_b = core_form(b);
-  if (!core_a || !core_b) return nullptr;
+  if (!core_a || !core_b || lacks_table(*core_a) || lacks_table(*core_b)) return nullptr;
   return std::unique_ptr<PacketPair>(new PacketPair(a, b, std::move(*core_a), std::move(*core_b)));
 }
 
 PacketPair::PacketPair(const ConvexBody& a, const ConvexBody& b, CoreForm core_a, CoreForm core_b)
     : a_(a), b_(b), core_a_(std::move(core_a)), core_b_(std::move(core_b)) {}
 
-std::optional<PacketPairForms> PacketPair::forms() {
-  if (!is_ready(a_, &core_a_) || !is_ready(b_, &core_b_)) return std::nullopt;
+PacketPairForms PacketPair::forms() const {
   const QueryError<double> own = query_error(a_, b_, Transformd{});
   const double error = own.support + core_a_.support_error + 2.0 * core_b_.support_error;
   const double inradii = a_.inradius() + b_.inradius();

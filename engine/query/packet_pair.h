@@ -1,10 +1,7 @@
 // A pair of bodies as the packet kernels take it, with its owners.
 #pragma once
 
-#include <functional>
 #include <memory>
-#include <optional>
-#include <utility>
 
 #include "engine/query/core_form.h"
 #include "engine/query/packet_overlap.h"
@@ -15,12 +12,12 @@ namespace vex {
 class PacketPair {
  public:
   /// Null where kernels do not take the pair: cores of another form, or lengths whose products could over- or
-  /// underflow.
+  /// underflow. That hangs on the bodies alone: tables of directions that the bodies do not have yet are made here, so
+  /// that whether a kernel answers a trial is no matter of what was asked before, or of time.
   static std::unique_ptr<PacketPair> make(const ConvexBody& a, const ConvexBody& b);
 
-  /// None as long as a body that needs its table of directions has not been asked often enough to have it. Refers to
-  /// this.
-  std::optional<PacketPairForms> forms();
+  /// Refers to this.
+  PacketPairForms forms() const;
 
  private:
   PacketPair(const ConvexBody& a, const ConvexBody& b, CoreForm core_a, CoreForm core_b);
@@ -29,25 +26,11 @@ class PacketPair {
   CoreForm core_a_, core_b_;
 };
 
-/// A kernel of the pair and the pair it refers to: made as soon as the bodies have what it needs.
+/// A kernel of a pair with the pair that it refers to, for `make` is compiled for an instruction set and owns nothing.
 template <class Kernel>
-class KernelOfPair {
- public:
-  using Make = std::function<Kernel*(const PacketPairForms& forms)>;
-
-  KernelOfPair(std::unique_ptr<PacketPair> pair, Make make) : pair_(std::move(pair)), make_(std::move(make)) { get(); }
-
-  /// Null before.
-  Kernel* get() {
-    if (kernel_ != nullptr) return kernel_.get();
-    if (const std::optional<PacketPairForms> forms = pair_->forms()) kernel_.reset(make_(*forms));
-    return kernel_.get();
-  }
-
- private:
-  std::unique_ptr<PacketPair> pair_;
-  Make make_;
-  std::unique_ptr<Kernel> kernel_;
+struct KernelOfPair {
+  std::unique_ptr<PacketPair> pair;
+  std::unique_ptr<Kernel> kernel;
 };
 
 }  // namespace vex

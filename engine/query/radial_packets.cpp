@@ -7,19 +7,11 @@
 namespace vex {
 namespace {
 
-// As OwningPacketOverlap of packet_overlap.cpp.
 class OwningPacketRays final : public PacketRays {
  public:
-  OwningPacketRays(RayKernel make, std::unique_ptr<PacketPair> pair, const BodyPoints& points)
-      : kernel_(std::move(pair), [make, points](const PacketPairForms& forms) { return make(forms, points); }) {}
+  explicit OwningPacketRays(KernelOfPair<PacketRays> kernel) : kernel_(std::move(kernel)) {}
 
-  void find(const RayTable& rays, RadialAnswers& answers) override {
-    if (PacketRays* const kernel = kernel_.get()) {
-      kernel->find(rays, answers);
-    } else {
-      answers.open_all(rays.n);
-    }
-  }
+  void find(const RayTable& rays, RadialAnswers& answers) override { kernel_.kernel->find(rays, answers); }
 
  private:
   KernelOfPair<PacketRays> kernel_;
@@ -33,14 +25,15 @@ RayKernel ray_kernel(InstructionSet set) {
 #define VEX_KERNEL_SET(name) \
   if (set == InstructionSet::name) return name::new_packet_rays;
 #include "engine/numeric/kernel_sets.inc"
-  return nullptr;
+  return baseline::new_packet_rays;
 }
 
 std::unique_ptr<PacketRays> make_packet_rays(RayKernel kernel, const ConvexBody& a, const ConvexBody& b,
                                              const BodyPoints& points) {
-  if (kernel == nullptr) return nullptr;
   std::unique_ptr<PacketPair> pair = PacketPair::make(a, b);
-  return pair == nullptr ? nullptr : std::make_unique<OwningPacketRays>(kernel, std::move(pair), points);
+  if (pair == nullptr) return nullptr;
+  std::unique_ptr<PacketRays> made(kernel(pair->forms(), points));
+  return std::make_unique<OwningPacketRays>(KernelOfPair<PacketRays>{std::move(pair), std::move(made)});
 }
 
 }  // namespace vex

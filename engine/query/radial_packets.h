@@ -74,14 +74,18 @@ inline constexpr double kRadialGap = 0x1p-10;
 
 using RayKernel = PacketRays* (*)(const PacketPairForms& forms, const BodyPoints& points);
 
-/// Null where there is none: of `scalar`.
+/// Of `scalar` the one that is compiled for the baseline of the machine's kind: averages, and not only hits, are then
+/// the same bits for every set, and on machines that have none of the others.
 RayKernel ray_kernel(InstructionSet set);
 
-/// None without a kernel, or for a pair that it does not take, as make_packet_overlap.
+/// None for a pair that kernels do not take, as make_packet_overlap.
 std::unique_ptr<PacketRays> make_packet_rays(RayKernel kernel, const ConvexBody& a, const ConvexBody& b,
                                              const BodyPoints& points);
 
 // Each is compiled for its own set (radial_kernel.cpp).
+namespace baseline {
+PacketRays* new_packet_rays(const PacketPairForms& forms, const BodyPoints& points);
+}
 namespace sse2 {
 PacketRays* new_packet_rays(const PacketPairForms& forms, const BodyPoints& points);
 }

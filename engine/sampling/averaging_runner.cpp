@@ -1,7 +1,9 @@
 #include <array>
 #include <cmath>
+#include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/numeric/errors.h"
@@ -14,18 +16,13 @@ namespace {
 
 class AveragingRunner final : public TrialRunner {
  public:
-  explicit AveragingRunner(const MonteCarloSettings& settings)
+  AveragingRunner(const MonteCarloSettings& settings, std::unique_ptr<Integrand> integrand, double reference)
       : settings_(settings),
-        integrand_(settings.integrand()),
+        integrand_(std::move(integrand)),
         points_(settings.seed, settings.sequence, integrand_->dimension(), {}, settings.instruction_set,
                 integrand_->n_independent_coordinates()),
-        columns_(static_cast<std::size_t>(integrand_->dimension() + 1) * kStride) {
-    // Of values that hardly vary the sum of squares would lose all digits.
-    std::vector<double> any_point(static_cast<std::size_t>(integrand_->dimension()));
-    draw_unit_cube(0, Stream::pilot, 0, any_point);
-    integrand_->evaluate(any_point, {&reference_, 1});
-    if (!(std::fabs(reference_) <= Integrand::kLargestValue * integrand_->scale())) reference_ = 0.0;
-  }
+        columns_(static_cast<std::size_t>(integrand_->dimension() + 1) * kStride),
+        reference_(reference) {}
 
   BlockRecord run(std::uint64_t begin, std::uint64_t end) override {
     BlockRecord record;
@@ -63,9 +60,9 @@ class AveragingRunner final : public TrialRunner {
     sums.n += n;
     sums.values.add(values);
     tally.n_trials += n;
-    tally.n_undecided += doubts.n_undecided;
-    tally.n_decided_by[static_cast<std::size_t>(DecidedBy::gjk)] += n - doubts.n_undecided;
-    tally.by_class.half_widths += doubts.half_widths;
+    tally.n_undecided += doubts.size();
+    tally.n_decided_by[static_cast<std::size_t>(DecidedBy::gjk)] += n - doubts.size();
+    for (const Doubt& doubt : doubts) tally.by_class.half_widths.add(doubt.half_width / unit);
   }
 
   const MonteCarloSettings& settings_;
@@ -73,7 +70,7 @@ class AveragingRunner final : public TrialRunner {
   TrialPoints points_;
   std::vector<double> columns_;
   std::array<double, kBatch> values_{};
-  double reference_ = 0.0;  // of a fixed point, which values are counted from
+  double reference_;  // which values are counted from: the run's, not this thread's
 };
 
 }  // namespace
@@ -87,8 +84,17 @@ ClassTally empty_classes(const MonteCarloSettings& settings, std::uint64_t n_cla
   return by_class;
 }
 
-std::unique_ptr<TrialRunner> make_averaging_runner(const MonteCarloSettings& settings) {
-  return std::make_unique<AveragingRunner>(settings);
+double reference_value(Integrand& integrand) {
+  std::vector<double> any_point(static_cast<std::size_t>(integrand.dimension()));
+  draw_unit_cube(0, Stream::pilot, 0, any_point);
+  double value = 0.0;
+  integrand.evaluate(any_point, {&value, 1});
+  return std::fabs(value) <= Integrand::kLargestValue * integrand.scale() ? value : 0.0;
+}
+
+std::unique_ptr<TrialRunner> make_averaging_runner(const MonteCarloSettings& settings,
+                                                   std::unique_ptr<Integrand> integrand, double reference) {
+  return std::make_unique<AveragingRunner>(settings, std::move(integrand), reference);
 }
 
 }  // namespace vex

@@ -36,10 +36,17 @@ Doubts ControlledIntegrand::evaluate(std::span<const double> points, std::span<d
   };
   const Doubts of_f = f_->evaluate(first(*f_), values), of_g = g_->evaluate(first(*g_), of_g_);
   for (std::size_t k = 0; k < values.size(); ++k) values[k] -= weight_ * (of_g_[k] - mean_of_g_);
+  // One for each value: where both are in doubt, what it may be off by adds up.
   Doubts doubts;
-  doubts.n_undecided = of_f.n_undecided + of_g.n_undecided;
-  doubts.half_widths.add(
-      (f_->scale() * of_f.half_widths.value() + std::fabs(weight_) * g_->scale() * of_g.half_widths.value()) / scale());
+  auto f = of_f.begin();
+  auto g = of_g.begin();
+  while (f != of_f.end() || g != of_g.end()) {
+    const bool has_f = f != of_f.end() && (g == of_g.end() || f->k <= g->k);
+    const bool has_g = g != of_g.end() && (f == of_f.end() || g->k <= f->k);
+    doubts.push_back({has_f ? f->k : g->k, 0.0});
+    if (has_f) doubts.back().half_width += (f++)->half_width;
+    if (has_g) doubts.back().half_width += std::fabs(weight_) * (g++)->half_width;
+  }
   return doubts;
 }
 

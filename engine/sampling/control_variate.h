@@ -20,6 +20,7 @@ class ControlledIntegrand final : public Integrand {
   int n_independent_coordinates() const override;
   double scale() const override;
   double relative_rounding() const override;
+  double cost() const override { return f_->cost() + g_->cost(); }
   Doubts evaluate(std::span<const double> points, std::span<double> values) override;
 
  private:

@@ -102,11 +102,6 @@ void KernelHeights::take_vertices(const std::vector<Vec3d>& vertices) {
   }
 }
 
-void KernelHeights::look_for_table() {
-  if (!form_ || form_->kind != CoreForm::Kind::table || form_->table.cells != nullptr) return;
-  form_->table = body_->direction_table().value_or(DirectionTable{});
-}
-
 const CoreForm* KernelHeights::core() const {
   if (!form_ || form_->kind == CoreForm::Kind::pieces) return nullptr;
   return form_->kind == CoreForm::Kind::table && form_->table.cells == nullptr ? nullptr : &*form_;

@@ -42,14 +42,10 @@ class FittedDomain {
 };
 
 /// The heights of a body as kernels find them: bit for bit those of its own support mapping, which answers where no
-/// kernel has it (ConvexBody::rounds_as_kernels), and as long as the body has no table of directions. Holds a
-/// reference.
+/// kernel has it (ConvexBody::rounds_as_kernels). Holds a reference.
 class KernelHeights {
  public:
   explicit KernelHeights(const ConvexBody& body);
-
-  /// Whether the body has its table by now: to be called from time to time.
-  void look_for_table();
 
   /// Null where `of_body` has to be asked.
   const CoreForm* core() const;

@@ -1,20 +1,21 @@
 // A function on the unit cube whose mean is an average excluded volume: what every estimator is but hit or miss.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <span>
-
-#include "engine/numeric/fixed_point_sum.h"
+#include <vector>
 
 namespace vex {
 
-/// What the values of some points may be off by, beyond rounding.
-struct Doubts {
-  std::uint64_t n_undecided = 0;  // values whose bounds stayed apart
-  FixedPointSum half_widths;      // of those, half of what lies between the bounds, in units of Integrand::scale()
+/// A value whose bounds stayed apart: what it may be off by, beyond rounding.
+struct Doubt {
+  std::size_t k;      // values[k]
+  double half_width;  // half of what lies between the bounds, length^3
 };
+/// One for each such value, in their order.
+using Doubts = std::vector<Doubt>;
 
 /// One instance serves one thread.
 class Integrand {
@@ -36,8 +37,12 @@ class Integrand {
   /// What a value is off by, relative to the mean, besides its doubts: a proven bound.
   virtual double relative_rounding() const = 0;
 
+  /// Of a value, about, in nanoseconds of one thread: counted, not measured (trial_cost.h).
+  virtual double cost() const = 0;
+
   /// values[k] from the point of the open unit cube with the coordinates points[c * values.size() + k]: in length^3, a
-  /// function of these coordinates alone.
+  /// function of these coordinates alone, to the last bit. It hangs neither on the other points, nor on how often this
+  /// or another instance was asked before: what is made on the way (tables, caches) changes no bit.
   virtual Doubts evaluate(std::span<const double> points, std::span<double> values) = 0;
 };
 

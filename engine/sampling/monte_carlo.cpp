@@ -6,6 +6,7 @@
 #include <condition_variable>
 #include <exception>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -54,6 +55,10 @@ class Run {
         is_only_rule_(settings.stop.relative_error && !settings.stop.trials && !settings.stop.seconds) {
     if (settings.quick_verdicts && !settings.backend.is_peer && !settings.integrand)
       quick_.emplace(a, b, kDrawnRotationError);
+    if (settings.integrand) {
+      first_integrand_ = settings.integrand();
+      reference_ = reference_value(*first_integrand_);
+    }
     record_.comparisons.resize(settings.cross_check.size());
     set_next_evaluation();
   }
@@ -144,8 +149,16 @@ class Run {
     }
   }
 
-  std::unique_ptr<TrialRunner> make_runner() const {
-    if (settings_.integrand) return make_averaging_runner(settings_);
+  std::unique_ptr<TrialRunner> make_runner() {
+    if (settings_.integrand) {
+      std::unique_ptr<Integrand> integrand;
+      {
+        const std::lock_guard lock(mutex_);
+        integrand = std::move(first_integrand_);
+      }
+      if (integrand == nullptr) integrand = settings_.integrand();
+      return make_averaging_runner(settings_, std::move(integrand), reference_);
+    }
     return make_pose_runner(a_, b_, settings_, quick_ ? &*quick_ : nullptr);
   }
 
@@ -221,12 +234,14 @@ class Run {
   const std::uint64_t grain_;  // blocks begin at multiples of it
   const bool is_only_rule_;    // the relative error: where it cannot be reached, nothing else ends the run
   const Clock::time_point start_ = Clock::now();
+  double reference_ = 0.0;  // of an integrand: made once, before the threads
 
-  std::mutex mutex_;                 // guards all below; taken once a block, not once a trial
-  std::condition_variable changed_;  // for threads that wait for the next round
-  std::condition_variable ended_;    // for the caller, which would only be disturbed by every round
-  std::uint64_t next_ = 0;           // the first trial that no thread has taken
-  std::uint64_t round_end_ = 0;      // where the stop rule is looked at next
+  std::mutex mutex_;                            // guards all below; taken once a block, not once a trial
+  std::unique_ptr<Integrand> first_integrand_;  // which the reference is of: for the thread that comes first
+  std::condition_variable changed_;             // for threads that wait for the next round
+  std::condition_variable ended_;               // for the caller, which would only be disturbed by every round
+  std::uint64_t next_ = 0;                      // the first trial that no thread has taken
+  std::uint64_t round_end_ = 0;                 // where the stop rule is looked at next
   bool stopped_ = false;
   std::exception_ptr failure_;
   RunRecord record_;

@@ -97,10 +97,10 @@ struct RunRecord {
 /// Makes trials 0, 1, 2, ... until the stop rule ends the run, and counts, or averages.
 ///
 /// Hits, misses, undecided trials and sums depend on the bodies, seed, law, estimator and its settings, sequence,
-/// backend and number of trials only; never on threads, nor on instruction sets but for what an integrand says of them.
-/// Which stage spoke (n_decided_by) may differ by trials within rounding of contact:
-/// the searches of the sets, and those before and after a polytope has its table of directions, leave different ones to
-/// the exact stages. Exceptions of a backend end the run and are thrown again here.
+/// backend and number of trials only, to the last bit; never on threads, on what was asked of the bodies before, or on
+/// instruction sets. Which stage spoke (n_decided_by) may differ from set to set by trials within rounding of contact,
+/// of which their searches leave different ones to the exact stages. Tables of directions that the run wants are made
+/// before its first trial. Exceptions of a backend end the run and are thrown again here.
 RunRecord run_monte_carlo(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings);
 
 /// The ball within which B's centre always meets A: its share of the domain's volume, a little less than all of it.

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <limits>
+
+#include "engine/sampling/trial_cost.h"
 
 namespace vex {
 namespace {
@@ -12,16 +13,14 @@ constexpr std::uint64_t kOtherSeed = 0x9e3779b97f4a7c15u;
 
 struct Length {
   std::uint64_t n_trials;
-  double seconds = 0.0, relative_error = std::numeric_limits<double>::infinity();
+  double relative_error = std::numeric_limits<double>::infinity();
 };
 
 Length run(const ConvexBody& a, const ConvexBody& b, MonteCarloSettings& settings, std::uint64_t n_trials) {
   settings.stop = {};
   settings.stop.trials = n_trials;
-  // Of the processor, not of the clock: a busy machine makes no estimator look dear.
-  const std::clock_t start = std::clock();
   const RunRecord record = run_monte_carlo(a, b, settings);
-  Length length{record.tally.n_trials, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC};
+  Length length{record.tally.n_trials};
   if (length.n_trials > 0) {
     const VolumeEstimate estimate = volume_estimate(record.tally, settings.domain);
     constexpr double kSaysNothing = 0.5;
@@ -47,29 +46,30 @@ double PilotCost::seconds_to(double wanted) const {
 
 PilotCost pilot(const ConvexBody& a, const ConvexBody& b, MonteCarloSettings settings, double most_seconds) {
   constexpr std::uint64_t kLeast = 8 * kClasses, kMost = 512 * kClasses;
-  constexpr std::uint64_t kApart = 8;  // lengths, whose difference is free of what is made once
+  constexpr std::uint64_t kApart = 8;  // lengths, whose errors tell the slope
   settings.n_threads = 1;
   settings.seed ^= kOtherSeed;
   settings.on_progress = nullptr;
   settings.cross_check.clear();
   settings.verify = false;
+  PilotCost cost;
+  cost.seconds_per_trial = 1e-9 * (settings.integrand ? settings.integrand()->cost() : pose_cost(a, b, settings));
   const Length shortest = run(a, b, settings, kLeast);
-  Length last = shortest, first{0};
-  // Where a trial takes long a factor of two in its cost is known from the shortest run alone.
+  Length last = shortest;
+  // Where a trial takes long a factor of two in its error is known from the shortest run alone.
   constexpr double kLong = 20.0;
-  while (last.n_trials < kMost && last.seconds < (first.n_trials == 0 ? kLong : 1.0) * most_seconds) {
+  const auto costs_little = [&](const Length& length) {
+    const double most = length.n_trials == kLeast ? kLong * most_seconds : most_seconds;
+    return static_cast<double>(length.n_trials) * cost.seconds_per_trial < most;
+  };
+  while (last.n_trials < kMost && costs_little(last)) {
     const Length next = run(a, b, settings, kApart * last.n_trials);
     if (next.n_trials <= last.n_trials) break;  // interrupted
-    first = last;
     last = next;
   }
-  PilotCost cost;
   cost.n_trials = last.n_trials;
-  const double n_more = static_cast<double>(last.n_trials - first.n_trials);
-  const double of_all = last.seconds / std::max(1.0, static_cast<double>(last.n_trials));
-  cost.seconds_per_trial = std::max(0.25 * of_all, (last.seconds - first.seconds) / std::max(1.0, n_more));
   cost.relative_error = last.relative_error;
-  if (settings.sequence == Sequence::sobol && first.n_trials > 0 && last.relative_error > 0.0) {
+  if (settings.sequence == Sequence::sobol && last.n_trials > shortest.n_trials && last.relative_error > 0.0) {
     const double slope = std::log(last.relative_error / shortest.relative_error) /
                          std::log(static_cast<double>(last.n_trials) / static_cast<double>(shortest.n_trials));
     // Beyond what can be is the noise of short runs. Hits and misses in d dimensions: -1/2 - 1/(2 d) (Z. He, X. Wang,

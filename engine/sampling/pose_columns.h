@@ -19,12 +19,6 @@ struct FittedRecipe {
   FittedRecipe(const ConvexBody& a, const ConvexBody& b, const FittedDomain& domain)
       : pair(&domain.pair()), heights_a(a), heights_b(b) {}
 
-  /// To be called now and then.
-  void look_for_tables() {
-    heights_a.look_for_table();
-    heights_b.look_for_table();
-  }
-
   const FittedPair* pair;
   KernelHeights heights_a, heights_b;
 };

@@ -103,7 +103,6 @@ class PoseRunner final : public TrialRunner {
 
   // Poses by a kernel; what the quick verdict decides is only counted.
   void run_columns(const Trials& trials, BlockRecord& record) {
-    if (fitted_) fitted_->look_for_tables();
     if (recipe_.points != nullptr) {
       points_.many(trials.first, trials.n, columns_of_points_.data(), PoseColumns::kStride);
     }

@@ -47,8 +47,7 @@ Doubts RadialEstimator::evaluate(std::span<const double> points, std::span<doubl
         const double upper = bounds.upper * bounds.upper * bounds.upper;
         cube = answers_.cube_of(k, columns_.rays[RayTable::kPick][k], 0.5 * (lower + upper));
         if (upper - lower > 2.0 * relative_rounding() * upper) {
-          ++doubts.n_undecided;
-          doubts.half_widths.add(0.5 * weight * (upper - lower) / scale());
+          doubts.push_back({first + k, 0.5 * weight * (upper - lower)});
         }
       }
       values[first + k] = weight * cube;

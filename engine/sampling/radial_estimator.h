@@ -11,6 +11,7 @@
 #include "engine/sampling/integrand.h"
 #include "engine/sampling/radial_map.h"
 #include "engine/sampling/ray_columns.h"
+#include "engine/sampling/trial_cost.h"
 
 namespace vex {
 
@@ -27,9 +28,11 @@ class RadialEstimator final : public Integrand {
   /// Of r three times; and of bounds that are as close as they come, with what is added to them for rounding.
   double relative_rounding() const override { return 8.0 * kRadialRounding; }
 
-  /// With <V_ex> of the law as the mean over the cube. The same bits for every set but `scalar`, whose values differ by
-  /// what PacketRays picks. What packets leave open is found by `radial_function`; undecided are those whose bounds it
-  /// cannot close, where verdicts are undecided or coordinates too large beside the bodies.
+  double cost() const override { return ray_cost(a_, b_, map_); }
+
+  /// With <V_ex> of the law as the mean over the cube. The same bits for every set. What packets leave open is found by
+  /// `radial_function`; undecided are those whose bounds it cannot close, where verdicts are undecided or coordinates
+  /// too large beside the bodies.
   ///
   /// Not where RadialMap::is_too_thin.
   Doubts evaluate(std::span<const double> points, std::span<double> values) override;

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "engine/numeric/fixed_point_sum.h"
@@ -72,13 +73,18 @@ struct ClassTally {
   std::vector<ClassSums> classes;
   FixedPointSum half_widths;  // of what undecided values of an integrand lie between
 
+  /// Whether values of both are counted in the same way: from one offset, in one unit, in as many classes of one kind.
+  bool is_like(const ClassTally& other) const {
+    return kind == other.kind && are_hits == other.are_hits && offset == other.offset && unit == other.unit &&
+           relative_rounding == other.relative_rounding && classes.size() == other.classes.size();
+  }
+
+  /// Throws std::logic_error where the other one is not like this: the sum of the two would be of nothing, and no
+  /// standard error would show it.
   ClassTally& operator+=(const ClassTally& other) {
-    if (kind == Kind::none) {
-      *this = other;
-    } else {
-      for (std::size_t k = 0; k < other.classes.size(); ++k) classes[k] += other.classes[k];
-      half_widths += other.half_widths;
-    }
+    if (!is_like(other)) throw std::logic_error("tallies of unlike offsets, units or kinds were to be added");
+    for (std::size_t k = 0; k < other.classes.size(); ++k) classes[k] += other.classes[k];
+    half_widths += other.half_widths;
     return *this;
   }
   friend bool operator==(const ClassTally&, const ClassTally&) = default;
@@ -137,7 +143,11 @@ struct Tally {
     if (verdict.outcome == Outcome::undecided) undecided.add(share);
   }
 
+  /// Throws std::logic_error where both have trials that were counted in unlike ways (ClassTally).
   Tally& operator+=(const Tally& other) {
+    if (other.n_trials == 0) return *this;
+    if (n_trials == 0) return *this = other;
+    by_class += other.by_class;
     n_trials += other.n_trials;
     n_hits += other.n_hits;
     n_undecided += other.n_undecided;
@@ -145,7 +155,6 @@ struct Tally {
     all += other.all;
     hits += other.hits;
     undecided += other.undecided;
-    by_class += other.by_class;
     return *this;
   }
 

@@ -47,8 +47,13 @@ class TrialRunner {
 /// The classes of a run before its first trial.
 ClassTally empty_classes(const MonteCarloSettings& settings, std::uint64_t n_classes);
 
-/// Values of the settings' integrand. The settings must outlive it, here and below.
-std::unique_ptr<TrialRunner> make_averaging_runner(const MonteCarloSettings& settings);
+/// The value at one fixed point, from which all threads of a run count theirs: of values that hardly vary the sum of
+/// squares would lose all digits.
+double reference_value(Integrand& integrand);
+
+/// Values of an integrand of the settings, less `reference`. The settings must outlive it, here and below.
+std::unique_ptr<TrialRunner> make_averaging_runner(const MonteCarloSettings& settings,
+                                                   std::unique_ptr<Integrand> integrand, double reference);
 
 /// Hit or miss; `quick` of the pair, or none.
 std::unique_ptr<TrialRunner> make_pose_runner(const ConvexBody& a, const ConvexBody& b,

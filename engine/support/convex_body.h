@@ -38,8 +38,8 @@ template <class S>
 concept HasGenerators = requires(const S& body) {
   { body.generators() } -> std::convertible_to<std::optional<Generators>>;
 };
-/// A polytope, or one with a ball, of many vertices has a table of directions once it has been asked often: none
-/// before.
+/// A polytope, or one with a ball, of many vertices has a table of directions: `direction_table` makes it, unless it is
+/// there, and returns it. Safe from several threads at once.
 template <class S>
 concept HasDirectionTable = requires(const S& body) {
   { body.direction_table() } -> std::same_as<std::optional<DirectionTable>>;
@@ -108,7 +108,9 @@ class ConvexBody {
   /// What the body is exactly; none where its class does not tell. Copies the vertices of a polytope.
   std::optional<ExactForm> exact_form() const { return model_->exact_form(); }
 
-  /// Whether there may be a table of directions, and the table, or none as yet. It lives as long as the shape.
+  /// Whether there may be a table of directions; and the table, which is made where it is not there yet (1 to 4 us a
+  /// vertex), or none where the body's numbers allow of none. It lives as long as the shape. Whether it is there changes
+  /// no bit of `support`.
   bool may_have_direction_table() const { return model_->may_have_direction_table(); }
   std::optional<DirectionTable> direction_table() const { return model_->direction_table(); }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "engine/numeric/rounding.h"
+#include "engine/sampling/trial_cost.h"
 #include "engine/support/convex_body.h"
 #include "shapes/rounded.h"
 
@@ -25,6 +26,8 @@ class CoreHeights {
   }
 
   double ball_radius() const { return ball_radius_; }
+  /// Of a height, about, in nanoseconds (trial_cost.h).
+  double price() const { return support_price(core_); }
 
   /// Of the core, for d and for -d.
   void of_pairs(const ConvexBody::Columns& dirs, std::size_t n, double* along, double* against) const {

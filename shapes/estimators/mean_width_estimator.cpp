@@ -89,6 +89,12 @@ MeanWidthEstimator::MeanWidthEstimator(const MeasuredBody& a, const MeasuredBody
     : MeanWidthEstimator(a.body, {a.measures.volume, a.measures.surface_area}, b.body,
                          {b.measures.volume, b.measures.surface_area}, law) {}
 
+double MeanWidthEstimator::cost() const {
+  constexpr double kOfPoint = 60.0, kOfHeight = 2.0;
+  return kOfPoint +
+         2.0 * kPairs * ((is_one_body_ ? 0.0 : kOfHeight + heights_b_.price()) + kOfHeight + heights_a_.price());
+}
+
 Doubts MeanWidthEstimator::evaluate(std::span<const double> points, std::span<double> values) {
   const std::size_t n = values.size();
   VEX_EXPECT(points.size() == 2 * n);

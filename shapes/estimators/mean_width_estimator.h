@@ -39,6 +39,7 @@ class MeanWidthEstimator final : public Integrand {
   /// V_A + V_B + S_B R_A + S_A R_B, R the circumradius: an upper bound of every value.
   double scale() const override { return scale_; }
   double relative_rounding() const override { return relative_rounding_; }
+  double cost() const override;
 
   Doubts evaluate(std::span<const double> points, std::span<double> values) override;
 

@@ -41,8 +41,7 @@ class MixedVolumeEstimator final : public Integrand {
   /// of a mesh are good to 1e-12; to that come the additions and, times the other body's surface area, each body's
   /// support error and what its height changes by where a drawn matrix is off a rotation.
   double rounding(double mean) const;
-  /// Of a value, in about nanoseconds: counted, not measured.
-  double cost() const;
+  double cost() const override;
 
   Doubts evaluate(std::span<const double> points, std::span<double> values) override;
 

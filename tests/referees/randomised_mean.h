@@ -41,7 +41,7 @@ inline RandomisedMean mean_of(Integrand& integrand, int log2_n_points, std::uint
   for (int k = 0; k < kScramblings; ++k) {
     const std::vector<double> points =
         scrambled_net(integrand.dimension(), log2_n_points, seed, static_cast<std::uint64_t>(k));
-    found.half_width_sum += integrand.scale() * integrand.evaluate(points, values).half_widths.value();
+    for (const Doubt& doubt : integrand.evaluate(points, values)) found.half_width_sum += doubt.half_width;
     double of_net = 0.0;
     for (const double value : values) {
       of_net += value;

@@ -19,6 +19,7 @@ class Line final : public Integrand {
   Line(double a, double b, double noise) : a_(a), b_(b), noise_(noise) {}
   int dimension() const override { return noise_ == 0.0 ? 1 : 2; }
   double scale() const override { return 1.0; }
+  double cost() const override { return 10.0; }
   double relative_rounding() const override { return 1e-12; }
   Doubts evaluate(std::span<const double> points, std::span<double> values) override {
     for (std::size_t k = 0; k < values.size(); ++k) {

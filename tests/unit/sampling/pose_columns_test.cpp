@@ -103,7 +103,6 @@ TEST(PoseColumns, AreTheSamplersForEveryKindOfBound) {
 }
 
 // Every trial of a fitted domain against the sampler's: the open ones' poses and shares, and the shares of the others.
-// Many of them: a table of directions is made when a body has been asked often, and then the kernel reads it.
 void expect_fitted_trials_of_the_sampler(const ConvexBody& a, const ConvexBody& b, const OrientationLaw& law,
                                          bool with_quick_verdicts, std::uint64_t first, std::size_t n_batches) {
   const std::uint64_t seed = 0x123456789abcdef0;
@@ -119,7 +118,6 @@ void expect_fitted_trials_of_the_sampler(const ConvexBody& a, const ConvexBody& 
     for (std::size_t batch = 0; batch < n_batches; ++batch) {
       const std::array<std::size_t, 4> sizes = {PoseColumns::kMostTrials, 1, 7, 75};
       const std::size_t n = sizes[batch % sizes.size()];
-      fitted.look_for_tables();
       pose_kernel(set)({seed, &law, &domain, b.centre(), quick, &fitted}, index, n, *columns);
       std::size_t n_open = 0, n_disjoint = 0, n_overlap = 0;
       for (std::size_t k = 0; k < n; ++k) {

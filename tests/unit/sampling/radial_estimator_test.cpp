@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -11,6 +12,7 @@
 
 #include "engine/query/radial_steps.h"
 #include "shapes/any_shape.h"
+#include "shapes/ellipsoid.h"
 #include "shapes/excluded_volume.h"
 #include "shapes/polytope.h"
 #include "tests/referees/bodies.h"
@@ -130,9 +132,30 @@ TEST(RadialEstimator, OfAPointIsTheOtherBody) {
   EXPECT_LE(std::fabs(found.value - 6.0), 5.0 * found.std_error);
 }
 
+TEST(RadialEstimator, GivesTheSameBitsForEverySetAndBodiesThatNobodyHasAsked) {
+  for (const auto& [text_a, text_b] :
+       {std::pair{"cylinder:1,0.5", "ellipsoid:1,2,3"}, std::pair{"box:1,2,3", "cone:1,1"}}) {
+    std::optional<double> first;
+    for (const InstructionSet set : instruction_sets()) {
+      const ConvexBody a = parse_shape(text_a).body, b = parse_shape(text_b).body;
+      RadialEstimator estimator(a, b, {}, set);
+      const double value = mean_of(estimator, 6, 1).value;
+      if (!first) first = value;
+      EXPECT_EQ(value, *first) << name_of(set);
+    }
+  }
+}
+
+// A body that does not tell its form has no packets.
 TEST(RadialEstimator, OfBodiesWithoutPacketsGivesTheSameButForThePicks) {
+  class Nameless : public Ellipsoid {
+   public:
+    using Ellipsoid::Ellipsoid;
+    std::optional<ExactForm> exact_form() const { return std::nullopt; }
+  };
   const ConvexBody a = parse_shape("cylinder:1,0.5").body, b = parse_shape("ellipsoid:1,2,3").body;
-  RadialEstimator packets(a, b, {}), one_by_one(a, b, {}, InstructionSet::scalar);
+  const ConvexBody nameless = Nameless(1.0, 2.0, 3.0);
+  RadialEstimator packets(a, b, {}), one_by_one(a, nameless, {});
   const RandomisedMean x = mean_of(packets, 6, 1), y = mean_of(one_by_one, 6, 1);
   EXPECT_EQ(packets.n_one_by_one(), 0u);
   EXPECT_EQ(one_by_one.n_one_by_one(), 32u * 64u);

@@ -30,6 +30,17 @@ TEST(LazyDirectionMap, BodiesOfFewVerticesHaveNone) {
   EXPECT_EQ(body.direction_map(), nullptr);
 }
 
+TEST(LazyDirectionMap, IsMadeAtOnceForWhoeverAsksForTheTable) {
+  const std::vector<Vec3d> vertices = test_point_hull(200, {3, 2, 1}, 1).vertices;
+  const Polytope body(vertices, {}, 0.0);
+  std::vector<const DirectionTable::Vertex*> seen(4);
+  std::vector<std::thread> threads;
+  for (auto& one : seen) threads.emplace_back([&] { one = body.direction_table().value().vertices; });
+  for (std::thread& thread : threads) thread.join();
+  for (const auto* one : seen) EXPECT_EQ(one, seen[0]) << "there is one table";
+  EXPECT_NE(body.direction_map(), nullptr);
+}
+
 TEST(LazyDirectionMap, NoAnswerDependsOnWhenItIsMade) {
   const std::vector<Vec3d> vertices = test_point_hull(500, {3, 2, 1}, 2).vertices;
   const Polytope asked(vertices, {}, 0.0);

@@ -1,0 +1,91 @@
+#include "engine/sampling/trial_cost.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "engine/query/core_form.h"
+#include "engine/query/overlap.h"
+#include "engine/query/overlap_filter.h"
+#include "engine/query/packet_pair.h"
+#include "engine/query/radial_function.h"
+#include "engine/query/radial_packets.h"
+#include "engine/sampling/pose_map.h"
+#include "engine/sampling/random_stream.h"
+#include "engine/sampling/trial_runner.h"
+#include "engine/scene/quick_verdict.h"
+
+namespace vex {
+namespace {
+
+// All prices in nanoseconds.
+constexpr double kOfOneByOne = 40.0;     // a support call outside of packets, besides its body's price
+constexpr double kOfEscalation = 2e4;    // a trial that double precision leaves open
+constexpr double kOfPeersTrial = 400.0;  // of a peer's search
+constexpr std::uint64_t kTrials = 256;   // poses that are searched
+constexpr std::uint64_t kRays = 64;
+
+double price_of(const CoreForm& core) {
+  switch (core.kind) {
+    case CoreForm::Kind::box: return 0.7;
+    case CoreForm::Kind::ellipsoid: return 2.5;
+    case CoreForm::Kind::vertices: return 1.0 + 0.55 * static_cast<double>(core.x.size());
+    case CoreForm::Kind::table: return 11.0;
+    case CoreForm::Kind::pieces: break;
+  }
+  double price = 2.0;
+  for (const CoreForm::Piece& piece : core.pieces) price += piece.is_like_last ? 0.8 : 4.0;
+  return price;
+}
+
+}  // namespace
+
+double support_price(const ConvexBody& body) {
+  const std::optional<CoreForm> core = core_form(body);
+  const double of_ball = body.ball_radius() > 0.0 ? 1.0 : 0.0;
+  return of_ball + (core ? price_of(*core) : kOfOneByOne);
+}
+
+double pose_cost(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings) {
+  constexpr double kOfPose = 18.0, kOfFittedPose = 50.0, kHeightsOfFitted = 8.0, kOfNetsCoordinate = 3.0;
+  constexpr double kOfSupportCall = 2.0;  // the rest of a search, spread over its calls
+  constexpr int kMostSupportCalls = 256;
+  const bool is_fitted = settings.domain.kind == Domain::Kind::fitted;
+  const double price = support_price(a) + support_price(b);
+  const bool has_kernels = PacketPair::make(a, b) != nullptr;
+  double cost = is_fitted ? kOfFittedPose + kHeightsOfFitted * price : kOfPose;
+  if (settings.sequence == Sequence::sobol) cost += kOfNetsCoordinate * (3.0 + settings.law.dimension());
+  if (settings.backend.is_peer) return cost + kOfPeersTrial;
+
+  const QuickVerdict quick = settings.quick_verdicts ? QuickVerdict(a, b, kDrawnRotationError) : QuickVerdict();
+  const PoseSampler sampler(a, b, points_of_poses(a, b, settings), settings.law, settings.domain);
+  double searches = 0.0;
+  for (std::uint64_t k = 0; k < kTrials; ++k) {
+    const PosedTrial trial = sampler(k);
+    const QuickVerdict::Answer<double> answer = quick(trial.a_from_b, trial.position);
+    if (answer.disjoint || answer.overlap) continue;
+    const FilterResult found = filter_overlap(a, b, trial.a_from_b, kMostSupportCalls);
+    searches += found.n_support_calls * (kOfSupportCall + price + (has_kernels ? 0.0 : kOfOneByOne));
+    if (found.verdict.outcome == Outcome::undecided) searches += kOfEscalation;
+  }
+  return cost + searches / static_cast<double>(kTrials);
+}
+
+double ray_cost(const ConvexBody& a, const ConvexBody& b, const RadialMap& map) {
+  constexpr double kOfRay = 50.0, kOfSupportCall = 6.5, kOfBisection = 4e4;
+  const double price = kOfSupportCall + support_price(a) + support_price(b);
+  const bool has_kernels = PacketPair::make(a, b) != nullptr;
+  std::vector<double> point(static_cast<std::size_t>(map.dimension()));
+  double rays = 0.0;
+  for (std::uint64_t k = 0; k < kRays; ++k) {
+    draw_unit_cube(0, Stream::pilot, k + 1, point);
+    const RadialRay<double> ray = map(std::span<const double>(point));
+    const RadialBounds found = radial_function(a, b, map.points(), ray.rotation, ray.dir, kRadialGap);
+    // What stalls, packets leave open, and it is bisected by verdicts.
+    rays += found.n_support_calls * (price + (has_kernels && !found.is_bisected ? 0.0 : kOfOneByOne));
+    if (found.is_bisected) rays += kOfBisection;
+  }
+  return kOfRay + rays / static_cast<double>(kRays);
+}
+
+}  // namespace vex
