@@ -3,6 +3,7 @@ find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(Boost 1.74 REQUIRED)            # header-only parts: Math; in the tests also Multiprecision
 find_package(assimp 5.2 REQUIRED)
 find_package(Qhull 8 REQUIRED)              # 8.0.2 is qhull 2020.2
+find_package(ZLIB REQUIRED)
 find_package(Threads REQUIRED)
 
 # Random123 is headers only and ships no package file.

@@ -3,50 +3,53 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <map>
 #include <memory>
 #include <optional>
-#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/numeric/errors.h"
-#include "meshes/convexity.h"
-#include "meshes/exact_hull.h"
+#include "meshes/closed_surface.h"
+#include "meshes/coordinate_rounding.h"
+#include "meshes/extreme_vertices.h"
+#include "meshes/hull_added_volume.h"
 #include "meshes/hull_check.h"
 #include "meshes/hull_of_points.h"
-#include "meshes/isolated_reader.h"
+#include "meshes/length_unit.h"
 #include "meshes/machine_memory.h"
+#include "meshes/mesh_body.h"
 #include "meshes/polyhedron_measures.h"
 #include "meshes/reader.h"
 #include "meshes/report_text.h"
+#include "meshes/scaled_body.h"
 #include "meshes/surface.h"
 #include "meshes/triangles.h"
-#include "meshes/weld.h"
 
 namespace vex {
 namespace {
 
-// What exact_sign.h asks of coordinates. Floats are far inside.
-constexpr double kLargestCoordinate = 0x1p300;
-constexpr double kSmallestCoordinate = 0x1p-300;
-
-constexpr double kLargestVolumeError = 1e-13;  // relative: what convex_mesh.h promises, with room for other roundings
+constexpr double kLargestVolumeError = 1e-13;    // relative: what convex_mesh.h promises, with room for other roundings
+constexpr double kLeastDefaultTolerance = 1e-6;  // of the size
+constexpr double kMostDropped = 1e-5;            // of V/S: so no more of V is lost with the vertices that are dropped
+constexpr double kWorthAWarning = 1e-6;          // of V
 
 void check_options(const MeshOptions& options) {
-  if (!(options.convex_tolerance >= 0.0) || !std::isfinite(options.convex_tolerance)) {
-    throw UsageError("the convex tolerance is not a finite number from 0 up (" + number_text(options.convex_tolerance) +
-                     ") - give a fraction of the body's size such as 1e-6");
-  }
+  const auto check = [](const std::optional<double>& fraction, const char* what, const char* advice) {
+    if (fraction && (!(*fraction >= 0.0) || !std::isfinite(*fraction))) {
+      throw UsageError("the " + std::string(what) + " is not a finite number from 0 up (" + number_text(*fraction) +
+                       ") - give a fraction of the body's size such as " + advice);
+    }
+  };
+  check(options.convex_tolerance, "convex tolerance", "1e-6");
+  check(options.weld, "weld distance", "1e-6");
 }
 
-/// Measured: the checks take up to 230 bytes for a triangle whose corners are its own (STL), of which the soup is 52; a
-/// hull up to 180 for each of its points, of which the soup is 12.
+/// Measured: the checks take up to 270 bytes for a triangle whose corners are its own (STL), of which the soup is 88; a
+/// hull up to 190 for each of its points, of which the soup is 24.
 void check_memory(const PolygonSoup& soup, bool hull) {
   const std::uint64_t needed =
-      80 * std::uint64_t{soup.corners.size()} + (hull ? 180 * std::uint64_t{soup.points.size()} : 0);
+      90 * std::uint64_t{soup.corners.size()} + (hull ? 190 * std::uint64_t{soup.points.size()} : 0);
   const std::uint64_t available = machine_memory() / 4 * 3;
   if (needed > available) {
     throw InputError("the mesh is too large for this machine (" + std::to_string(soup.points.size()) +
@@ -55,12 +58,68 @@ void check_memory(const PolygonSoup& soup, bool hull) {
   }
 }
 
-void note_what_reading_did(const PolygonSoup& soup, const WeldedSurface& welded, bool hull, MeshReport* report) {
-  report->n_parts = soup.n_parts;
-  report->n_vertices = welded.surface.vertices.size();
-  report->n_points = report->n_vertices;
+/// A coordinate too small for exact signs, beside others so large that a double of their size could not hold it: noise.
+std::size_t take_noise_for_zero(PolygonSoup* soup) {
+  constexpr double kNotNoise = kLeastFileCoordinate * 0x1p53;
+  double largest = 0.0;
+  for (const Vec3d& p : soup->points) {
+    largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  }
+  if (!(largest >= kNotNoise)) {
+    return 0;
+  }
+  std::size_t n = 0;
+  for (Vec3d& p : soup->points) {
+    for (double* x : {&p.x, &p.y, &p.z}) {
+      if (*x != 0.0 && std::fabs(*x) < kLeastFileCoordinate) {
+        *x = 0.0;
+        ++n;
+      }
+    }
+  }
+  return n;
+}
+
+/// A mesh on its way from the soup to the body.
+struct Passage {
+  const MeshOptions& options;
+  CoordinateRounding rounding;  // in the unit that the coordinates are used in, but for its digits
+  double stated_place = 0.0;    // the digits' last place, in that unit
+  MeshReport report;
+};
+
+/// Noise is zero, and the unit is the one that was asked for.
+Passage start(PolygonSoup* soup, const MeshOptions& options) {
+  Passage passage{options, coordinate_rounding(*soup), 0.0, {}};
+  CoordinateRounding& rounding = passage.rounding;
+  double ratio = 1.0;
+  if (!options.unit.empty()) {
+    const std::optional<LengthUnit> unit = parse_length_unit(options.unit);
+    if (!unit) {
+      throw UsageError("no unit of length (\"" + options.unit + "\") - give m, cm, mm, um, nm, in or ft");
+    }
+    const double metres = soup->unit_metres;
+    convert_unit(*soup, *unit);
+    ratio = metres / unit->metres;
+  }
+  rounding.last_places = ratio * rounding.last_places;
+  rounding.reach *= ratio;
+  passage.stated_place = ratio * rounding.digits.last_place;
+  passage.report.digits = rounding.digits;
+  passage.report.unit = soup->unit;
+  passage.report.n_parts = soup->n_parts;
+  if (const std::size_t n = take_noise_for_zero(soup); n > 0) {
+    passage.report.notes.push_back("coordinates below 1.4e-45 were taken for 0 (" + std::to_string(n) + " of them)");
+  }
+  return passage;
+}
+
+void note_what_reading_did(const PolygonSoup& soup, const ClosedSurface& closed, bool hull, MeshReport* report) {
+  const WeldedSurface& welded = closed.welded;
+  report->n_points = welded.surface.vertices.size();
   report->n_faces = welded.surface.n_faces();
   report->n_welded_vertices = welded.n_welded_vertices;
+  report->weld_distance = welded.distance;
   if (soup.n_ignored_faces > 0) {
     report->notes.push_back(std::to_string(soup.n_ignored_faces) + " points or lines of the file " +
                             (hull ? "have no faces: their vertices count all the same" : "were ignored"));
@@ -70,18 +129,9 @@ void note_what_reading_did(const PolygonSoup& soup, const WeldedSurface& welded,
                             " faces with fewer than three different corners were dropped" +
                             (hull ? ", their vertices were not" : ""));
   }
-}
-
-/// A body on its way: `triangles` are convex, over some or all of `vertices`, and enclose `solid`.
-struct Body {
-  std::vector<Vec3d> vertices;
-  Triangles triangles;
-  VolumeAndCentroid solid;
-  bool own_vertices_only = false;
-};
-
-Measures measures_of(const Body& body) {
-  return {body.solid.volume, surface_area(body.triangles), integrated_mean_curvature(body.triangles)};
+  if (!closed.note.empty()) {
+    report->notes.push_back(closed.note);
+  }
 }
 
 /// The surface, kept for whoever asks where it faces.
@@ -90,7 +140,7 @@ struct KeptSurface {
   Triangles triangles;
 };
 
-NormalMeasures normals_of(Body body) {
+NormalMeasures normals_of(MeshBody body) {
   const auto kept = std::make_shared<KeptSurface>();
   kept->vertices = std::move(body.vertices);
   kept->triangles = std::move(body.triangles);
@@ -98,8 +148,9 @@ NormalMeasures normals_of(Body body) {
   return {[kept] { return area_measure(kept->triangles); }, [kept] { return mean_curvature_measure(kept->triangles); }};
 }
 
-ConvexMesh finished(Body body, MeshReport report) {
+ConvexMesh finished(MeshBody body, MeshReport report) {
   report.n_vertices = body.vertices.size();
+  report.n_dropped_vertices = report.n_points - report.n_vertices;
   report.n_triangles = body.triangles.size();
   report.size = bounding_diagonal(body.vertices);
   const double widest_inradius = inscribed_radius(body.triangles, body.solid.centroid);
@@ -110,138 +161,66 @@ ConvexMesh finished(Body body, MeshReport report) {
   return mesh;
 }
 
-/// What the hull adds to surfaces that enclose `mesh`: 0 where no rounding tells them apart.
-double added_volume(const VolumeAndCentroid& hull, const VolumeAndCentroid& mesh) {
-  const DoubleDouble six_mesh = mesh.volume < 0.0 ? -mesh.six_volumes : mesh.six_volumes;
-  const double added = (hull.six_volumes - six_mesh).value() / 6.0;
-  return std::fabs(added) > hull.volume_error + mesh.volume_error ? added : 0.0;
-}
-
-[[noreturn]] void refuse_scaled(const std::string& what, double scale) {
-  throw InputError("the scaled body is " + what + " (its scale is " + number_text(scale) + ") - choose another scale");
-}
-
-void check_scaled(const std::vector<Vec3d>& vertices, double scale) {
-  for (const Vec3d& v : vertices) {
-    for (const double x : {v.x, v.y, v.z}) {
-      if (!(std::fabs(x) <= kLargestCoordinate)) {
-        refuse_scaled("too large", scale);
-      }
-      if (x != 0.0 && std::fabs(x) < kSmallestCoordinate) {
-        refuse_scaled("too small", scale);
-      }
-    }
+/// The convex body with as few vertices as its coordinates' rounding allows. The power of two: what rounding makes of
+/// V/S when faces are cut another way must not choose the vertices.
+MeshBody with_fewest_vertices(MeshBody body, Passage* passage) {
+  const double thickness = body.solid.volume / surface_area(body.triangles);
+  const double most = std::ldexp(1.0, std::ilogb(kMostDropped * thickness));
+  const std::size_t n_triangles = body.triangles.size();
+  ExtremeVertices extreme =
+      extreme_vertices({std::move(body.vertices), std::move(body.triangles)}, std::min(passage->rounding.reach, most),
+                       passage->report.hull_used ? MadeFrom::vertices : MadeFrom::faces);
+  const std::size_t n_vertices = extreme.hull.vertices.size();
+  if (extreme.farthest_outside > 0.0) {
+    passage->report.notes.push_back(
+        std::to_string(passage->report.n_points - n_vertices) + " of its " + std::to_string(passage->report.n_points) +
+        " vertices are no corners of the body to within the rounding of the coordinates, and were left out: none is "
+        "farther than " +
+        rough_text(extreme.farthest_outside) + " outside it");
   }
-}
-
-void check_scaled(const Measures& measures, double scale) {
-  for (const double value : {measures.volume, measures.surface_area, measures.integrated_mean_curvature}) {
-    if (!std::isfinite(value)) {
-      refuse_scaled("too large", scale);
-    }
-    if (!(value >= std::numeric_limits<double>::min())) {
-      refuse_scaled("too small", scale);
-    }
+  MeshBody result{std::move(extreme.hull.vertices), std::move(extreme.hull.triangles), body.solid};
+  if (result.triangles.size() != n_triangles) {
+    result.solid = volume_and_centroid(result.triangles);
   }
-}
-
-/// The vertices times `scale`; where these, rounded, are not convex by the same triangles, their hull's.
-Body scaled(Body body, double scale) {
-  for (Vec3d& v : body.vertices) {
-    v = scale * v;
-  }
-  check_scaled(body.vertices, scale);
-  body.solid = volume_and_centroid(body.triangles);
-  const ConvexityCensus census = convexity_census(body.triangles, body.solid.centroid);
-  if (census.locally_convex() && census.winding_number == 1) {
-    return body;
-  }
-  if (body.own_vertices_only) {
-    HullOfPoints hull = hull_of_points(body.vertices);
-    body.vertices = std::move(hull.vertices);
-    body.triangles = std::move(hull.triangles);
-  } else if (std::optional<Triangles> hull = exact_hull(body.vertices)) {
-    body.triangles = std::move(*hull);
-  } else {
-    refuse_scaled("too thin for its coordinates", scale);
-  }
-  body.solid = volume_and_centroid(body.triangles);
-  return body;
-}
-
-/// The body, scaled if so asked. `mesh`: the surface whose volume the hull's is compared with, if it is.
-ConvexMesh finished(Body body, const MeshOptions& options, Triangles mesh, std::vector<Vec3d> mesh_vertices,
-                    MeshReport report) {
-  if (!options.scale) {
-    return finished(std::move(body), std::move(report));
-  }
-  const double scale = options.scale(measures_of(body));
-  if (!(scale > 0.0) || !std::isfinite(scale)) {
-    refuse_scaled(scale > 0.0 ? "too large" : (scale == 0.0 ? "too small" : "none, for the scale is not positive"),
-                  scale);
-  }
-  body = scaled(std::move(body), scale);
-  if (report.hull_added_volume && *report.hull_added_volume != 0.0) {
-    for (Vec3d& v : mesh_vertices) {
-      v = scale * v;
-    }
-    check_scaled(mesh_vertices, scale);
-    mesh.vertices = mesh_vertices;
-    report.hull_added_volume = added_volume(body.solid, volume_and_centroid(mesh));
-  }
-  ConvexMesh result = finished(std::move(body), std::move(report));
-  check_scaled(result.measures, scale);
   return result;
 }
 
-/// The volume that each part of a closed surface encloses, negative where it is inside out; by the part's first vertex.
-/// Rounded: for comparing parts with each other.
-std::map<std::uint32_t, double> volume_of_each_part(const PolygonSurface& surface, const Triangles& triangles) {
-  const std::vector<std::uint32_t> component = component_of_each_vertex(surface);
-  std::map<std::uint32_t, double> volumes;
-  for (const auto& [a, b, c] : triangles.corners) {
-    const Vec3d base = surface.vertices[component[a]];
-    volumes[component[a]] +=
-        dot(surface.vertices[a] - base, cross(surface.vertices[b] - base, surface.vertices[c] - base)) / 6.0;
-  }
-  return volumes;
-}
-
-/// What the file's faces enclose, if that is defined.
-void compare_volumes(const PolygonSurface& surface, const Body& body, Triangles* mesh, MeshReport* report) {
-  const auto not_defined = [report](const std::string& why) {
-    report->hull_added_volume = std::nullopt;
-    report->notes.push_back("how much volume the hull added is not defined: " + why);
-  };
-  HalfEdgePairs pairs = half_edge_pairs(surface);
-  if (!pairs.problem.empty()) {
-    not_defined(pairs.problem);
-    return;
-  }
-  *mesh = fan_triangles(surface, pairs.mates);
-  const std::map<std::uint32_t, double> parts = volume_of_each_part(surface, *mesh);
-  const std::string n_surfaces = std::to_string(parts.size()) + " surfaces share no vertex";
-  const auto [least, most] = std::ranges::minmax(parts | std::views::values);
-  if (least < 0.0 && most > 0.0) {
-    not_defined("the file's " + n_surfaces + ", and some of them are inside out, as parts or as cavities");
-    return;
-  }
-  report->hull_added_volume = added_volume(body.solid, volume_and_centroid(*mesh));
-  if (*report->hull_added_volume < 0.0) {
-    not_defined("the file's surfaces overlap or wind several times: together they enclose more than the hull");
-  } else if (parts.size() > 1) {
-    report->notes.push_back("the file's " + n_surfaces + ": the volumes that they enclose were added as they stand, " +
-                            "as if none overlapped, to say how much the hull added");
+void note_rounding(const MeshBody& body, const Passage& passage, MeshReport* report) {
+  report->coordinate_rounding = passage.stated_place / bounding_diagonal(body.vertices);
+  report->volume_rounding = volume_rounding(body.triangles, body.solid.volume, passage.rounding.last_places);
+  if (report->volume_rounding > kWorthAWarning) {
+    report->notes.push_back(coordinates_text(report->digits) + ": the volume of what was meant may differ by " +
+                            rough_text(report->volume_rounding) + " of itself");
   }
 }
 
-ConvexMesh hull_from(const PolygonSoup& soup, const MeshOptions& options) {
-  WeldedSurface welded = weld(soup, UnusedPoints::kept);
-  PolygonSurface& surface = welded.surface;
-  MeshReport report;
-  note_what_reading_did(soup, welded, options.hull, &report);
+/// The body, scaled if so asked. What the report has of lengths and volumes is of the file's surface.
+ConvexMesh finished(MeshBody body, Passage passage) {
+  body = with_fewest_vertices(std::move(body), &passage);
+  MeshReport report = std::move(passage.report);
+  note_rounding(body, passage, &report);
+  if (!passage.options.scale) {
+    return finished(std::move(body), std::move(report));
+  }
+  const double scale = passage.options.scale(measures_of(body));
+  body = scaled_body(std::move(body), scale);
+  report.weld_distance *= scale;
+  if (report.hull_added_volume) {
+    report.hull_added_volume = scale * scale * scale * *report.hull_added_volume;
+  }
+  ConvexMesh result = finished(std::move(body), std::move(report));
+  check_scaled_measures(result.measures, scale);
+  return result;
+}
+
+ConvexMesh hull_from(PolygonSoup soup, Passage passage) {
+  MeshReport& report = passage.report;
+  const ClosedSurface any = any_surface(soup, passage.options.weld);
+  const PolygonSurface& surface = any.welded.surface;
+  note_what_reading_did(soup, any, true, &report);
+  soup = {};
   HullOfPoints hull = hull_of_points(surface.vertices);
-  Body body{std::move(hull.vertices), std::move(hull.triangles), {}, true};
+  MeshBody body{std::move(hull.vertices), std::move(hull.triangles), {}};
   body.solid = volume_and_centroid(body.triangles);
   if (!(body.solid.volume_error <= kLargestVolumeError * body.solid.volume)) {
     throw InputError("the points are too near to one plane (their hull's volume is " + number_text(body.solid.volume) +
@@ -249,63 +228,88 @@ ConvexMesh hull_from(const PolygonSoup& soup, const MeshOptions& options) {
                      ") - for a flat body use plate:A,B or disc:R");
   }
   report.hull_used = true;
-  report.notes.push_back("the convex hull was taken: " + std::to_string(body.vertices.size()) + " of " +
-                         std::to_string(report.n_points) + " points are its vertices");
-  Triangles mesh;
-  compare_volumes(surface, body, &mesh, &report);
+  AddedVolume added = volume_added_to(surface, body.solid);
+  report.hull_added_volume = added.volume;
+  std::ranges::move(added.notes, std::back_inserter(report.notes));
   if (report.hull_added_volume != 0.0) {
     report.reflex_depth = std::nullopt;
   }
-  return finished(std::move(body), options, std::move(mesh), std::move(surface.vertices), std::move(report));
+  ConvexMesh mesh = finished(std::move(body), std::move(passage));
+  std::vector<std::string>& notes = mesh.report.notes;
+  notes.push_back("the convex hull was taken: " + std::to_string(mesh.report.n_vertices) + " of " +
+                  std::to_string(mesh.report.n_points) + " points are its vertices");
+  std::ranges::rotate(notes, notes.end() - 1);
+  return mesh;
+}
+
+/// How far from convex the mesh may be, and why.
+ConvexTolerance tolerance_of(const Passage& passage, double size) {
+  if (passage.options.convex_tolerance) {
+    return {*passage.options.convex_tolerance, ""};
+  }
+  const double explained = passage.rounding.reach / size;
+  if (!(explained > kLeastDefaultTolerance)) {
+    return {kLeastDefaultTolerance, ""};
+  }
+  const std::string digits = digits_text(passage.report.digits);
+  return explained <= kMostExplained
+             ? ConvexTolerance{explained, "what rounding to " + digits + " explains"}
+             : ConvexTolerance{kMostExplained, "for rounding to " + digits + " is too coarse to explain anything"};
+}
+
+void note_hull(const HullInstead& hull, const VolumeAndCentroid& mesh, double size, Passage* passage) {
+  MeshReport& report = passage->report;
+  report.hull_used = true;
+  report.reflex_depth = hull.reflex_depth / size;
+  report.hull_added_volume = added_volume(hull.solid, mesh);
+  const bool by_digits = !passage->options.convex_tolerance && *report.reflex_depth > kLeastDefaultTolerance;
+  const std::string within = by_digits ? "the mesh is convex to within its " + digits_text(report.digits) + " (by "
+                                       : "the mesh is convex only within the tolerance (by ";
+  report.notes.push_back(within + number_text(*report.reflex_depth) + " of its size): its convex hull is used");
+}
+
+ConvexMesh body_from(PolygonSoup soup, Passage passage) {
+  MeshReport& report = passage.report;
+  ClosedSurface closed = closed_surface(soup, passage.options.weld, passage.rounding.reach);
+  note_what_reading_did(soup, closed, false, &report);
+  soup = {};
+  PolygonSurface& surface = closed.welded.surface;
+  Triangles triangles = fan_triangles(surface, closed.mates);
+  const double size = bounding_diagonal(surface.vertices);
+  VolumeAndCentroid solid = volume_and_centroid(triangles);
+  if (!(std::fabs(solid.volume) > solid.volume_error)) {
+    throw InputError("the mesh has no volume (" + number_text(solid.volume) + " at a size of " + number_text(size) +
+                     ") - for a flat body use plate:A,B or disc:R");
+  }
+  if (solid.volume < 0.0) {
+    surface.turn_inside_out();
+    triangles = fan_triangles(surface, checked_half_edges(surface));
+    solid = volume_and_centroid(triangles);
+    report.notes.emplace_back("the mesh was inside out and has been turned");
+  }
+  closed.mates = {};
+  if (std::optional<HullInstead> hull = checked_convexity(triangles, solid, size, tolerance_of(passage, size))) {
+    note_hull(*hull, solid, size, &passage);
+    triangles = std::move(hull->triangles);
+    solid = hull->solid;
+  }
+  std::vector<Vec3d> vertices = std::move(surface.vertices);
+  closed = {};
+  return finished({std::move(vertices), std::move(triangles), solid}, std::move(passage));
 }
 
 }  // namespace
 
-ConvexMesh convex_mesh_from(const PolygonSoup& soup, const MeshOptions& options) {
+ConvexMesh convex_mesh_from(PolygonSoup soup, const MeshOptions& options) {
   check_options(options);
   check_memory(soup, options.hull);
-  if (options.hull) {
-    return hull_from(soup, options);
-  }
-  WeldedSurface welded = weld(soup);
-  PolygonSurface& surface = welded.surface;
-  MeshReport report;
-  note_what_reading_did(soup, welded, options.hull, &report);
-
-  std::vector<std::uint32_t> mates = checked_half_edges(surface);
-  Triangles triangles = fan_triangles(surface, mates);
-  report.size = bounding_diagonal(surface.vertices);
-  VolumeAndCentroid solid = volume_and_centroid(triangles);
-  if (!(std::fabs(solid.volume) > solid.volume_error)) {
-    throw InputError("the mesh has no volume (" + number_text(solid.volume) + " at a size of " +
-                     number_text(report.size) + ") - for a flat body use plate:A,B or disc:R");
-  }
-  if (solid.volume < 0.0) {
-    surface.turn_inside_out();
-    mates = checked_half_edges(surface);
-    triangles = fan_triangles(surface, mates);
-    solid = volume_and_centroid(triangles);
-    report.notes.emplace_back("the mesh was inside out and has been turned");
-  }
-  mates = {};
-
-  std::optional<HullInstead> hull = checked_convexity(triangles, solid, report.size, options.convex_tolerance);
-  if (!hull) {
-    return finished({std::move(surface.vertices), std::move(triangles), solid}, options, {}, {}, std::move(report));
-  }
-  report.hull_used = true;
-  report.reflex_depth = hull->reflex_depth / report.size;
-  report.hull_added_volume = added_volume(hull->solid, solid);
-  report.notes.push_back("the mesh is convex only within the tolerance (by " + number_text(*report.reflex_depth) +
-                         " of its size): its convex hull is used");
-  std::vector<Vec3d> mesh_vertices = options.scale ? surface.vertices : std::vector<Vec3d>{};
-  return finished({std::move(surface.vertices), std::move(hull->triangles), hull->solid}, options, std::move(triangles),
-                  std::move(mesh_vertices), std::move(report));
+  Passage passage = start(&soup, options);
+  return options.hull ? hull_from(std::move(soup), std::move(passage)) : body_from(std::move(soup), std::move(passage));
 }
 
 ConvexMesh load_convex_mesh(const std::filesystem::path& path, const MeshOptions& options) {
   check_options(options);
-  return convex_mesh_from(options.isolated_reader ? read_polygon_soup_isolated(path) : read_polygon_soup(path),
+  return convex_mesh_from(read_polygon_soup(path, {.format = options.format, .isolated = options.isolated_reader}),
                           options);
 }
 

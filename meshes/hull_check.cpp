@@ -15,9 +15,9 @@
 namespace vex {
 namespace {
 
-std::string depth_text(double depth, double size, double tolerance) {
+std::string depth_text(double depth, double size, const ConvexTolerance& tolerance) {
   return number_text(depth) + " deep, " + number_text(depth / size) + " of the size " + number_text(size) +
-         "; tolerance " + number_text(tolerance);
+         "; tolerance " + number_text(tolerance.of_size) + (tolerance.reason.empty() ? "" : ", " + tolerance.reason);
 }
 
 [[noreturn]] void refuse(const std::string& what) {
@@ -58,7 +58,7 @@ HullInstead hull_of(const Triangles& mesh) {
 }  // namespace
 
 std::optional<HullInstead> checked_convexity(const Triangles& mesh, const VolumeAndCentroid& solid, double size,
-                                             double tolerance) {
+                                             const ConvexTolerance& tolerance) {
   const ConvexityCensus census = convexity_census(mesh, solid.centroid);
   if (census.locally_convex()) {
     if (census.winding_number != 1) {
@@ -66,13 +66,13 @@ std::optional<HullInstead> checked_convexity(const Triangles& mesh, const Volume
     }
     return std::nullopt;
   }
-  const double tolerated = tolerance * size;
-  if (census.n_reflex_edges > 0 && !(census.reflex_depth <= tolerated && tolerance > 0.0)) {
+  const double tolerated = tolerance.of_size * size;
+  if (census.n_reflex_edges > 0 && !(census.reflex_depth <= tolerated && tolerance.of_size > 0.0)) {
     const std::string n_edges = std::to_string(census.n_reflex_edges);
     refuse((census.n_reflex_edges == 1 ? "an edge is reflex: " : n_edges + " edges are reflex, the deepest is ") +
            edge_text(mesh, census.deepest_half_edge) + ", " + depth_text(census.reflex_depth, size, tolerance));
   }
-  if (tolerance == 0.0) {
+  if (tolerance.of_size == 0.0) {
     const std::size_t t = census.first_blind_triangle;
     refuse("the triangle " + point_text(mesh.corner(t, 0)) + ", " + point_text(mesh.corner(t, 1)) + ", " +
            point_text(mesh.corner(t, 2)) + " has no area or does not face outward; tolerance 0");

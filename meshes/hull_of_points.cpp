@@ -18,44 +18,6 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// For each vertex whether three or more of the hull's edges that are no diagonals of a facet meet there. None do
-/// inside a facet, and two on an edge.
-std::vector<bool> corners_of(const Triangles& hull) {
-  std::vector<unsigned char> n_edges(hull.vertices.size(), 0);
-  for (std::uint32_t h = 0; h < hull.mates.size(); ++h) {
-    const std::uint32_t tail = hull.tail(h);
-    if (n_edges[tail] < 3 && orientation_sign(hull.point(tail), hull.point(hull.head(h)), hull.point(hull.opposite(h)),
-                                              hull.point(hull.opposite(hull.mates[h]))) != 0) {
-      ++n_edges[tail];
-    }
-  }
-  std::vector<bool> is_corner(n_edges.size());
-  for (std::size_t v = 0; v < n_edges.size(); ++v) {
-    is_corner[v] = n_edges[v] >= 3;
-  }
-  return is_corner;
-}
-
-/// The same triangles over the vertices that they use alone.
-HullOfPoints over(Triangles hull, const std::vector<bool>& is_used) {
-  HullOfPoints result;
-  std::vector<std::uint32_t> renumbered(hull.vertices.size(), kNone);
-  for (std::size_t v = 0; v < renumbered.size(); ++v) {
-    if (is_used[v]) {
-      renumbered[v] = static_cast<std::uint32_t>(result.vertices.size());
-      result.vertices.push_back(hull.vertices[v]);
-    }
-  }
-  for (auto& triangle : hull.corners) {
-    for (std::uint32_t& corner : triangle) {
-      corner = renumbered[corner];
-    }
-  }
-  result.triangles = std::move(hull);
-  result.triangles.vertices = result.vertices;
-  return result;
-}
-
 /// Whether all points are one, lie on a line or lie in a plane: 0, 1, 2; 3 where they do not.
 int dimension_of(std::span<const Vec3d> points) {
   const auto first_that = [&](const auto& condition) {
@@ -90,7 +52,45 @@ int dimension_of(std::span<const Vec3d> points) {
                    ") - for a flat body use plate:A,B or disc:R, for a straight line needle:L");
 }
 
-std::vector<Vec3d> chosen(std::span<const Vec3d> points, const std::vector<bool>& is_chosen) {
+}  // namespace
+
+std::vector<bool> hull_corners(const Triangles& convex) {
+  std::vector<unsigned char> n_edges(convex.vertices.size(), 0);
+  for (std::uint32_t h = 0; h < convex.mates.size(); ++h) {
+    const std::uint32_t tail = convex.tail(h);
+    if (n_edges[tail] < 3 &&
+        orientation_sign(convex.point(tail), convex.point(convex.head(h)), convex.point(convex.opposite(h)),
+                         convex.point(convex.opposite(convex.mates[h]))) != 0) {
+      ++n_edges[tail];
+    }
+  }
+  std::vector<bool> is_corner(n_edges.size());
+  for (std::size_t v = 0; v < n_edges.size(); ++v) {
+    is_corner[v] = n_edges[v] >= 3;
+  }
+  return is_corner;
+}
+
+HullOfPoints over_used_vertices(Triangles convex, const std::vector<bool>& is_used) {
+  HullOfPoints result;
+  std::vector<std::uint32_t> renumbered(convex.vertices.size(), kNone);
+  for (std::size_t v = 0; v < renumbered.size(); ++v) {
+    if (is_used[v]) {
+      renumbered[v] = static_cast<std::uint32_t>(result.vertices.size());
+      result.vertices.push_back(convex.vertices[v]);
+    }
+  }
+  for (auto& triangle : convex.corners) {
+    for (std::uint32_t& corner : triangle) {
+      corner = renumbered[corner];
+    }
+  }
+  result.triangles = std::move(convex);
+  result.triangles.vertices = result.vertices;
+  return result;
+}
+
+std::vector<Vec3d> chosen_points(std::span<const Vec3d> points, const std::vector<bool>& is_chosen) {
   std::vector<Vec3d> result;
   for (std::size_t v = 0; v < points.size(); ++v) {
     if (is_chosen[v]) {
@@ -100,14 +100,12 @@ std::vector<Vec3d> chosen(std::span<const Vec3d> points, const std::vector<bool>
   return result;
 }
 
-}  // namespace
-
 HullOfPoints hull_of_points(std::span<const Vec3d> points) {
   std::optional<Triangles> hull = exact_hull(points);
   if (!hull) {
     refuse(points);
   }
-  const std::vector<bool> is_corner = corners_of(*hull);
+  const std::vector<bool> is_corner = hull_corners(*hull);
   std::vector<bool> is_used(points.size(), false);
   for (const auto& triangle : hull->corners) {
     for (const std::uint32_t v : triangle) {
@@ -115,12 +113,12 @@ HullOfPoints hull_of_points(std::span<const Vec3d> points) {
     }
   }
   if (is_used != is_corner) {  // once more, without those inside facets and edges
-    const std::vector<Vec3d> corners = chosen(points, is_corner);
+    const std::vector<Vec3d> corners = chosen_points(points, is_corner);
     if (std::optional<Triangles> of_corners = exact_hull(corners)) {
-      return over(std::move(*of_corners), std::vector<bool>(corners.size(), true));
+      return over_used_vertices(std::move(*of_corners), std::vector<bool>(corners.size(), true));
     }
   }
-  return over(std::move(*hull), is_used);
+  return over_used_vertices(std::move(*hull), is_used);
 }
 
 }  // namespace vex

@@ -12,15 +12,16 @@
 #include <csignal>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
+#include <filesystem>
+#include <locale>
 #include <new>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/numeric/errors.h"
+#include "meshes/assimp_reader.h"
 #include "meshes/machine_memory.h"
-#include "meshes/reader.h"
 
 namespace vex {
 namespace {
@@ -34,26 +35,8 @@ struct Limits {
   std::uint64_t bytes = 0;    // of address space, beyond what this process has
 };
 
-/// The bytes that may be read: of the file, and for .gltf of the .bin files beside it, which hold its geometry.
-std::uintmax_t geometry_size(const std::filesystem::path& path) {
-  std::uintmax_t size = checked_file_size(path);
-  if (path.extension() == ".gltf") {
-    std::error_code error;
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    for (auto entry = std::filesystem::directory_iterator(folder, error);
-         !error && entry != std::filesystem::directory_iterator{}; entry.increment(error)) {
-      if (entry->path().extension() == ".bin") {
-        std::error_code not_a_file;
-        const std::uintmax_t more = entry->file_size(not_a_file);
-        size += not_a_file ? 0 : more;
-      }
-    }
-  }
-  return size;
-}
-
-Limits limits_for(std::uintmax_t file_size) {
-  const std::uint64_t size = std::min<std::uint64_t>(file_size, std::uint64_t{1} << 50U);
+Limits limits_for(std::uint64_t n_geometry_bytes) {
+  const std::uint64_t size = std::min<std::uint64_t>(n_geometry_bytes, std::uint64_t{1} << 50U);
   return {10 + size / kMiB, std::min(kGiB + 100 * size, machine_memory() / 4 * 3)};
 }
 
@@ -65,7 +48,9 @@ struct Header {
   std::uint64_t magic = kMagic;
   Outcome outcome = Outcome::soup;
   std::uint64_t n_points = 0, n_corners = 0, n_faces = 0, n_parts = 0, n_ignored_faces = 0;
-  std::uint64_t text_length = 0;
+  CoordinateDigits digits;
+  double unit_metres = 0.0;
+  std::uint64_t text_length = 0;  // of the error's message, or of the unit's name
 };
 
 // --- the reading process
@@ -123,12 +108,14 @@ void confine(const Limits& limits, pid_t parent) {
 #endif
 }
 
-[[noreturn]] void read_and_send(const std::filesystem::path& path, int descriptor) {
+[[noreturn]] void read_and_send(const AssimpInput& input, int descriptor) {
   Header header;
   std::string text;
   PolygonSoup soup;
   try {
-    soup = read_polygon_soup(path);
+    std::locale::global(std::locale::classic());
+    soup = read_by_assimp(input, ImporterFate::left_alone);
+    text = soup.unit;
   } catch (const std::bad_alloc&) {
     header.outcome = Outcome::out_of_memory;
   } catch (const std::exception& error) {
@@ -140,6 +127,8 @@ void confine(const Limits& limits, pid_t parent) {
   header.n_faces = soup.face_sizes.size();
   header.n_parts = soup.n_parts;
   header.n_ignored_faces = soup.n_ignored_faces;
+  header.digits = soup.digits;
+  header.unit_metres = soup.unit_metres;
   text.resize(std::min<std::size_t>(text.size(), 2000));
   header.text_length = text.size();
   write_all(descriptor, &header, sizeof header);
@@ -183,10 +172,11 @@ class Child {
     return n_read;
   }
 
-  /// `array` grows with what arrives, not with what was announced.
+  /// `array` is filled with what arrives; what was only announced takes addresses, and no memory.
   template <class T>
   bool read_array(std::uint64_t size, std::vector<T>* array) const {
     constexpr std::uint64_t kChunk = 16 * kMiB / sizeof(T);
+    array->reserve(static_cast<std::size_t>(size));
     while (array->size() < size) {
       const std::size_t before = array->size();
       const auto n = static_cast<std::size_t>(std::min<std::uint64_t>(size - before, kChunk));
@@ -217,22 +207,24 @@ class Child {
 };
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& reason, const std::string& advice) {
-  throw InputError("the file reader failed on " + path.string() + " (" + reason + ") - " + advice);
+  throw InputError("the reader of " + path.string() + " failed (" + reason + ") - " + advice);
 }
 
 [[noreturn]] void refuse_for_status(const std::filesystem::path& path, int status, const Limits& limits) {
-  const char* damaged = "the file is damaged or is not of the format that its extension names";
+  const char* const unreadable =
+      "the file may be damaged, or hold something that assimp cannot read: convert it to .obj, .off, .ply or .stl";
   if (status >= 0 && WIFSIGNALED(status)) {
     const int signal = WTERMSIG(status);
     if (signal == SIGXCPU) {
-      refuse(path, "more than " + std::to_string(limits.seconds) + " s of processor time", damaged);
+      refuse(path, "assimp took more than " + std::to_string(limits.seconds) + " s of processor time", unreadable);
     }
     if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP || signal == SIGQUIT) {
       refuse(path, "interrupted by signal " + std::to_string(signal), "start again");
     }
-    refuse(path, "it crashed with signal " + std::to_string(signal), damaged);
+    refuse(path, "assimp crashed with signal " + std::to_string(signal), unreadable);
   }
-  refuse(path, "it ended early, with exit status " + std::to_string(status >= 0 ? WEXITSTATUS(status) : -1), damaged);
+  refuse(path, "it ended early, with exit status " + std::to_string(status >= 0 ? WEXITSTATUS(status) : -1),
+         unreadable);
 }
 
 PolygonSoup receive(const std::filesystem::path& path, const Limits& limits, Child* child) {
@@ -240,24 +232,29 @@ PolygonSoup receive(const std::filesystem::path& path, const Limits& limits, Chi
   if (child->read(&header, sizeof header) != sizeof header || header.magic != Header::kMagic) {
     refuse_for_status(path, child->wait(), limits);
   }
-  const std::string out_of_memory = "it asked for more than " + std::to_string(limits.bytes / kMiB) + " MiB of memory";
+  const std::string out_of_memory =
+      "assimp asked for more than " + std::to_string(limits.bytes / kMiB) + " MiB of memory";
   if (header.outcome == Outcome::out_of_memory) {
-    refuse(path, out_of_memory, "the file is damaged, or too large for this machine");
+    refuse(path, out_of_memory, "the file may be damaged, or too large for this machine: convert it to .ply or .stl");
+  }
+  std::vector<char> text;
+  if (header.text_length > 4000 || !child->read_array(header.text_length, &text)) {
+    refuse_for_status(path, child->wait(), limits);
   }
   if (header.outcome == Outcome::input_error) {
-    std::vector<char> text;
-    if (header.text_length > 4000 || !child->read_array(header.text_length, &text)) {
-      refuse_for_status(path, child->wait(), limits);
-    }
     throw InputError(std::string(text.begin(), text.end()));
   }
   constexpr std::uint64_t kMost = std::uint64_t{1} << 31U;
-  if (header.n_points > kMost || header.n_corners > kMost || header.n_faces > kMost) {
-    refuse(path, "it announced an impossible amount", "the file is damaged");
+  if (header.n_points > kMost || header.n_corners > kMost || header.n_faces > kMost ||
+      header.n_points * sizeof(Vec3d) + (header.n_corners + header.n_faces) * sizeof(std::uint32_t) > limits.bytes) {
+    refuse(path, "it announced an impossible amount", "the file may be damaged: convert it to .ply or .stl");
   }
   PolygonSoup soup;
   soup.n_parts = header.n_parts;
   soup.n_ignored_faces = header.n_ignored_faces;
+  soup.digits = header.digits;
+  soup.unit.assign(text.begin(), text.end());
+  soup.unit_metres = header.unit_metres;
   if (!child->read_array(header.n_points, &soup.points) || !child->read_array(header.n_corners, &soup.corners) ||
       !child->read_array(header.n_faces, &soup.face_sizes)) {
     refuse_for_status(path, child->wait(), limits);
@@ -274,12 +271,13 @@ int above_standard_streams(int descriptor) {
 
 }  // namespace
 
-PolygonSoup read_polygon_soup_isolated(const std::filesystem::path& path) {
-  const Limits limits = limits_for(geometry_size(path));
+PolygonSoup read_by_assimp_isolated(const AssimpInput& input) {
+  const Limits limits = limits_for(input.n_geometry_bytes);
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
     throw std::runtime_error(std::string("cannot make a pipe for the file reader: ") + std::strerror(errno));
   }
+  ::fcntl(ends[1], F_SETPIPE_SZ, static_cast<int>(kMiB));  // fewer changes between the processes; it may be refused
   const int read_end = above_standard_streams(ends[0]);
   const int write_end = above_standard_streams(ends[1]);
   const pid_t parent = ::getpid();
@@ -287,14 +285,14 @@ PolygonSoup read_polygon_soup_isolated(const std::filesystem::path& path) {
   if (id == 0) {
     ::close(read_end);
     confine(limits, parent);
-    read_and_send(path, write_end);
+    read_and_send(input, write_end);
   }
   ::close(write_end);
   Child child(id, read_end);
   if (id < 0) {
     throw std::runtime_error(std::string("cannot start the file reader: ") + std::strerror(errno));
   }
-  return receive(path, limits, &child);
+  return receive(input.path, limits, &child);
 }
 
 }  // namespace vex

@@ -1,29 +1,35 @@
 // Reads the geometry of a mesh file, and nothing else of it.
 //
-// The reading is assimp's, so a mesh is whatever assimp reads. Node transforms are applied; polygons stay polygons;
-// materials, textures and animations are not read, and no file is opened but the one named (for .gltf also the .bin
-// buffers beside it). What assimp 5.2 misreads is mended on the way (reader_quirks.h).
-//
-// Points without faces are read from .ply, .obj, .off and .gltf too, for hulls. Where there are faces, points that none
-// uses come from .ply and .off; of an .obj assimp delivers only the vertices that its elements (f, l, p) name.
+// .obj .off .ply .stl .vtk .msh and points as text (.xyz .csv .txt), all of them also packed by gzip (.gz), are read
+// strictly, in this process, in double (formats/strict_readers.h); the other formats by assimp, in a process of its own
+// (isolated_reader.h). No file is opened but the one named, and for .gltf the .bin buffers beside it; one that changes
+// while it is read is refused.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
+#include <string>
+#include <vector>
 
+#include "meshes/file_bytes.h"  // checked_file_size
 #include "meshes/polygon_soup.h"
 
 namespace vex {
 
-/// The size in bytes of `path`, a regular file that can be opened and is not empty. Throws InputError otherwise; never
-/// waits, whatever is there (a pipe, a device).
-std::uintmax_t checked_file_size(const std::filesystem::path& path);
-
-/// Whether the extension is that of a format that is read.
+/// Whether the extension is that of a format that holds meshes and is read. Formats of points alone (.xyz .csv .txt)
+/// are not counted: whoever names an output so means a table, not a mesh.
 bool names_a_mesh_format(const std::filesystem::path& path);
 
-/// The points and faces of all meshes of the file. Throws InputError. A broken file may crash the reading process:
-/// isolated_reader.h is the way to read what one did not write.
-PolygonSoup read_polygon_soup(const std::filesystem::path& path);
+struct ReadOptions {
+  std::string format;    // an extension (".ply", "stl.gz", in any case) to read the file by in place of its own
+  bool isolated = true;  // assimp in a process of its own: the way to read what one did not write
+};
+
+/// The points and faces of all meshes of the file; "-" is standard input, which needs a format and takes those alone
+/// that are read in this process. Throws UsageError for a format that is none or missing, and otherwise InputError.
+PolygonSoup read_polygon_soup(const std::filesystem::path& path, const ReadOptions& options = {});
+
+/// The files that reading `path` opens: itself, and for .gltf the buffers that it names and that are there. Empty for
+/// "-". Never throws for what the file holds; `format` as in ReadOptions.
+std::vector<std::filesystem::path> files_read_with(const std::filesystem::path& path, const std::string& format = {});
 
 }  // namespace vex

@@ -7,9 +7,9 @@
 
 namespace vex {
 
-/// A number with as many digits as a 32-bit float needs to be found again in the file.
+/// A number with nine digits, as many as tell 32-bit floats apart.
 std::string number_text(double value);
-/// "(x, y, z)".
+/// "(x, y, z)", each with the digits that it needs to be found again in the file.
 std::string point_text(const Vec3d& point);
 /// What every refusal of a shape ends with.
 std::string hull_advice(const std::string& first_advice);

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <functional>
 
-#include "apps/common/common_options.h"
-#include "apps/common/numbers.h"
-#include "apps/common/text.h"
 #include "engine/numeric/errors.h"
+#include "meshes/reader.h"
 #include "shapes/rounded.h"
 
 namespace vex {
@@ -35,20 +33,17 @@ bool looks_like_a_named_shape(const std::string& text) {
   throw UsageError("not a body (" + name + ") - name a mesh file or a body with its sizes");
 }
 
-// With two bodies on the command line it matters which one is refused.
-ConvexMesh load_naming_the_file(const std::string& path, const MeshOptions& mesh_options) {
+// With two bodies on the command line it matters which one is refused. `path`: what the file is called there.
+template <class Read>
+auto naming_the_file(const std::string& path, const Read& read) {
   try {
-    return load_convex_mesh(path, mesh_options);
+    return read();
   } catch (const InputError& error) {
-    const std::string problem = error.what();
-    if (problem.find(path) != std::string::npos) throw;
-    throw InputError(path + ": " + problem);
+    const std::string problem = error.what(), name = path == "-" ? "standard input" : path;
+    if (problem.find(name) != std::string::npos) throw;
+    throw InputError(name + ": " + problem);
   }
 }
-
-nlohmann::ordered_json point_json(const Vec3d& p) { return {p.x, p.y, p.z}; }
-
-constexpr const char* kCoordinates = "32-bit floats of the file reader, promoted to double";
 
 double scale_factor(const Measures& measures, const BodyOptions& options, const std::string& text) {
   if (!options.unit_volume) return options.scale;
@@ -61,9 +56,18 @@ double scale_factor(const Measures& measures, const BodyOptions& options, const 
   return options.scale / std::cbrt(measures.volume);
 }
 
-}  // namespace
+// Of a text, `rounded:` taken off.
+bool is_a_mesh(const std::string& core) { return !names_a_shape(core) && !looks_like_a_named_shape(core); }
 
-LoadedBody load_body(const std::string& text, const BodyOptions& options) {
+// The format to read a file as, whatever its name; empty where its name tells.
+std::string format_of(const std::string& path, const BodyOptions& options) {
+  return options.reads_standard_input && path != "-" ? std::string() : options.format;
+}
+
+// The mesh by these options; from a file, or from what was read of one before.
+using MeshSource = std::function<ConvexMesh(const MeshOptions&)>;
+
+LoadedBody loaded_from(const std::string& text, const BodyOptions& options, const MeshSource& mesh_from) {
   const std::optional<RoundedText> round = parse_rounded(text);
   const std::string core(round ? round->body : std::string_view(text));
   const double radius = round ? round->radius : 0.0;
@@ -74,109 +78,84 @@ LoadedBody load_body(const std::string& text, const BodyOptions& options) {
 
   const SizeRange& range = options.with_measures ? kMeasuredSizes : kQueriedSizes;
   if (looks_like_a_named_shape(core) && core.find(':') == std::string::npos) refuse_without_sizes(core);
-  if (names_a_shape(core) || looks_like_a_named_shape(core)) {
+  if (!is_a_mesh(core)) {
     const double scale = factor(parse_shape(core, 1.0, range).measures);
     return {text, parse_shape(text, scale, range), scale};
   }
   double scale = 1.0;
   MeshOptions mesh_options;
   mesh_options.convex_tolerance = options.convex_tolerance;
+  mesh_options.weld = options.weld;
+  mesh_options.unit = options.unit;
+  mesh_options.format = format_of(core, options);
   mesh_options.hull = options.hull;
   if (options.unit_volume || options.scale != 1.0) {
     mesh_options.scale = [&](const Measures& measures) { return scale = factor(measures); };
   }
-  ConvexMesh mesh = load_naming_the_file(core, mesh_options);
+  ConvexMesh mesh = naming_the_file(core, [&] { return mesh_from(mesh_options); });
   LoadedBody loaded{text, {"polyhedron", ConvexBody(std::move(mesh.body)), mesh.measures}, scale, mesh.report};
   loaded.shape.normals = std::move(mesh.normals);
-  loaded.shape.n_faces = options.hull ? mesh.report.n_triangles : mesh.report.n_faces;
+  loaded.shape.n_faces =
+      options.hull || mesh.report.n_dropped_vertices > 0 ? mesh.report.n_triangles : mesh.report.n_faces;
   require_size_in_range(loaded.shape.body, loaded.shape.measures, text, range);
   if (round) loaded.shape = rounded(loaded.shape, radius * scale, text, range);
   return loaded;
 }
+
+// Numbers of millimetres and of metres side by side would give a result that is neither's.
+void require_one_unit(const LoadedBody& a, const LoadedBody& b, const BodyOptions& options) {
+  if (!a.mesh || !b.mesh || options.unit_volume || options.scale_a || options.scale_b) return;
+  const std::string &of_a = a.mesh->unit, &of_b = b.mesh->unit;
+  if (of_a.empty() || of_b.empty() || of_a == of_b) return;
+  throw InputError("two files of different units (" + a.source + " in " + of_a + ", " + b.source + " in " + of_b +
+                   ") - add --unit m (or cm, mm, um, nm, in), or --scale-b 1 where their numbers meet as they stand");
+}
+
+}  // namespace
+
+LoadedBody load_body(const std::string& text, const BodyOptions& options) {
+  return loaded_from(text, options, [&](const MeshOptions& mesh_options) {
+    return load_convex_mesh(file_named_by(text), mesh_options);
+  });
+}
+
+std::pair<LoadedBody, LoadedBody> load_two_bodies(const std::string& a, const std::string& b,
+                                                  const BodyOptions& options) {
+  const BodyOptions of_a = options.of_a(), of_b = options.of_b();
+  if (a == b && of_a.scale != of_b.scale && names_a_mesh(a)) {
+    const std::string path = file_named_by(a);
+    const PolygonSoup soup =
+        naming_the_file(path, [&] { return read_polygon_soup(path, {.format = format_of(path, options)}); });
+    const MeshSource mesh_from = [&](const MeshOptions& mesh_options) { return convex_mesh_from(soup, mesh_options); };
+    return {loaded_from(a, of_a, mesh_from), loaded_from(b, of_b, mesh_from)};
+  }
+  LoadedBody loaded_a = load_body(a, of_a);
+  if (a == b && of_a.scale == of_b.scale) return {loaded_a, loaded_a};
+  LoadedBody loaded_b = load_body(b, of_b);
+  require_one_unit(loaded_a, loaded_b, options);
+  return {std::move(loaded_a), std::move(loaded_b)};
+}
+
+bool are_copies(const LoadedBody& a, const LoadedBody& b) { return a.source == b.source && a.scale == b.scale; }
+
+bool names_a_mesh(const std::string& text) { return is_a_mesh(file_named_by(text)); }
 
 std::string file_named_by(const std::string& text) {
   const std::optional<RoundedText> round = parse_rounded(text);
   return round ? std::string(round->body) : text;
 }
 
-nlohmann::ordered_json body_json(const LoadedBody& loaded, bool with_vertices) {
-  const MeasuredBody& shape = loaded.shape;
-  const std::optional<MeshReport>& mesh = loaded.mesh;
-  const std::vector<Vec3d> vertices = vertices_of(shape.body);
-  nlohmann::ordered_json json;
-  json["source"] = loaded.source;
-  json["kind"] = shape.kind;
-  json["vertices"] = nullptr;
-  json["faces"] = nullptr;
-  if (!vertices.empty()) {
-    json["vertices"] = vertices.size();
-    json["faces"] = shape.n_faces;
-  }
-  json["volume"] = number_or_null(shape.measures.volume);
-  json["surface_area"] = number_or_null(shape.measures.surface_area);
-  json["integrated_mean_curvature"] = shape.measures.integrated_mean_curvature;
-  json["mean_radius"] = shape.measures.mean_radius();
-  json["centre"] = point_json(shape.body.centre());
-  json["circumradius"] = shape.body.circumradius();
-  json["inradius"] = shape.body.inradius();
-  json["scale"] = loaded.scale;
-  json["convex"] = true;
-  json["reflex_depth"] = number_or_null(mesh ? mesh->reflex_depth : 0.0);
-  json["welded_vertices"] = mesh ? mesh->n_welded_vertices : 0;
-  json["hull_added_volume"] = number_or_null(mesh ? mesh->hull_added_volume : 0.0);
-  if (mesh) {
-    json["triangles"] = mesh->n_triangles;
-    json["parts"] = mesh->n_parts;
-    json["points"] = mesh->n_points;
-    json["hull_used"] = mesh->hull_used;
-    json["coordinates"] = kCoordinates + std::string(loaded.scale == 1.0 ? "" : ", scaled and rounded");
-    json["notes"] = mesh->notes;
-  }
-  if (with_vertices) {
-    json["vertex_coordinates"] = nlohmann::ordered_json::array();
-    for (const Vec3d& v : vertices) {
-      json["vertex_coordinates"].push_back({hex_number(v.x), hex_number(v.y), hex_number(v.z)});
+std::vector<std::string> files_of_bodies(std::span<const std::string> bodies, const BodyOptions& options) {
+  std::vector<std::string> files;
+  for (const std::string& body : bodies) {
+    const std::string named = file_named_by(body);
+    files.push_back(named);
+    if (!is_a_mesh(named)) continue;
+    for (const std::filesystem::path& file : files_read_with(named, format_of(named, options))) {
+      files.push_back(file.string());
     }
   }
-  return json;
-}
-
-std::string body_text(const LoadedBody& loaded, const std::string& label, bool with_vertices) {
-  const MeasuredBody& shape = loaded.shape;
-  const std::optional<MeshReport>& mesh = loaded.mesh;
-  const Vec3d centre = shape.body.centre();
-  const std::vector<Vec3d> vertices = vertices_of(shape.body);
-  std::string text = label + "  " + printable(loaded.source) + "  " + shape.kind;
-  if (!vertices.empty()) {
-    text += ", " + std::to_string(vertices.size()) + " vertices";
-    if (mesh && mesh->n_points > mesh->n_vertices) text += " of " + std::to_string(mesh->n_points) + " points";
-    if (shape.n_faces > 0) text += ", " + std::to_string(shape.n_faces) + " faces";
-  }
-  if (mesh)
-    text += std::string(" (its 32-bit coordinates, ") + (loaded.scale == 1.0 ? "" : "scaled, ") + "taken as exact)";
-  const auto line = [&](const std::string& name, double value, const std::string& remark = "") {
-    text += "\n   " + name + std::string(34 - name.size(), ' ') + short_number(value, 12) + remark;
-  };
-  if (loaded.scale != 1.0) line("scaled by", loaded.scale);
-  line("volume V", shape.measures.volume);
-  line("surface area S", shape.measures.surface_area,
-       shape.measures.volume == 0.0 && shape.measures.surface_area > 0.0 ? "   (of both sides)" : "");
-  line("integrated mean curvature M", shape.measures.integrated_mean_curvature,
-       "   (mean radius M/4pi = " + short_number(shape.measures.mean_radius(), 12) + ")");
-  line("circumradius", shape.body.circumradius(),
-       "   about (" + short_number(centre.x, 6) + ", " + short_number(centre.y, 6) + ", " + short_number(centre.z, 6) +
-           ")");
-  line("inradius", shape.body.inradius());
-  if (mesh && mesh->hull_used && mesh->hull_added_volume) line("volume added by the hull", *mesh->hull_added_volume);
-  if (mesh) {
-    for (const std::string& note : mesh->notes) text += "\n   note: " + printable(note);
-  }
-  if (with_vertices && !vertices.empty()) {
-    text += "\n   vertices, exactly: x y z";
-    for (const Vec3d& v : vertices)
-      text += "\n      " + hex_number(v.x) + " " + hex_number(v.y) + " " + hex_number(v.z);
-  }
-  return text + "\n";
+  return files;
 }
 
 }  // namespace vex

@@ -1,9 +1,11 @@
 // The bodies that a command line names: mesh files and named shapes, rounded and scaled as asked for.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "meshes/convex_mesh.h"
 #include "shapes/any_shape.h"
@@ -12,11 +14,27 @@ namespace vex {
 
 /// What the command line wants of every body.
 struct BodyOptions {
-  double convex_tolerance = 1e-6;  // of meshes, as in MeshOptions
-  bool hull = false;               // of meshes: the convex hull of whatever the file holds
-  bool unit_volume = false;        // scale to V = 1 about the origin ...
-  double scale = 1.0;              // ... and then by this
+  std::optional<double> convex_tolerance{};  // of meshes, as in MeshOptions, and so the next three
+  std::optional<double> weld{};
+  std::string unit{};
+  std::string format{};  // of standard input, where that is one of the bodies; otherwise of every mesh file
+  bool reads_standard_input = false;           // one of the bodies is "-"
+  bool hull = false;                           // of meshes: the convex hull of whatever the file holds
+  bool unit_volume = false;                    // scale to V = 1 about the origin ...
+  double scale = 1.0;                          // ... and then by this
+  std::optional<double> scale_a{}, scale_b{};  // of two bodies: where given, instead of `scale`
   bool with_measures = true;  // V, S and M must be finite: sizes of named bodies are kMeasuredSizes, or kQueriedSizes
+
+  /// For one of two bodies.
+  BodyOptions of_a() const { return with_scale(scale_a.value_or(scale)); }
+  BodyOptions of_b() const { return with_scale(scale_b.value_or(scale)); }
+
+ private:
+  BodyOptions with_scale(double factor) const {
+    BodyOptions options = *this;
+    options.scale = factor;
+    return options;
+  }
 };
 
 struct LoadedBody {
@@ -29,17 +47,29 @@ struct LoadedBody {
   bool is_polytope() const { return !vertices_of(shape.body).empty(); }
 };
 
-/// `text`: a named shape (`box:1,2,3`), the path of a mesh, or `rounded:r,` and one of these. Throws UsageError or
-/// InputError.
+/// `text`: a named shape (`box:1,2,3`), the path of a mesh, "-" for a mesh on standard input, or `rounded:r,` and one
+/// of these. Throws UsageError or InputError.
 LoadedBody load_body(const std::string& text, const BodyOptions& options);
 
-/// The file that the text names, without `rounded:r,` before it; the text itself where it names none.
+/// A with `options.of_a()` and B with `options.of_b()`. A mesh that is both is read once. Throws besides InputError
+/// where the files of both state their units, unlike ones, and nothing says how they are to meet: neither --unit nor
+/// --unit-volume, --scale-a or --scale-b.
+std::pair<LoadedBody, LoadedBody> load_two_bodies(const std::string& a, const std::string& b,
+                                                  const BodyOptions& options);
+
+/// Whether they are copies of one body: of the same text, in the same size.
+bool are_copies(const LoadedBody& a, const LoadedBody& b);
+
+/// Whether the text names a mesh, on standard input too, and not a shape; a shape that is mistyped (`spher:1`) is none.
+/// Throws UsageError where `rounded:r,` is malformed.
+bool names_a_mesh(const std::string& text);
+
+/// The file that the text names, without `rounded:r,` before it; "-" for standard input; the text itself where it names
+/// none.
 std::string file_named_by(const std::string& text);
 
-/// The entry of `bodies` in every program's JSON; with the vertices in hexadecimal if asked for.
-nlohmann::ordered_json body_json(const LoadedBody& loaded, bool with_vertices);
-
-/// The lines that describe the body on the screen; `label` is A or B.
-std::string body_text(const LoadedBody& loaded, const std::string& label, bool with_vertices);
+/// All files that loading these bodies reads: the meshes, what a reader opens beside them (the buffers of a .gltf),
+/// and "-" where standard input is one of them.
+std::vector<std::string> files_of_bodies(std::span<const std::string> bodies, const BodyOptions& options);
 
 }  // namespace vex

@@ -1,13 +1,14 @@
 #include "apps/common/output_file.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include <cstdio>
-#include <fstream>
+#include <algorithm>
 #include <iostream>
-#include <optional>
 #include <stdexcept>
+#include <system_error>
 
+#include "apps/common/replace_file.h"
 #include "engine/numeric/errors.h"
 #include "meshes/reader.h"
 
@@ -29,14 +30,52 @@ std::optional<fs::path> target_of(fs::path path) {
   return std::nullopt;
 }
 
+fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+
+std::string name_of_input(const std::string& path) { return path == "-" ? "standard input" : path; }
+
+// Whether the path leads to something that must be written where it is: a device, a pipe, or a file that has no name
+// any more and is known by an open descriptor only (/dev/fd/3).
+bool has_no_name_to_replace(const std::string& path, const fs::path& target) {
+  const std::optional<FileIdentity> found = identity_of(path, STDOUT_FILENO);
+  if (!found || found->mode == 0) return false;
+  return !found->is_regular() || !(identity_of(target.string(), STDOUT_FILENO) == found);
+}
+
 }  // namespace
 
+bool FileIdentity::is_regular() const { return S_ISREG(mode); }
+bool FileIdentity::is_character_device() const { return S_ISCHR(mode); }
+
+std::optional<FileIdentity> identity_of(const std::string& path, int stream) {
+  struct stat found = {};
+  if (path == "-") {
+    if (fstat(stream, &found) != 0) return std::nullopt;
+    return FileIdentity{found.st_dev, found.st_ino, "", found.st_mode};
+  }
+  if (stat(path.c_str(), &found) == 0) return FileIdentity{found.st_dev, found.st_ino, "", found.st_mode};
+  const std::optional<fs::path> target = target_of(path);
+  if (!target || stat(folder_of(*target).c_str(), &found) != 0) return std::nullopt;
+  return FileIdentity{found.st_dev, found.st_ino, target->filename().string(), 0};
+}
+
+std::optional<std::string> input_that_is(const FileIdentity& output, std::span<const std::string> inputs) {
+  if (!output.is_regular()) return std::nullopt;
+  const auto found = std::ranges::find_if(inputs, [&output](const std::string& input) {
+    const std::optional<FileIdentity> identity = identity_of(input, STDIN_FILENO);
+    return identity && *identity == output;
+  });
+  if (found == inputs.end()) return std::nullopt;
+  return *found;
+}
+
 OutputFile::OutputFile(std::string path, std::span<const std::string> inputs) : path_(std::move(path)) {
-  if (is_standard_output()) return;
-  const auto refuse = [&](const char* problem, const char* advice) {
-    throw UsageError(std::string(problem) + " (" + path_ + ") - " + advice);
+  const auto refuse = [&](const std::string& problem, const char* advice, const std::string& remark = "") {
+    throw UsageError(problem + " (" + path_ + remark + ") - " + advice);
   };
   if (path_.empty()) refuse("the output file has no name", "give a path, or - for standard output");
+  identity_ = identity_of(path_, STDOUT_FILENO);
+  if (is_standard_output()) return;
   if (path_.front() == '-')
     refuse("an option stands where the output file's name is missing", "give FILE; ./-x is a file named -x");
   const std::optional<fs::path> target = target_of(path_);
@@ -46,26 +85,29 @@ OutputFile::OutputFile(std::string path, std::span<const std::string> inputs) : 
   if (names_a_mesh_format(path_) || names_a_mesh_format(target_)) {
     refuse("an output file would end in the extension of a mesh", "choose another name, such as result.json");
   }
-  std::error_code error;
-  for (const std::string& input : inputs) {
-    if (path_ == input || fs::equivalent(path_, input, error))
-      refuse("the output file is an input", "choose another name");
+  if (std::ranges::find(inputs, path_) != inputs.end()) refuse("the output file is an input", "choose another name");
+  if (identity_) {
+    if (const std::optional<std::string> input = input_that_is(*identity_, inputs)) {
+      refuse("the output file is an input", "choose another name", ", which is " + name_of_input(*input));
+    }
+    // Also where this program does not read it: whoever called it, with a loop over a list perhaps, does.
+    const std::string standard_input = "-";
+    if (input_that_is(*identity_, {&standard_input, 1})) {
+      refuse("the output file is an input", "choose another name", ", which is standard input");
+    }
   }
+  std::error_code error;
   if (fs::is_directory(path_, error)) refuse("the output file is a folder", "give the path of a file");
-  if (fs::exists(path_, error) && !fs::is_regular_file(path_, error))
-    return;  // /dev/null and pipes are written directly
+  if (has_no_name_to_replace(path_, target_)) return;
   if (fs::exists(path_, error) && access(path_.c_str(), W_OK) != 0) {
     refuse("the output file is write-protected", "choose another name");
   }
-  const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+  const fs::path folder = folder_of(target_);
   if (!fs::is_directory(folder, error)) refuse("the output file's folder does not exist", "make it first");
   if (access(folder.c_str(), W_OK) != 0) refuse("the output file's folder cannot be written", "choose another one");
 }
 
 void OutputFile::write(std::string_view text) const {
-  const auto fail = [&](const char* problem) {
-    throw std::runtime_error(std::string(problem) + " (" + path_ + ") - look whether its disk is full");
-  };
   if (is_standard_output()) {
     std::cout << text << std::flush;
     if (!std::cout)
@@ -73,23 +115,15 @@ void OutputFile::write(std::string_view text) const {
           "standard output cannot be written - look whether its disk is full or its reader has gone");
     return;
   }
-  std::error_code error;
-  const bool special = fs::exists(path_, error) && !fs::is_regular_file(path_, error);
-  fs::path written = target_;
-  if (!special) written += ".tmp" + std::to_string(getpid());
-  {
-    std::ofstream file(written, std::ios::binary);
-    file << text << std::flush;
-    if (!file) {
-      if (!special) fs::remove(written, error);
-      fail("the output file cannot be written");
+  try {
+    if (has_no_name_to_replace(path_, target_)) {
+      write_in_place(path_, text);
+    } else {
+      replace_file(target_, text);
     }
-  }
-  if (special) return;
-  fs::rename(written, target_, error);
-  if (error) {
-    fs::remove(written, error);
-    fail("the output file cannot be put in place");
+  } catch (const std::system_error& error) {
+    throw std::runtime_error("the output file cannot be written (" + path_ + ": " + error.code().message() +
+                             ") - look whether its disk is full");
   }
 }
 

@@ -1,28 +1,60 @@
 // A file that a program writes: checked before the work, written whole or not at all.
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace vex {
 
+/// Which file a path leads to, through symbolic links, whatever its name: hard links of one file are one file. A file
+/// that is not there yet is a name in a folder.
+struct FileIdentity {
+  dev_t device = 0;
+  ino_t inode = 0;   // of the file; of its folder where it does not exist
+  std::string name;  // empty where it exists
+  mode_t mode = 0;   // 0 where it does not exist
+
+  bool operator==(const FileIdentity& other) const {
+    return device == other.device && inode == other.inode && name == other.name;
+  }
+  bool is_regular() const;
+  /// A terminal, /dev/null: several may write there.
+  bool is_character_device() const;
+};
+
+/// Of a path, "-" being the standard stream of this number. Nothing where neither the file nor its folder exists.
+std::optional<FileIdentity> identity_of(const std::string& path, int stream);
+
 class OutputFile {
  public:
-  /// `path`: "-" is standard output. Throws UsageError where the path is one of `inputs`, ends in a mesh extension,
-  /// looks like an option, or names a folder or a write-protected file, or where its folder does not exist or cannot be
-  /// written, so that no long run ends in vain.
+  /// `path`: "-" is standard output. `inputs`: the paths of files that the program reads, "-" being standard input.
+  /// Throws UsageError where the path leads to one of `inputs`, or to the file behind standard input; where it ends in
+  /// a mesh extension, looks like an option, or names a folder or a write-protected file, or where its folder does not
+  /// exist or cannot be written, so that no long run ends in vain. Standard output is not looked at: command_files.h.
   OutputFile(std::string path, std::span<const std::string> inputs);
 
   bool is_standard_output() const { return path_ == "-"; }
+  const std::string& path() const { return path_; }
+  /// Before it is written.
+  const std::optional<FileIdentity>& identity() const { return identity_; }
 
-  /// Writes to a file beside it and renames that. Throws std::runtime_error where the disk refuses.
+  /// Replaces the file as `replace_file` does; a device or a pipe is written to. Throws std::runtime_error where the
+  /// disk refuses.
   void write(std::string_view text) const;
 
  private:
   std::string path_;
   std::filesystem::path target_;  // what the path stands for, through links: replaced, so that a link stays a link
+  std::optional<FileIdentity> identity_;
 };
+
+/// The input that is this file; nothing where none is. Only regular files count: what goes into another end of a pipe
+/// or a terminal destroys nothing.
+std::optional<std::string> input_that_is(const FileIdentity& output, std::span<const std::string> inputs);
 
 }  // namespace vex

@@ -9,6 +9,7 @@
 #include "apps/referees/specialised_backend.h"
 #include "engine/numeric/errors.h"
 #include "meshes/convex_mesh.h"
+#include "meshes/nearest_float.h"
 #include "shapes/excluded_volume.h"
 
 namespace vex {
@@ -52,8 +53,8 @@ MeasuredBody hull_of_100_points() {
   for (int k = 0; k < n; ++k) {
     const double z = 1.0 - (2.0 * k + 1.0) / n, across = std::sqrt(1.0 - z * z);
     const double azimuth = 2.0 * std::numbers::pi * kGoldenTurn * k;
-    soup.points.push_back({static_cast<float>(3.0 * across * std::cos(azimuth)),
-                           static_cast<float>(2.0 * across * std::sin(azimuth)), static_cast<float>(z)});
+    soup.points.push_back({nearest_float(3.0 * across * std::cos(azimuth)),
+                           nearest_float(2.0 * across * std::sin(azimuth)), nearest_float(z)});
   }
   MeshOptions options;
   options.hull = true;

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <iostream>
 
+#include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
-#include "apps/common/output_file.h"
 #include "apps/common/run_program.h"
 #include "apps/vex_bench/options.h"
 #include "apps/vex_bench/report.h"
@@ -52,12 +52,11 @@ void measure_all(BenchRun& run, const std::vector<BenchBody>& bodies) {
 
 int run_vex_bench(const BenchCommandLine& words, const std::string& command) {
   BenchRun run{command, interpret(words)};
-  std::vector<std::string> inputs;
-  for (const std::string& body : run.options.bodies) inputs.push_back(file_named_by(body));
-  std::optional<OutputFile> json, csv, plot;
-  if (!run.options.json.empty()) json.emplace(run.options.json, inputs);
-  if (!run.options.csv.empty()) csv.emplace(run.options.csv, inputs);
-  if (!run.options.plot.empty()) plot.emplace(run.options.plot, inputs);
+  CommandFiles files(files_of_bodies(run.options.bodies, run.options.body_options));
+  const std::optional<OutputFile> json = files.output("--json", run.options.json);
+  const std::optional<OutputFile> csv = files.output("--csv", run.options.csv);
+  const std::optional<OutputFile> plot = files.output("--plot", run.options.plot);
+  if (!run.options.quiet) files.print_report();
   const std::vector<BenchBody> bodies = bodies_of(run.options);
 
   catch_interrupts();

@@ -1,7 +1,6 @@
 #include "apps/vex_bench/options.h"
 
 #include <filesystem>
-#include <set>
 
 #include "apps/common/numbers.h"
 #include "engine/numeric/errors.h"
@@ -11,8 +10,8 @@ namespace vex {
 void declare_options(OptionParser& options, BenchCommandLine& words) {
   options
       .add_option("BODY", words.bodies,
-                  "Mesh files or named bodies, each with itself; without any: cube, plate .01, needle 64, ellipsoid "
-                  "4:1:1, capsule, hull of 100 points")
+                  "Mesh files (- for standard input) or named bodies, each with itself; without any: cube, plate .01, "
+                  "needle 64, ellipsoid 4:1:1, capsule, hull of 100 points")
       .type_name("");
   const std::string sampling = "Measurement";
   options.add_flag("--standard", words.standard, "Those six too, before the bodies that are named").group(sampling);
@@ -52,13 +51,7 @@ BenchOptions interpret(const BenchCommandLine& words) {
                      " for --plot) - name it .svg; rsvg-convert makes other formats");
   }
   if (words.dump_vertices) throw UsageError("no vertices are listed here (--dump-vertices) - vex_mesh lists them");
-  options.body_options = interpret_bodies(words);
-  std::set<std::string> files;
-  for (const std::string& file : {words.json, words.csv, words.plot}) {
-    if (!file.empty() && !files.insert(file).second) {
-      throw UsageError("one file for two outputs (" + file + ") - give each its own");
-    }
-  }
+  options.body_options = interpret_bodies(words, words.bodies);
   return options;
 }
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <iostream>
 
+#include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
-#include "apps/common/output_file.h"
 #include "apps/common/progress_bar.h"
 #include "apps/common/run_program.h"
 #include "apps/vex_mesh/options.h"
@@ -120,16 +120,18 @@ void sample(MeshRun& run) {
 int run_vex_mesh(const CommandLine& words, const std::string& command) {
   const Options options = interpret(words);
 
-  std::optional<OutputFile> json;
-  if (!options.json.empty()) {
-    std::vector<std::string> inputs = {file_named_by(options.a), file_named_by(options.b)};
-    for (const std::string& word : options.control_variate) inputs.push_back(file_named_by(word));
-    json.emplace(options.json, inputs);
-  }
+  std::vector<std::string> bodies = {options.a, options.b};
+  bodies.insert(bodies.end(), options.control_variate.begin(), options.control_variate.end());
+  CommandFiles files(files_of_bodies(bodies, options.bodies));
+  const std::optional<OutputFile> json = files.output("--json", options.json);
+  if (!options.quiet) files.print_report();
 
-  const LoadedBody loaded_a = load_body(options.a, options.bodies);
-  MeshRun run{command, options, loaded_a, options.a == options.b ? loaded_a : load_body(options.b, options.bodies)};
-  for (const std::string& word : options.control_variate) run.control_bodies.push_back(load_body(word, options.bodies));
+  auto [loaded_a, loaded_b] = load_two_bodies(options.a, options.b, options.bodies);
+  MeshRun run{command, options, std::move(loaded_a), std::move(loaded_b)};
+  if (const std::vector<std::string>& simpler = options.control_variate; !simpler.empty()) {
+    auto [like_a, like_b] = load_two_bodies(simpler.front(), simpler.back(), options.bodies);
+    run.control_bodies = {std::move(like_a), std::move(like_b)};
+  }
   if (options.dump_vertices) require_vertices_to_list(run.a, run.b);
   choose_backends(run);
   const ConvexBody& a = run.a.shape.body;

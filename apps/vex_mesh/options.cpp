@@ -77,11 +77,7 @@ std::optional<Estimator> estimator_of(const CommandLine& words) {
 }  // namespace
 
 void declare_options(OptionParser& options, CommandLine& words) {
-  options
-      .add_option("A", words.a,
-                  "A mesh file (.obj .stl .ply .off .gltf .glb .dae .3mf ...) or a named body such as box:1,2,3")
-      .type_name("")
-      .required();
+  options.add_option("A", words.a, kBodyHelp).type_name("").required();
   options.add_option("B", words.b, "The second body; without it, A again").type_name("");
 
   const std::string stop =
@@ -147,8 +143,7 @@ void declare_options(OptionParser& options, CommandLine& words) {
       .add_option(
           "--isa", words.isa,
           "Instruction set of the kernels that draw poses and decide them by packets: scalar (none), sse2, avx2, "
-          "avx512, or the best that this machine has (default); changes nothing but the time, and by scalar the last "
-          "digits of radial")
+          "avx512, or the best that this machine has (default); changes nothing but the time")
       .type_name("NAME")
       .group(query);
   options.add_flag("--cross-check", words.cross_check, "Ask every backend about every pose and list each disagreement")
@@ -158,7 +153,7 @@ void declare_options(OptionParser& options, CommandLine& words) {
                 "Prove every verdict again from its certificate, in exact arithmetic: some hundred times slower")
       .group(query);
 
-  declare_body_options(options, words);
+  declare_options_of_two_bodies(options, words);
   declare_output(options, words);
 
   const std::string later = "Not built yet";
@@ -225,7 +220,10 @@ Options interpret(const CommandLine& words) {
   std::ranges::for_each(options.cross_check, set_kernels);
   options.verify = words.verify;
   options.quick_verdicts = !words.no_quick_verdicts;
-  options.bodies = interpret_bodies(words);
+  std::vector<std::string> bodies = {words.a};
+  if (!words.b.empty()) bodies.push_back(words.b);
+  bodies.insert(bodies.end(), words.control_variate.begin(), words.control_variate.end());
+  options.bodies = interpret_bodies(words, bodies);
   options.dump_vertices = words.dump_vertices;
   return options;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "apps/common/body_report.h"
 #include "apps/common/numbers.h"
 #include "apps/common/text.h"
 #include "shapes/excluded_volume.h"
@@ -29,9 +30,20 @@ double sampling_volume(const MeshRun& run) {
                                                                       : mean_sampling_volume(tally, run.domain);
 }
 
+// By how much a trial of this run took longer than it was counted to: costs are counted in nanoseconds of some machine,
+// the same everywhere, and the run tells what such a nanosecond is here.
+double pace_of(const MeshRun& run) {
+  for (const Candidate& candidate : run.candidates) {
+    if (candidate.estimator != run.estimator || run.record.tally.n_trials == 0) continue;
+    const double counted = candidate.cost.seconds_per_trial * static_cast<double>(run.record.tally.n_trials);
+    return run.record.seconds * run.options.n_threads / counted;
+  }
+  return 1.0;
+}
+
 // What the run's error cost, or would have cost with another estimator; on as many threads.
 double seconds_of(const Candidate& candidate, const MeshRun& run) {
-  return candidate.cost.seconds_to(run.estimate->relative_error()) / run.options.n_threads;
+  return pace_of(run) * candidate.cost.seconds_to(run.estimate->relative_error()) / run.options.n_threads;
 }
 
 Json pilot_json(const MeshRun& run) {
@@ -54,7 +66,7 @@ std::string pilot_text(const MeshRun& run) {
       "   chosen by a pilot                 rel. error " + short_number(run.estimate->relative_error(), 2);
   for (const Candidate& candidate : run.candidates) {
     if (candidate.estimator != Estimator::hit_or_miss) continue;
-    const double error = candidate.cost.relative_error_after(run.record.seconds * run.options.n_threads);
+    const double error = candidate.cost.relative_error_after(run.record.seconds * run.options.n_threads / pace_of(run));
     if (std::isfinite(error)) text += "; hit-or-miss would have " + short_number(error, 2) + " after as long";
   }
   for (const bool runs_gjk : {true, false}) {
@@ -317,7 +329,7 @@ std::string report_json(const MeshRun& run) {
 
 std::string report_text(const MeshRun& run) {
   std::string text = body_text(run.a, "A", run.options.dump_vertices);
-  text += run.a.source == run.b.source ? "B  the same body\n" : body_text(run.b, "B", run.options.dump_vertices);
+  text += are_copies(run.a, run.b) ? "B  the same body\n" : body_text(run.b, "B", run.options.dump_vertices);
 
   text += "\nFormula  V_A + V_B + (M_A S_B + M_B S_A)/4pi, random orientations\n";
   if (run.formula) {

@@ -5,8 +5,8 @@
 #include <iostream>
 #include <memory>
 
+#include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
-#include "apps/common/output_file.h"
 #include "apps/common/run_program.h"
 #include "apps/vex_pair/report.h"
 #include "engine/numeric/errors.h"
@@ -15,10 +15,13 @@ namespace vex {
 namespace {
 
 std::optional<OutputFile> output_file(const PairOptions& options) {
-  if (options.json.empty()) return std::nullopt;
-  std::vector<std::string> inputs = {file_named_by(options.a), file_named_by(options.b)};
-  if (options.poses != "-" && !options.poses.empty()) inputs.push_back(options.poses);
-  return OutputFile(options.json, inputs);
+  const std::vector<std::string> bodies = {options.a, options.b};
+  std::vector<std::string> inputs = files_of_bodies(bodies, options.bodies);
+  if (!options.poses.empty()) inputs.push_back(options.poses);
+  CommandFiles files(std::move(inputs));
+  const std::optional<OutputFile> json = files.output("--json", options.json);
+  if (!options.quiet || options.layout.format != RowLayout::Format::screen) files.print_report();
+  return json;
 }
 
 // Whether the text went out; nothing to write is written.
@@ -50,8 +53,8 @@ int run_vex_pair(const PairCommandLine& words, const std::string& command) {
   // Opened before the bodies are loaded, which may take long; a pipe's header comes when it comes.
   std::unique_ptr<PoseFile> poses;
   if (!options.pose) poses = std::make_unique<PoseFile>(options.poses, interrupting_signal());
-  const LoadedBody a = load_body(options.a, options.bodies);
-  PairRun run{command, options, a, options.a == options.b ? a : load_body(options.b, options.bodies)};
+  auto [a, b] = load_two_bodies(options.a, options.b, options.bodies);
+  PairRun run{command, options, std::move(a), std::move(b)};
   if (options.dump_vertices) require_vertices_to_list(run.a, run.b);
 
   catch_interrupts();

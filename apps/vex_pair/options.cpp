@@ -33,11 +33,7 @@ std::optional<Transformd> pose_of_words(const PairCommandLine& words) {
 }  // namespace
 
 void declare_options(OptionParser& options, PairCommandLine& words) {
-  options
-      .add_option("A", words.a,
-                  "A mesh file (.obj .stl .ply .off .gltf .glb .dae .3mf ...) or a named body such as box:1,2,3")
-      .type_name("")
-      .required();
+  options.add_option("A", words.a, kBodyHelp).type_name("").required();
   options.add_option("B", words.b, "The second body").type_name("").required();
 
   const std::string pose = "B's pose in A's frame, R x + t (in one of three ways)";
@@ -75,7 +71,7 @@ void declare_options(OptionParser& options, PairCommandLine& words) {
       .group(query);
   options.add_option("--seed", words.seed, "Nothing here is random; in the head of --json").type_name("N").group(query);
 
-  declare_body_options(options, words);
+  declare_options_of_two_bodies(options, words);
 
   options.add_flag("--jsonl", words.jsonl, "Print an object of JSON a pose").group("Output");
   options
@@ -106,7 +102,8 @@ PairOptions interpret(const PairCommandLine& words) {
   static_cast<CommonOptions&>(options) = interpret_common(words);
   options.a = words.a;
   options.b = words.b;
-  options.bodies = interpret_bodies(words);
+  const std::vector<std::string> bodies = {words.a, words.b};
+  options.bodies = interpret_bodies(words, bodies, words.poses);
   options.bodies.with_measures = false;
   options.dump_vertices = words.dump_vertices;
   options.pose = pose_of_words(words);

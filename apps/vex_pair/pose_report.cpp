@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "apps/common/body_report.h"
 #include "apps/common/numbers.h"
 #include "apps/common/text.h"
 #include "apps/vex_pair/report.h"

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <utility>
 
+#include "apps/common/body_report.h"
 #include "apps/common/numbers.h"
 
 namespace vex {

@@ -3,8 +3,8 @@
 #include <chrono>
 #include <iostream>
 
+#include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
-#include "apps/common/output_file.h"
 #include "apps/common/progress_bar.h"
 #include "apps/common/run_program.h"
 #include "apps/vex_paper/options.h"
@@ -50,8 +50,9 @@ class Runner {
 int run_vex_paper(const PaperCommandLine& words, const std::string& command) {
   const auto start = std::chrono::steady_clock::now();
   PaperRun run{command, interpret(words)};
-  std::optional<OutputFile> json;
-  if (!run.options.json.empty()) json.emplace(run.options.json, std::span<const std::string>());
+  CommandFiles files({});
+  const std::optional<OutputFile> json = files.output("--json", run.options.json);
+  if (!run.options.quiet) files.print_report();
 
   struct Part {
     std::vector<Case> cases;  // none where the part is not wanted

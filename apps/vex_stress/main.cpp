@@ -2,8 +2,8 @@
 #include <chrono>
 #include <iostream>
 
+#include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
-#include "apps/common/output_file.h"
 #include "apps/common/progress_bar.h"
 #include "apps/common/run_program.h"
 #include "apps/vex_stress/options.h"
@@ -51,9 +51,10 @@ int run_vex_stress(const StressCommandLine& words, const std::string& command) {
     std::cout << list_text(run.options);
     return kSuccess;
   }
-  std::optional<OutputFile> json, plot;
-  if (!run.options.json.empty()) json.emplace(run.options.json, std::span<const std::string>());
-  if (!run.options.plot.empty()) plot.emplace(run.options.plot, std::span<const std::string>());
+  CommandFiles files({});
+  const std::optional<OutputFile> json = files.output("--json", run.options.json);
+  const std::optional<OutputFile> plot = files.output("--plot", run.options.plot);
+  if (!run.options.quiet) files.print_report();
 
   catch_interrupts();
   measure_all(run);

@@ -101,9 +101,6 @@ StressOptions interpret(const StressCommandLine& words) {
                      " a stratum");
   }
   options.plot = words.plot;
-  if (!words.plot.empty() && words.plot == words.json) {
-    throw UsageError("one file for two outputs (" + words.plot + " for --json and --plot) - give each its own");
-  }
   if (words.list && !(words.json.empty() && words.plot.empty())) {
     throw UsageError("nothing to write to --json or --plot - --list names the strata and measures nothing");
   }

@@ -3,27 +3,40 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
 
+#include "meshes/nearest_float.h"
+
 namespace vex {
 namespace {
+
+bool is_float(double x) {
+  return !(std::fabs(x) <= double{std::numeric_limits<float>::max()}) || nearest_float(x) == x;
+}
+
+bool all_floats(const PolygonSoup& soup) {
+  return std::ranges::all_of(soup.points,
+                             [](const Vec3d& p) { return is_float(p.x) && is_float(p.y) && is_float(p.z); });
+}
 
 std::string piece(const std::string& part) { return part; }
 std::string piece(std::uint64_t number) { return std::to_string(number); }
 std::string piece(std::uint32_t number) { return std::to_string(number); }
-std::string piece(float number) {
+std::string piece(double number) {
   std::array<char, 40> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.9g", double{number});  // enough to tell floats apart
-  return digits.data();
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr};
 }
-std::string piece(const SoupPoint& p) { return piece(p.x) + " " + piece(p.y) + " " + piece(p.z); }
+std::string piece(const Vec3d& p) { return piece(p.x) + " " + piece(p.y) + " " + piece(p.z); }
 
-/// Strings, whole numbers, floats and points, one after another.
+/// Strings, whole numbers, coordinates and points, one after another.
 template <class... Parts>
 std::string text(const Parts&... parts) {
   std::string all;
@@ -38,16 +51,16 @@ void put(T value, std::string* bytes) {
   bytes->append(raw.data(), raw.size());
 }
 
-void put_point(const SoupPoint& p, std::string* bytes) {
-  put(p.x, bytes);
-  put(p.y, bytes);
-  put(p.z, bytes);
+void put_point(const Vec3d& p, std::string* bytes) {
+  put(static_cast<float>(p.x), bytes);
+  put(static_cast<float>(p.y), bytes);
+  put(static_cast<float>(p.z), bytes);
 }
 
-/// The points as lines "PREFIX x y z", with the digits that tell floats apart.
+/// The points as lines "PREFIX x y z", with as few digits as read back the same doubles: every format says the same.
 std::string point_lines(const PolygonSoup& soup, const char* prefix) {
   std::string lines;
-  for (const SoupPoint& p : soup.points) {
+  for (const Vec3d& p : soup.points) {
     lines += text(prefix, p, "\n");
   }
   return lines;
@@ -68,9 +81,10 @@ std::string face_lines(const PolygonSoup& soup, const char* prefix, bool with_si
 }
 
 std::string ply_header(const PolygonSoup& soup, const char* format) {
+  const std::string type = all_floats(soup) ? "float" : "double";
   return text("ply\nformat ", format, " 1.0\nelement vertex ", soup.points.size(),
-              "\nproperty float x\nproperty float y\nproperty float z\nelement face ", soup.face_sizes.size(),
-              "\nproperty list uchar int vertex_indices\nend_header\n");
+              text("\nproperty ", type, " x\nproperty ", type, " y\nproperty ", type, " z\nelement face "),
+              soup.face_sizes.size(), "\nproperty list uchar int vertex_indices\nend_header\n");
 }
 
 std::string base64(const std::string& bytes) {
@@ -94,7 +108,7 @@ std::string threemf_model(const PolygonSoup& soup) {
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"millimeter\" "
       "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n<resources><object id=\"1\" "
       "type=\"model\"><mesh><vertices>\n";
-  for (const SoupPoint& p : soup.points) {
+  for (const Vec3d& p : soup.points) {
     xml += text("<vertex x=\"", p.x, "\" y=\"", p.y, "\" z=\"", p.z, "\"/>\n");
   }
   xml += "</vertices><triangles>\n";
@@ -122,7 +136,7 @@ std::string zip_of(const std::vector<std::pair<std::string, std::string>>& files
   std::string bytes;
   std::string directory;
   for (const auto& [name, contents] : files) {
-    std::string common;                                      // of the local header and of the directory's entry
+    std::string common;                            // of the local header and of the directory's entry
     for (const int field : {20, 0, 0, 0, 0x21}) {  // version, flags, stored, time, date
       put(static_cast<std::uint16_t>(field), &common);
     }
@@ -190,8 +204,15 @@ std::string ply_text(const PolygonSoup& soup) {
 
 std::string ply_binary(const PolygonSoup& soup) {
   std::string bytes = ply_header(soup, "binary_little_endian");
-  for (const SoupPoint& p : soup.points) {
-    put_point(p, &bytes);
+  const bool as_floats = all_floats(soup);
+  for (const Vec3d& p : soup.points) {
+    if (as_floats) {
+      put_point(p, &bytes);
+      continue;
+    }
+    put(p.x, &bytes);
+    put(p.y, &bytes);
+    put(p.z, &bytes);
   }
   std::size_t next = 0;
   for (const std::uint32_t size : soup.face_sizes) {
@@ -207,7 +228,7 @@ std::string stl_text(const PolygonSoup& soup) {
   const PolygonSoup flat = with_own_corners(triangulated(soup));
   std::string lines = "solid body\n";
   for (std::size_t i = 0; i < flat.points.size(); ++i) {
-    const SoupPoint& p = flat.points[i];
+    const Vec3d& p = flat.points[i];
     lines += i % 3 == 0 ? "facet normal 0 0 0\nouter loop\n" : "";
     lines += text("vertex ", p, "\n");
     lines += i % 3 == 2 ? "endloop\nendfacet\n" : "";
@@ -233,7 +254,7 @@ std::string stl_binary(const PolygonSoup& soup) {
 
 std::string gltf_buffer(const PolygonSoup& soup) {
   std::string bytes;
-  for (const SoupPoint& p : soup.points) {
+  for (const Vec3d& p : soup.points) {
     put_point(p, &bytes);
   }
   for (const std::uint32_t corner : triangulated(soup).corners) {
@@ -245,16 +266,18 @@ std::string gltf_buffer(const PolygonSoup& soup) {
 std::string gltf_text(const PolygonSoup& soup, const std::string& buffer_uri, const std::string& nodes) {
   const std::size_t n_corners = triangulated(soup).corners.size();
   const std::size_t n_point_bytes = 12 * soup.points.size();
-  SoupPoint low = soup.points.front();
-  SoupPoint high = low;
-  for (const SoupPoint& p : soup.points) {
+  Vec3d low = soup.points.front();
+  Vec3d high = low;
+  for (const Vec3d& p : soup.points) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
   std::string json =
       "{\"asset\": {\"version\": \"2.0\"}, \"scene\": 0, \"scenes\": [{\"nodes\": [0]}],\n\"nodes\": " + nodes +
       ",\n\"meshes\": [{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1}]}],\n";
-  const auto list = [](const SoupPoint& p) { return text(p.x, ", ", p.y, ", ", p.z); };
+  const auto list = [&](const Vec3d& p) {
+    return text(nearest_float(p.x), ", ", nearest_float(p.y), ", ", nearest_float(p.z));
+  };
   json += text("\"accessors\": [{\"bufferView\": 0, \"componentType\": 5126, \"count\": ", soup.points.size(),
                ", \"type\": \"VEC3\", \"min\": [", list(low), "], \"max\": [", list(high), "]},\n");
   json += text("{\"bufferView\": 1, \"componentType\": 5125, \"count\": ", n_corners, ", \"type\": \"SCALAR\"}],\n");

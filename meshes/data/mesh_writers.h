@@ -1,5 +1,6 @@
-// Writes soups as mesh files of the common formats: for the sample bodies and for the tests. Coordinates are written
-// with the digits that tell 32-bit floats apart.
+// Writes soups as mesh files of the common formats: for the sample bodies and for the tests. Text has each coordinate as
+// the shortest that reads back the same double, a 32-bit float's too: so every format says the same.
+// Binary formats round to floats, but for .ply, which has doubles where one coordinate is no float.
 #pragma once
 
 #include <string>

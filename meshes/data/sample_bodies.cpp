@@ -10,12 +10,13 @@
 
 #include "meshes/data/mesh_writers.h"
 #include "meshes/hull.h"
+#include "meshes/nearest_float.h"
 #include "meshes/polygon_soup.h"
 
 namespace vex {
 namespace {
 
-PolygonSoup with_points(std::vector<SoupPoint> points) {
+PolygonSoup with_points(std::vector<Vec3d> points) {
   PolygonSoup soup;
   soup.points = std::move(points);
   soup.n_parts = 1;
@@ -34,9 +35,9 @@ PolygonSoup tetrahedron() {
 PolygonSoup cube() {
   PolygonSoup soup;
   soup.n_parts = 1;
-  for (const float x : {-0.5F, 0.5F}) {
-    for (const float y : {-0.5F, 0.5F}) {
-      for (const float z : {-0.5F, 0.5F}) {
+  for (const double x : {-0.5, 0.5}) {
+    for (const double y : {-0.5, 0.5}) {
+      for (const double z : {-0.5, 0.5}) {
         soup.points.push_back({x, y, z});
       }
     }
@@ -63,9 +64,9 @@ PolygonSoup octahedron() {
 /// a (p - q) = p (p - a). Products of neighbouring Fibonacci numbers solve that in whole numbers that floats hold, and
 /// p / a is the golden ratio to 7e-8; 2^-23 brings them to the size of one.
 PolygonSoup dodecahedron() {
-  constexpr float a = 0x1p-23F * 2584.0F * 2584.0F;
-  constexpr float p = 0x1p-23F * 2584.0F * 4181.0F;
-  constexpr float q = 0x1p-23F * 4181.0F * 987.0F;
+  constexpr double a = 0x1p-23 * 2584.0 * 2584.0;
+  constexpr double p = 0x1p-23 * 2584.0 * 4181.0;
+  constexpr double q = 0x1p-23 * 4181.0 * 987.0;
   PolygonSoup soup =
       with_points({{a, a, a},    {a, a, -a},  {a, -a, a}, {a, -a, -a}, {-a, a, a},  {-a, a, -a}, {-a, -a, a},
                    {-a, -a, -a}, {0, q, p},   {0, q, -p}, {0, -q, p},  {0, -q, -p}, {q, p, 0},   {q, -p, 0},
@@ -86,7 +87,7 @@ PolygonSoup dodecahedron() {
 }
 
 PolygonSoup icosahedron() {
-  constexpr float p = 1.618034F;  // the float nearest to the golden ratio
+  constexpr double p = double{1.618034F};  // the float nearest to the golden ratio
   PolygonSoup soup = with_points({{0, 1, p},
                                   {0, 1, -p},
                                   {0, -1, p},
@@ -111,11 +112,11 @@ PolygonSoup icosahedron() {
 /// A brilliant of 25 faces: an eight-sided table, crown, girdle and pavilion over one octagon with corners (12, 5),
 /// (5, 12), ... at half and at full size. All coordinates are binary fractions and all faces exactly planar.
 PolygonSoup gem() {
-  constexpr std::array<std::array<float, 2>, 8> kOctagon{
+  constexpr std::array<std::array<double, 2>, 8> kOctagon{
       {{12, 5}, {5, 12}, {-5, 12}, {-12, 5}, {-12, -5}, {-5, -12}, {5, -12}, {12, -5}}};
   PolygonSoup soup;
   soup.n_parts = 1;
-  for (const auto& [scale, z] : std::array<std::array<float, 2>, 3>{{{1.0F, -0.5F}, {1.0F, 0.5F}, {0.5F, 5.0F}}}) {
+  for (const auto& [scale, z] : std::array<std::array<double, 2>, 3>{{{1.0, -0.5}, {1.0, 0.5}, {0.5, 5.0}}}) {
     for (const auto& [x, y] : kOctagon) {
       soup.points.push_back({scale * x, scale * y, z});
     }
@@ -135,11 +136,10 @@ PolygonSoup gem() {
 PolygonSoup pebble() {
   std::mt19937_64 random(2002);
   const auto uniform = [&random] { return static_cast<double>(random() >> 11U) * 0x1p-53; };
-  const auto three_decimals = [](double x) { return static_cast<float>(std::nearbyint(x * 1000.0) / 1000.0); };
+  const auto three_decimals = [](double x) { return nearest_float(std::nearbyint(x * 1000.0) / 1000.0); };
   PolygonSoup soup;
   soup.n_parts = 1;
-  std::vector<Vec3d> points;
-  while (points.size() < 300) {
+  while (soup.points.size() < 300) {
     const double cosine = 2.0 * uniform() - 1.0;
     const double azimuth_rad = 2.0 * std::numbers::pi * uniform();
     const double sine = std::sqrt(1.0 - cosine * cosine);
@@ -148,10 +148,8 @@ PolygonSoup pebble() {
     const double bump = 1.0 + 0.06 * std::sin(2.0 * x + 3.0 * cosine) * std::cos(2.5 * y + 1.0);
     soup.points.push_back(
         {three_decimals(3.0 * bump * x), three_decimals(2.0 * bump * y), three_decimals(1.5 * bump * cosine)});
-    const SoupPoint& p = soup.points.back();
-    points.push_back({double{p.x}, double{p.y}, double{p.z}});
   }
-  std::vector<std::array<std::uint32_t, 3>> triangles = convex_hull_triangles(points);
+  std::vector<std::array<std::uint32_t, 3>> triangles = convex_hull_triangles(soup.points);
   for (auto& triangle : triangles) {
     std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
   }

@@ -29,6 +29,8 @@
 #include "apps/common/run_program.h"
 #include "engine/numeric/errors.h"
 #include "engine/numeric/quaternion.h"
+#include "meshes/assimp_input.h"
+#include "meshes/assimp_reader.h"
 #include "meshes/convexity.h"
 #include "meshes/data/mesh_writers.h"
 #include "meshes/isolated_reader.h"
@@ -309,10 +311,12 @@ Json stages(const Settings& settings, const tests::TemporaryFolder& folder) {
         steps[step++].second.ns.push_back(taken);
         stop_if_interrupted();
       };
-      begin(), static_cast<void>(read_polygon_soup_isolated(path)), end("reading in a process of its own");
+      begin(), static_cast<void>(read_by_assimp_isolated(prepare_for_assimp(path, ".ply")));
+      end("reading by assimp in a process of its own");
+      begin(), static_cast<void>(read_by_assimp(path)), end("reading by assimp in this one");
       begin();
       const PolygonSoup soup = read_polygon_soup(path);
-      end("reading in this one (assimp)");
+      end("reading by the strict reader");
       begin();
       const PolygonSurface surface = weld(soup).surface;
       end("vertices welded, all put in order");

@@ -30,6 +30,9 @@ void expect_body(const json& body) {
   EXPECT_TRUE(body.at("reflex_depth").is_number());
   EXPECT_TRUE(body.at("welded_vertices").is_number_unsigned());
   EXPECT_TRUE(body.at("hull_added_volume").is_number());
+  EXPECT_TRUE(body.at("dropped_vertices").is_number_unsigned());
+  EXPECT_TRUE(body.at("unit").is_null());
+  EXPECT_EQ(body.at("coordinate_rounding").is_null(), body.at("kind") != "polyhedron");
   EXPECT_NEAR(number(body.at("mean_radius")), number(body.at("integrated_mean_curvature")) / (4.0 * M_PI), 1e-14);
   EXPECT_LE(number(body.at("inradius")), number(body.at("circumradius")));
 }
@@ -117,7 +120,9 @@ TEST_F(Document, DescribesAMesh) {
   EXPECT_NEAR(number(body.at("volume")), 1.0, 1e-15);
   EXPECT_NEAR(number(body.at("surface_area")), 6.0, 1e-14);
   EXPECT_NEAR(number(body.at("integrated_mean_curvature")), 3.0 * M_PI, 1e-14);
-  EXPECT_NE(body.dump().find("32-bit"), std::string::npos) << "the report says what the coordinates are";
+  EXPECT_EQ(body.at("coordinates"), "doubles of the file") << "the report says what the coordinates are";
+  EXPECT_GT(number(body.at("coordinate_rounding")), 0.0);
+  EXPECT_LT(number(body.at("coordinate_rounding")), 1e-15);
   EXPECT_EQ(document.at("bodies")[1], body);
   expect_tally(document.at("estimate"));
 }

@@ -1,7 +1,10 @@
 #include "tests/golden/sample_files.h"
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <initializer_list>
 #include <numbers>
 
 namespace vex::golden {
@@ -42,6 +45,54 @@ std::string sphere_obj(int n_rings, int n_sectors) {
     }
   }
   return text;
+}
+
+std::string tetrahedron_gltf(const std::string& buffer) {
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"mode":4}]}],)"
+         R"("accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,1]},)"
+         R"({"bufferView":1,"componentType":5125,"count":12,"type":"SCALAR"}],)"
+         R"("bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":48}],)"
+         R"("buffers":[{"uri":")" +
+         buffer + R"(","byteLength":96}]})";
+}
+
+std::string tetrahedron_buffer() {
+  const auto bytes_of = [](const auto& numbers) {
+    return std::string(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof numbers[0]);
+  };
+  const std::array<float, 12> points = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const std::array<std::uint32_t, 12> faces = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+  return bytes_of(points) + bytes_of(faces);
+}
+
+std::string tetrahedron_dae(const std::string& unit, const std::string& metres) {
+  return R"(<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><created>2020-01-01T00:00:00</created><modified>2020-01-01T00:00:00</modified><unit name=")" +
+         unit + R"(" meter=")" + metres + R"("/><up_axis>Z_UP</up_axis></asset>
+<library_geometries><geometry id="g"><mesh>
+<source id="p"><float_array id="n" count="12">0 0 0 1 0 0 0 1 0 0 0 1</float_array>
+<technique_common><accessor source="#n" count="4" stride="3"><param name="X" type="float"/>
+<param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<triangles count="4"><input semantic="VERTEX" source="#v" offset="0"/><p>0 2 1 0 1 3 0 3 2 1 2 3</p></triangles>
+</mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s"><node id="b"><instance_geometry url="#g"/></node></visual_scene>
+</library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>
+)";
+}
+
+std::string tetrahedron_stl() {
+  const std::array<const char*, 4> points = {"0 0 0", "1 0 0", "0 1 0", "0 0 1"};
+  std::string text = "solid tetrahedron\n";
+  for (const std::array<std::size_t, 3>& face :
+       std::initializer_list<std::array<std::size_t, 3>>{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}) {
+    text += "facet normal 0 0 0\nouter loop\n";
+    for (const std::size_t corner : face) text += std::string("vertex ") + points[corner] + "\n";
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid tetrahedron\n";
 }
 
 std::string sample(const std::string& name) { return std::string(VEX_SOURCE_DIR) + "/meshes/data/" + name; }

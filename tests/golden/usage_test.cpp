@@ -36,9 +36,10 @@ TEST_F(Usage, AnUnknownOptionIsNamedWithWhatWasMeant) {
 }
 
 TEST_F(Usage, AValueThatIsMissingOrEmpty) {
-  for (const char* option :
-       {"--trials", "--rel-error", "--seconds", "--max-trials", "--orientations", "--estimator", "--sequence",
-        "--domain", "--seed", "--threads", "--backend", "--convex-tolerance", "--json", "--max-z"}) {
+  for (const char* option : {"--trials",    "--rel-error",        "--seconds", "--max-trials", "--orientations",
+                             "--estimator", "--sequence",         "--domain",  "--seed",       "--threads",
+                             "--backend",   "--convex-tolerance", "--json",    "--max-z",      "--scale",
+                             "--scale-a",   "--scale-b",          "--unit",    "--weld",       "--format"}) {
     expect_wrong({"box:1,1,1", option}, std::string("a value is missing (after ") + option);
     expect_wrong({"box:1,1,1", option, ""}, "empty");
     expect_wrong({"box:1,1,1", std::string(option) + "="}, "missing");

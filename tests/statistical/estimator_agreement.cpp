@@ -62,8 +62,8 @@ NamedBody random_body(std::mt19937_64& random) {
       for (int k = 0; k < 60; ++k) {
         const float u = normal(random), v = normal(random), w = normal(random),
                     length = std::sqrt(u * u + v * v + w * w);
-        soup.points.push_back({static_cast<float>(x) * u / length, static_cast<float>(y) * v / length,
-                               static_cast<float>(z) * w / length});
+        soup.points.push_back({double{static_cast<float>(x) * u / length}, double{static_cast<float>(y) * v / length},
+                               double{static_cast<float>(z) * w / length}});
       }
       MeshOptions options;
       options.hull = true;

@@ -73,14 +73,13 @@ TEST(Convexity, OfTheGreatDodecahedronFailsByWindingToo) {
   for (std::size_t f = 0; f < 60; f += 5) {
     Vec3d middle;
     for (std::size_t k = 0; k < 5; ++k) {
-      const SoupPoint& p = soup.points[pentagons.corners[f + k]];
-      middle = middle + 0.2 * Vec3d{double{p.x}, double{p.y}, double{p.z}};
+      middle = middle + 0.2 * soup.points[pentagons.corners[f + k]];
     }
     const auto at = static_cast<std::uint32_t>(soup.points.size());
     for (std::size_t k = 0; k < 5; ++k) {
       soup.add_face({at, pentagons.corners[f + k], pentagons.corners[f + (k + 1) % 5]});
     }
-    soup.points.push_back({static_cast<float>(middle.x), static_cast<float>(middle.y), static_cast<float>(middle.z)});
+    soup.points.push_back(middle);
   }
   const ConvexityCensus census = census_of_triangles(soup);
   EXPECT_LT(census.reflex_depth, 1e-6);
@@ -98,7 +97,7 @@ TEST(Convexity, FindsTheReflexEdgeOfAnL) {
 TEST(Convexity, MeasuresHowDeepAnEdgeIs) {
   // A cube whose top is folded down by 0.01 along its diagonal.
   PolygonSoup soup;
-  soup.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0.99F}, {1, 1, 1}, {0, 1, 0.99F}};
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0.99}, {1, 1, 1}, {0, 1, 0.99}};
   soup.n_parts = 1;
   soup.add_face({0, 3, 2, 1});
   soup.add_face({4, 5, 7});
@@ -142,7 +141,7 @@ TEST(Convexity, DoesNotExaggerateWhereAShortEdgeOfALargeFacePointsAside) {
 TEST(Convexity, CountsTrianglesWithoutAreaAsBlind) {
   // The cube's edge from (0,0,0) to (1,0,0) has a vertex in the middle, which one of its faces does not know.
   PolygonSoup soup = box_soup({0, 0, 0}, {1, 1, 1});
-  soup.points.push_back({0.5F, 0, 0});
+  soup.points.push_back({0.5, 0, 0});
   soup = corner_added(soup, 2, 1, 8);  // 0 4 5 1 becomes 0 8 4 5 1
   soup.add_face({0, 4, 8});
   const ConvexityCensus census = census_of(soup);

@@ -35,7 +35,7 @@ void expect_exact_hull(const Triangles& hull) {
 PolygonSoup as_soup(const Triangles& triangles) {
   PolygonSoup soup;
   for (const Vec3d& v : triangles.vertices) {
-    soup.points.push_back({static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)});
+    soup.points.push_back(v);
   }
   for (const auto& [a, b, c] : triangles.corners) {
     soup.add_face({a, b, c});

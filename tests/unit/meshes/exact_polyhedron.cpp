@@ -40,12 +40,8 @@ Point<Real> perpendicular(const Point<Real>& v, const Point<Real>& edge) {
 }  // namespace
 
 Measures exact_measures(const PolygonSoup& triangles) {
-  std::vector<Vec3d> points;
-  for (const SoupPoint& p : triangles.points) {
-    points.push_back({double{p.x}, double{p.y}, double{p.z}});
-  }
   Triangles result;
-  result.vertices = points;
+  result.vertices = triangles.points;
   for (std::size_t i = 0; i < triangles.corners.size(); i += 3) {
     result.corners.push_back({triangles.corners[i], triangles.corners[i + 1], triangles.corners[i + 2]});
   }

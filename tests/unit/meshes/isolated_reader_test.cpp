@@ -2,14 +2,17 @@
 
 #include <dirent.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <string>
 
+#include "meshes/assimp_reader.h"
 #include "meshes/convex_mesh.h"
 #include "meshes/data/mesh_writers.h"
 #include "meshes/reader.h"
@@ -34,14 +37,21 @@ std::size_t n_open_files() {
 
 TEST(IsolatedReader, BringsTheSameSoupAsReadingInThisProcess) {
   const TemporaryFolder folder;
-  for (const char* extension : {".obj", ".stl", ".ply", ".off", ".gltf"}) {
+  for (const char* extension : {".gltf", ".glb", ".dae", ".3mf", ".obj", ".stl"}) {
     const auto path = folder.file(std::string("a") + extension,
                                   mesh_bytes(sphere_soup(5, [](const Vec3d& v) { return v; }), extension));
-    const PolygonSoup isolated = read_polygon_soup_isolated(path);
-    const PolygonSoup direct = read_polygon_soup(path);
+    const AssimpInput input = prepare_for_assimp(path, extension);
+    const PolygonSoup isolated = read_by_assimp_isolated(input);
+    const PolygonSoup direct = read_by_assimp(input);
     EXPECT_EQ(isolated.corners, direct.corners);
     EXPECT_EQ(isolated.face_sizes, direct.face_sizes);
     EXPECT_EQ(isolated.n_parts, direct.n_parts);
+    EXPECT_EQ(isolated.n_ignored_faces, direct.n_ignored_faces);
+    EXPECT_EQ(isolated.unit, direct.unit);
+    EXPECT_EQ(isolated.unit_metres, direct.unit_metres);
+    EXPECT_EQ(isolated.digits.kind, direct.digits.kind);
+    EXPECT_EQ(isolated.digits.last_place, direct.digits.last_place);
+    EXPECT_GT(isolated.digits.last_place, 0.0);
     ASSERT_EQ(isolated.points.size(), direct.points.size());
     for (std::size_t i = 0; i < direct.points.size(); ++i) {
       EXPECT_EQ(isolated.points[i].x, direct.points[i].x);
@@ -53,8 +63,8 @@ TEST(IsolatedReader, BringsTheSameSoupAsReadingInThisProcess) {
 
 TEST(IsolatedReader, LeavesNeitherProcessesNorOpenFilesBehind) {
   const TemporaryFolder folder;
-  const auto good = folder.file("a.obj", obj_text(icosahedron_soup()));
-  const auto bad = folder.file("b.stl", std::string(500, 'x'));
+  const auto good = folder.file("a.glb", glb(icosahedron_soup()));
+  const auto bad = folder.file("b.x3d", std::string(500, 'x'));
   const std::size_t n_before = n_open_files();
   for (int i = 0; i < 20; ++i) {
     EXPECT_NO_THROW(static_cast<void>(load_convex_mesh(good)));
@@ -67,23 +77,23 @@ TEST(IsolatedReader, LeavesNeitherProcessesNorOpenFilesBehind) {
 
 TEST(IsolatedReader, WorksWhereTheCallerIgnoresItsChildren) {
   const TemporaryFolder folder;
-  const auto path = folder.file("a.obj", obj_text(icosahedron_soup()));
+  const auto path = folder.file("a.glb", glb(icosahedron_soup()));
   const auto before = std::signal(SIGCHLD, SIG_IGN);
   EXPECT_NO_THROW(static_cast<void>(load_convex_mesh(path)));
-  EXPECT_FALSE(file_refusal(folder.file("b.stl", std::string(500, 'x'))).empty());
+  EXPECT_FALSE(file_refusal(folder.file("b.x3d", std::string(500, 'x'))).empty());
   std::signal(SIGCHLD, before);
 }
 
 TEST(IsolatedReader, IsNotDisturbedByASignalThatTheCallerHandles) {
   static volatile std::sig_atomic_t n_alarms = 0;
   const TemporaryFolder folder;
-  const auto path = folder.file("a.obj", obj_text(sphere_soup(60, [](const Vec3d& v) { return v; })));
+  const auto path = folder.file("a.dae", dae_text(sphere_soup(60, [](const Vec3d& v) { return v; })));
   struct sigaction action {};
   struct sigaction before {};
   action.sa_handler = [](int) { n_alarms = n_alarms + 1; };  // and no SA_RESTART
   ASSERT_EQ(::sigaction(SIGALRM, &action, &before), 0);
   ::ualarm(1000, 1000);
-  const PolygonSoup soup = read_polygon_soup_isolated(path);
+  const PolygonSoup soup = read_by_assimp_isolated(prepare_for_assimp(path, ".dae"));
   ::ualarm(0, 0);
   ::sigaction(SIGALRM, &before, nullptr);
   EXPECT_EQ(soup.face_sizes.size(), 20U * 60U * 60U);
@@ -133,6 +143,25 @@ TEST(IsolatedReader, RefusesNodesThatContainThemselves) {
   }
   doubling += "{\"mesh\": 0}]";
   EXPECT_FALSE(file_refusal(folder.file("many.gltf", gltf_text(icosahedron_soup(), "b.bin", doubling))).empty());
+}
+
+TEST(IsolatedReader, DoesNotCallAFileDamagedThatMakesAssimpCrash) {
+  // Nodes nested too deep for a reader that calls itself, in a valid file.
+  struct rlimit before {};
+  ASSERT_EQ(::getrlimit(RLIMIT_STACK, &before), 0);
+  struct rlimit usual = before;
+  usual.rlim_cur = std::min<rlim_t>(before.rlim_cur, rlim_t{1} << 23U);
+  ASSERT_EQ(::setrlimit(RLIMIT_STACK, &usual), 0);
+  const TemporaryFolder folder;
+  const int n_nodes = 200'000;
+  std::string nodes = "[";
+  for (int i = 1; i < n_nodes; ++i) nodes += "{\"children\": [" + std::to_string(i) + "]}, ";
+  nodes += "{\"mesh\": 0}]";
+  folder.file("b.bin", gltf_buffer(icosahedron_soup()));
+  const std::string message = file_refusal(folder.file("deep.gltf", gltf_text(icosahedron_soup(), "b.bin", nodes)));
+  ::setrlimit(RLIMIT_STACK, &before);
+  EXPECT_TRUE(contains(message, "deep.gltf failed (assimp crashed with signal "));
+  EXPECT_TRUE(contains(message, ") - the file may be damaged, or hold something that assimp cannot read: convert it"));
 }
 
 }  // namespace

@@ -42,14 +42,10 @@ double reduced_excluded_volume(const Measures& m) {
 
 /// The hull of points as a soup of triangles; the points are floats already.
 PolygonSoup hull_soup(const PolygonSoup& points) {
-  std::vector<Vec3d> vertices;
-  for (const SoupPoint& p : points.points) {
-    vertices.push_back({double{p.x}, double{p.y}, double{p.z}});
-  }
   PolygonSoup soup = points;
   soup.corners.clear();
   soup.face_sizes.clear();
-  for (const auto& [a, b, c] : convex_hull_triangles(vertices)) {
+  for (const auto& [a, b, c] : convex_hull_triangles(points.points)) {
     soup.add_face({a, b, c});
   }
   return soup;

@@ -97,7 +97,8 @@ TEST(Reader, WeldsSeveralPartsThatAreOneBody) {
   const ConvexMesh mesh = load_convex_mesh(folder.file("h.gltf", gltf_text(half, "h.bin", nodes)));
   EXPECT_EQ(mesh.report.n_parts, 2U);
   EXPECT_EQ(mesh.measures.volume, 8.0);
-  EXPECT_EQ(mesh.report.n_vertices, 12U);
+  EXPECT_EQ(mesh.report.n_points, 12U);
+  EXPECT_EQ(mesh.report.n_vertices, 8U);  // the seam's points lie within edges
   EXPECT_EQ(mesh.report.n_welded_vertices, 4U);
 }
 
@@ -115,10 +116,11 @@ TEST(Reader, RefusesWhatIsNotAFile) {
 
 TEST(Reader, RefusesAnUnknownExtensionAndSaysWhatIsRead) {
   const TemporaryFolder folder;
-  for (const char* name : {"body.txt", "body", "body.obj.bak"}) {
+  for (const char* name : {"body.doc", "body", "body.obj.bak", "body.gz", "body.doc.gz"}) {
     const std::string message = file_refusal(folder.file(name, obj_text(simple_body())));
     EXPECT_TRUE(contains(message, "names no format that is read"));
-    EXPECT_TRUE(contains(message, ".obj .stl .ply .off .gltf .glb .dae .3mf"));
+    EXPECT_TRUE(contains(message, ".obj .stl .ply .off .vtk .msh .xyz .csv .txt"));
+    EXPECT_TRUE(contains(message, ".gltf .glb .dae .3mf"));
   }
 }
 
@@ -134,7 +136,7 @@ TEST(Reader, ReadsPointsWithoutFacesForAHull) {
   const PolygonSoup body = simple_body();
   PolygonSoup cloud;
   cloud.points = body.points;
-  cloud.points.push_back({0.0F, 0.25F, 0.0F});  // inside
+  cloud.points.push_back({0.0, 0.25, 0.0});  // inside
   const auto without_face_element = [](std::string ply) {
     const std::size_t begin = ply.find("element face");
     return ply.erase(begin, ply.find("end_header") - begin);
@@ -168,18 +170,15 @@ TEST(Reader, ReadsPointsWithoutFacesForAHull) {
   }
 }
 
-TEST(Reader, DeliversPointsThatNoFaceUsesOfFormatsThatHoldThem) {
+TEST(Reader, DeliversPointsThatNoFaceUses) {
   const TemporaryFolder folder;
   PolygonSoup soup = box_soup({0, 0, 0}, {1, 1, 1});
-  soup.points.push_back({0.5F, 0.5F, 4.0F});
-  for (const char* extension : {".ply", ".off"}) {
+  soup.points.push_back({0.5, 0.5, 4.0});
+  for (const char* extension : {".ply", ".off", ".obj"}) {
     const auto path = folder.file(std::string("a") + extension, mesh_bytes(soup, extension));
     EXPECT_EQ(load_convex_mesh(path, {.hull = true}).measures.volume, 2.0) << extension;
     EXPECT_EQ(load_convex_mesh(path).measures.volume, 1.0) << extension;
   }
-  const std::string obj = obj_text(soup);  // of this one only where an element names it
-  EXPECT_EQ(load_convex_mesh(folder.file("a.obj", obj), {.hull = true}).measures.volume, 1.0);
-  EXPECT_EQ(load_convex_mesh(folder.file("b.obj", obj + "p 9\n"), {.hull = true}).measures.volume, 2.0);
 }
 
 TEST_P(EveryFormat, GivesTheSameHullOfSomethingThatIsNotConvex) {
@@ -226,7 +225,7 @@ TEST(Reader, IgnoresPointsAndLinesBesideFacesWithANote) {
 }
 
 TEST(Reader, ReadsCoordinatesWithoutALeadingZero) {
-  // assimp 5.2 drops the vertices of an .obj file that hold a word like ".5": the ones after it then move up unnoticed.
+  // Readers were found that drop the vertices of an .obj file that hold a word like ".5".
   const TemporaryFolder folder;
   const std::string faces_of_obj = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
   for (const char* vertices :
@@ -249,19 +248,21 @@ TEST(Reader, ReadsCoordinatesWithoutALeadingZero) {
 
 TEST(Reader, RefusesCoordinatesThatAreNotFinite) {
   const TemporaryFolder folder;
-  for (const char* bad : {"nan", "inf", "-inf", "1e400", "3.5e38"}) {
+  for (const char* bad : {"nan", "inf", "-inf", "1e400"}) {
     std::string text = obj_text(simple_body());
     text.replace(text.find("v ") + 2, text.find(' ', 2) - 2, bad);
-    EXPECT_TRUE(contains(file_refusal(folder.file("bad.obj", text)), "(")) << bad;
+    EXPECT_TRUE(contains(file_refusal(folder.file("bad.obj", text)), bad)) << bad;
   }
   PolygonSoup soup = simple_body();
-  soup.points[3].z = std::nanf("");
-  EXPECT_TRUE(contains(file_refusal(folder.file("bad.ply", ply_binary(soup))), "vertex 3 of 8"));
-  // A transform that takes finite floats beyond them.
+  soup.points[3].z = std::nan("");
+  EXPECT_TRUE(contains(file_refusal(folder.file("bad.ply", ply_binary(soup))), "vertex 3"));
+  // Transforms that take finite floats beyond all doubles.
   soup = simple_body();
   folder.file("b.bin", gltf_buffer(soup));
-  const std::string nodes = R"([{"scale": [3e38, 3e38, 3e38], "mesh": 0}])";
-  EXPECT_TRUE(contains(file_refusal(folder.file("b.gltf", gltf_text(soup, "b.bin", nodes))), "not finite"));
+  std::string nodes = "[";
+  for (int i = 1; i < 10; ++i) nodes += R"({"scale": [1e38, 1e38, 1e38], "children": [)" + std::to_string(i) + "]}, ";
+  EXPECT_TRUE(
+      contains(file_refusal(folder.file("b.gltf", gltf_text(soup, "b.bin", nodes + R"({"mesh": 0}])"))), "not finite"));
 }
 
 TEST(Reader, NeverOpensWhatAMeshNamesBesideItsGeometry) {

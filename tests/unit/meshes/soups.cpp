@@ -8,15 +8,14 @@
 #include <random>
 #include <utility>
 
+#include "meshes/nearest_float.h"
+
 namespace vex::tests {
 namespace {
 
 constexpr double kGolden = std::numbers::phi;
 
-SoupPoint rounded(const Vec3d& p) {
-  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
-}
-Vec3d promoted(const SoupPoint& p) { return {double{p.x}, double{p.y}, double{p.z}}; }
+Vec3d rounded(const Vec3d& p) { return {nearest_float(p.x), nearest_float(p.y), nearest_float(p.z)}; }
 
 template <class Visit>  // visit(the face's corners)
 void for_each_face(const PolygonSoup& soup, const Visit& visit) {
@@ -291,8 +290,8 @@ PolygonSoup l_prism_soup() {
 }
 
 PolygonSoup moved(PolygonSoup soup, const std::function<Vec3d(const Vec3d&)>& place) {
-  for (SoupPoint& p : soup.points) {
-    p = rounded(place(promoted(p)));
+  for (Vec3d& p : soup.points) {
+    p = rounded(place(p));
   }
   return soup;
 }

@@ -54,11 +54,11 @@ TEST(Weld, OrdersVerticesByTheirCoordinates) {
 
 TEST(Weld, TakesMinusZeroForZero) {
   PolygonSoup soup = tetrahedron_soup();
-  soup.points[0] = {0.0F, 2.0F, -0.0F};
+  soup.points[0] = {0.0, 2.0, -0.0};
   PolygonSoup own = with_own_corners(soup);
   for (std::size_t i = 0; i < own.points.size(); i += 2) {
-    own.points[i].x = own.points[i].x == 0.0F ? -0.0F : own.points[i].x;
-    own.points[i].z = own.points[i].z == 0.0F ? 0.0F : own.points[i].z;
+    own.points[i].x = own.points[i].x == 0.0 ? -0.0 : own.points[i].x;
+    own.points[i].z = own.points[i].z == 0.0 ? 0.0 : own.points[i].z;
   }
   const WeldedSurface welded = weld(own);
   EXPECT_EQ(welded.surface.vertices.size(), 4U);
@@ -88,8 +88,8 @@ TEST(Weld, DropsCollapsedFacesAndRepeatedCorners) {
 }
 
 TEST(Weld, RefusesACoordinateThatIsNotFiniteAndNamesTheVertex) {
-  for (const float bad : {std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
-                          std::numeric_limits<float>::quiet_NaN()}) {
+  for (const double bad : {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+                           std::numeric_limits<double>::quiet_NaN()}) {
     PolygonSoup soup = tetrahedron_soup();
     soup.points[2].y = bad;
     const std::string message = refusal(soup);

@@ -14,6 +14,7 @@
 #include "apps/referees/legendre_average.h"
 #include "engine/numeric/errors.h"
 #include "meshes/convex_mesh.h"
+#include "meshes/nearest_float.h"
 #include "shapes/excluded_volume.h"
 #include "tests/referees/bodies.h"
 #include "tests/referees/randomised_mean.h"
@@ -33,8 +34,8 @@ MeasuredBody hull_on_an_ellipsoid(int n_points) {
   for (int i = 0; i < n_points; ++i) {
     const Vec3d p{normal(random), normal(random), normal(random)};
     const double scale = 1.0 / norm(p);
-    soup.points.push_back({static_cast<float>(3.0 * scale * p.x), static_cast<float>(2.0 * scale * p.y),
-                           static_cast<float>(scale * p.z)});
+    soup.points.push_back(
+        {nearest_float(3.0 * scale * p.x), nearest_float(2.0 * scale * p.y), nearest_float(scale * p.z)});
   }
   MeshOptions options;
   options.hull = true;

@@ -1,0 +1,75 @@
+#include "meshes/assimp_input.h"
+
+#include <algorithm>
+#include <array>
+#include <assimp/Importer.hpp>
+#include <optional>
+#include <string_view>
+
+#include "meshes/formats/content_kind.h"
+#include "meshes/formats/gltf_json.h"
+#include "meshes/formats/scene_formats.h"
+
+namespace vex {
+namespace {
+
+/// Formats whose files cannot look like another's: what looks like another's is that.
+constexpr std::array<std::string_view, 6> kUnmistakable{".gltf", ".glb", ".dae", ".3mf", ".fbx", ".amf"};
+
+bool is_one_of(std::string_view extension, const auto& extensions) {
+  return std::ranges::find(extensions, extension) != extensions.end();
+}
+
+void check_kind(const AssimpInput& input) {
+  const std::optional<ContentKind> kind = content_kind(input.bytes.view());
+  if (!kind || kind->extension == input.extension) return;
+  const bool is_zip = kind->extension == ".zip" && input.extension == ".3mf";
+  const bool is_building = input.extension == ".ifc" && input.bytes.view().starts_with("ISO-10303-21");
+  if (is_zip || is_building) return;
+  if (kind->extension.empty() || is_one_of(input.extension, kUnmistakable)) {
+    refuse_kind(input.path.string(), *kind, input.extension);
+  }
+}
+
+}  // namespace
+
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return extension;
+}
+
+std::optional<std::filesystem::path> gltf_buffer_beside(const std::filesystem::path& mesh, const std::string& uri) {
+  for (const std::string& name : {percent_decoded(uri), uri}) {
+    const std::filesystem::path relative = std::filesystem::path(name).lexically_normal();
+    const bool is_allowed = name.find('\0') == std::string::npos && relative.is_relative() && !relative.empty() &&
+                            *relative.begin() != ".." && lower_extension(relative) == ".bin";
+    std::filesystem::path path = mesh.parent_path() / relative;
+    if (is_allowed && file_stamp(path)) return path;
+  }
+  return std::nullopt;
+}
+
+bool is_read_by_assimp(const std::string& extension) {
+  return extension.size() > 1 && !unread_format(extension) && Assimp::Importer().IsExtensionSupported(extension);
+}
+
+AssimpInput prepare_for_assimp(const std::filesystem::path& path, const std::string& extension) {
+  AssimpInput input{path, extension, read_file_bytes(path), 0, {}, 0.0, {}};
+  input.n_geometry_bytes = input.bytes.size();
+  check_kind(input);
+  if (extension == ".dae" ||
+      (extension == ".xml" && input.bytes.view().substr(0, 4096).find("<COLLADA") != std::string_view::npos)) {
+    look_into_collada(&input);
+  } else if (extension == ".3mf") {
+    look_into_3mf(&input);
+  } else if (extension == ".gltf" || extension == ".glb") {
+    look_into_gltf(&input);
+  } else if (extension == ".amf") {
+    look_into_amf(&input);
+  }
+  return input;
+}
+
+}  // namespace vex

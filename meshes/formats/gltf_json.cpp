@@ -1,0 +1,206 @@
+#include "meshes/formats/gltf_json.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace vex {
+namespace {
+
+int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+void append_utf8(std::uint32_t code, std::string* text) {
+  const auto put = [text](std::uint32_t byte) { text->push_back(static_cast<char>(static_cast<unsigned char>(byte))); };
+  if (code < 0x80) {
+    put(code);
+  } else if (code < 0x800) {
+    put(0xC0U | code >> 6U), put(0x80U | (code & 63U));
+  } else if (code < 0x10000) {
+    put(0xE0U | code >> 12U), put(0x80U | (code >> 6U & 63U)), put(0x80U | (code & 63U));
+  } else {
+    put(0xF0U | code >> 18U), put(0x80U | (code >> 12U & 63U)), put(0x80U | (code >> 6U & 63U));
+    put(0x80U | (code & 63U));
+  }
+}
+
+/// The text that a JSON string, without its quotes, stands for; an escape that is none stays as it is.
+std::string unescaped(std::string_view raw) {
+  std::string text;
+  const auto code_at = [raw](std::size_t at) -> std::int64_t {  // of \uXXXX; -1 where there is none
+    if (at + 6 > raw.size() || raw[at] != '\\' || raw[at + 1] != 'u') return -1;
+    std::int64_t code = 0;
+    for (std::size_t k = at + 2; k < at + 6; ++k) {
+      if (hex_digit(raw[k]) < 0) return -1;
+      code = 16 * code + hex_digit(raw[k]);
+    }
+    return code;
+  };
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    if (raw[i] != '\\' || i + 1 == raw.size()) {
+      text += raw[i];
+      continue;
+    }
+    if (const std::int64_t code = code_at(i); code >= 0) {
+      const std::int64_t low = code_at(i + 6);
+      const bool is_pair = code >= 0xD800 && code < 0xDC00 && low >= 0xDC00 && low < 0xE000;
+      append_utf8(static_cast<std::uint32_t>(is_pair ? 0x10000 + (code - 0xD800) * 0x400 + (low - 0xDC00) : code),
+                  &text);
+      i += is_pair ? 11 : 5;
+      continue;
+    }
+    constexpr std::string_view kEscapes = "bfnrt", kMeanings = "\b\f\n\r\t";
+    const char c = raw[++i];
+    const std::size_t k = kEscapes.find(c);
+    text += k == std::string_view::npos ? c : kMeanings[k];
+  }
+  return text;
+}
+
+/// Goes through the document once; keeps, of what lies above the current value, the outer three levels.
+class Walker {
+ public:
+  explicit Walker(std::string_view json) : json_(json) {}
+
+  std::optional<GltfSummary> summary() {
+    if (!walk()) return std::nullopt;
+    if (has_old_buffers_ && summary_.version.empty()) summary_.version = "1.0";
+    return std::move(summary_);
+  }
+
+ private:
+  struct Level {
+    bool is_object = false;
+    std::string_view key;  // of the member at hand
+  };
+  static constexpr std::size_t kDeepest = 1000;
+
+  bool walk() {
+    bool has_value = false;  // the value before the next comma or end has been seen
+    while (true) {
+      at_ = json_.find_first_not_of(" \t\r\n", at_);
+      if (at_ == std::string_view::npos) return levels_.empty() && has_value;
+      const char c = json_[at_];
+      if (c == '{' || c == '[') {
+        if (has_value || levels_.size() == kDeepest) return false;
+        has_old_buffers_ = has_old_buffers_ || (c == '{' && path_is("buffers") && levels_.size() == 1);
+        levels_.push_back({c == '{', {}});
+        ++at_;
+      } else if (c == '}' || c == ']') {
+        if (levels_.empty() || levels_.back().is_object != (c == '}')) return false;
+        levels_.pop_back();
+        has_value = true;
+        ++at_;
+      } else if (c == ',') {
+        if (!has_value || levels_.empty()) return false;
+        has_value = false;
+        ++at_;
+      } else if (c == '"') {
+        std::string_view text;
+        if (has_value || !read_string(&text)) return false;
+        if (!levels_.empty() && levels_.back().is_object && is_followed_by_colon()) {
+          levels_.back().key = text;
+        } else {
+          take(text, true);
+          has_value = true;
+        }
+      } else {
+        const std::size_t end = std::min(json_.find_first_of(",]} \t\r\n", at_), json_.size());
+        if (has_value || end == at_) return false;
+        take(json_.substr(at_, end - at_), false);
+        has_value = true;
+        at_ = end;
+      }
+    }
+  }
+
+  bool read_string(std::string_view* text) {
+    const std::size_t begin = at_ + 1;
+    std::size_t end = at_;
+    bool is_escaped = true;
+    while (is_escaped) {  // by an odd number of backslashes before the quote
+      end = json_.find('"', end + 1);
+      if (end == std::string_view::npos) return false;
+      const std::size_t before = json_.find_last_not_of('\\', end - 1);  // the opening quote at least
+      is_escaped = (end - 1 - before) % 2 == 1;
+    }
+    *text = json_.substr(begin, end - begin);
+    at_ = end + 1;
+    return true;
+  }
+
+  bool is_followed_by_colon() {
+    const std::size_t next = json_.find_first_not_of(" \t\r\n", at_);
+    if (next == std::string_view::npos || json_[next] != ':') return false;
+    at_ = next + 1;
+    return true;
+  }
+
+  bool path_is(std::string_view first) const { return !levels_.empty() && levels_[0].key == first; }
+
+  void take(std::string_view raw, bool is_string) {
+    if (levels_.size() == 2 && path_is("asset") && levels_[1].key == "version") {
+      summary_.version = is_string ? unescaped(raw) : std::string(raw);
+    } else if (levels_.size() == 2 && path_is("extensionsRequired") && is_string) {
+      summary_.required_extensions.push_back(unescaped(raw));
+    } else if (levels_.size() == 3 && path_is("buffers") && levels_[2].key == "uri" && is_string &&
+               !raw.starts_with("data:")) {
+      summary_.buffer_uris.push_back(unescaped(raw));
+    }
+  }
+
+  std::string_view json_;
+  std::size_t at_ = 0;
+  std::vector<Level> levels_;
+  GltfSummary summary_;
+  bool has_old_buffers_ = false;  // glTF 1 has objects by name where glTF 2 has arrays
+};
+
+std::uint32_t number_at(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t k = 0; k < 4; ++k) value |= std::uint32_t{static_cast<unsigned char>(bytes[at + k])} << (8 * k);
+  return value;
+}
+
+}  // namespace
+
+std::optional<GltfSummary> gltf_summary(std::string_view json) {
+  if (json.starts_with("\xEF\xBB\xBF")) json.remove_prefix(3);
+  return Walker(json).summary();
+}
+
+std::optional<unsigned> glb_version(std::string_view bytes) {
+  if (bytes.size() < 12 || !bytes.starts_with("glTF")) return std::nullopt;
+  return number_at(bytes, 4);
+}
+
+std::optional<std::string_view> glb_document(std::string_view bytes) {
+  constexpr std::size_t kHeader = 12, kChunkHeader = 8;
+  if (glb_version(bytes) != 2U || bytes.size() < kHeader + kChunkHeader) return std::nullopt;
+  const std::size_t size = number_at(bytes, kHeader);
+  constexpr std::uint32_t kJson = 0x4E4F534A;
+  if (number_at(bytes, kHeader + 4) != kJson || bytes.size() - kHeader - kChunkHeader < size) return std::nullopt;
+  std::string_view document = bytes.substr(kHeader + kChunkHeader, size);
+  const std::size_t end = document.find_last_not_of(std::string_view(" \0", 2));  // what pads it to four bytes
+  return document.substr(0, end == std::string_view::npos ? 0 : end + 1);
+}
+
+std::string percent_decoded(std::string_view uri) {
+  std::string text;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    if (uri[i] == '%' && i + 2 < uri.size() && hex_digit(uri[i + 1]) >= 0 && hex_digit(uri[i + 2]) >= 0) {
+      text += static_cast<char>(static_cast<unsigned char>(16 * hex_digit(uri[i + 1]) + hex_digit(uri[i + 2])));
+      i += 2;
+    } else {
+      text += uri[i];
+    }
+  }
+  return text;
+}
+
+}  // namespace vex

@@ -1,0 +1,28 @@
+// What a glTF document says of itself before anybody reads its geometry.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vex {
+
+struct GltfSummary {
+  std::string version;                           // of the asset: "2.0"; empty where it has none
+  std::vector<std::string> buffer_uris;          // as they stand, percent escapes and all; embedded data left out
+  std::vector<std::string> required_extensions;  // "KHR_draco_mesh_compression"
+};
+
+/// Nothing where `json` is not JSON, or is nested more than a thousand levels deep.
+std::optional<GltfSummary> gltf_summary(std::string_view json);
+
+/// The document of a binary glTF (.glb) of version 2; nothing where it has none.
+std::optional<std::string_view> glb_document(std::string_view bytes);
+/// The version of a binary glTF; nothing where it is none.
+std::optional<unsigned> glb_version(std::string_view bytes);
+
+/// `uri` with its escapes like %20 resolved.
+std::string percent_decoded(std::string_view uri);
+
+}  // namespace vex
