@@ -224,7 +224,10 @@ CoordinateDigits WrittenDigits::digits() const {
   const bool length_tells = most_digits_ >= kFewDigits || n_longest_sizes_ == kTelling;
   const int place = length_tells ? std::max(finest_place_, by_length) : finest_place_;
   const double last_place = power_of_ten(place);
-  if (all_floats_ && last_place < unit_in_last_float_place(largest_)) return float_digits(largest_);
+  // Any number of a few digits is near a float: floats show in numbers that have all theirs.
+  constexpr int kDigitsOfFloats = 8;
+  if (all_floats_ && most_digits_ >= kDigitsOfFloats && last_place < unit_in_last_float_place(largest_))
+    return float_digits(largest_);
   if (last_place <= unit_in_last_place(largest_) * 2.0) return double_digits(largest_);
   return {CoordinateDigits::Kind::decimals, std::max(1, largest_magnitude_ + 1 - place), last_place};
 }

@@ -27,7 +27,7 @@ struct Expected {
 };
 
 /// Refers to the bytes, which must outlive it. In text, words are parted by blanks, tabs, vertical tabs, form feeds and
-/// the ends of lines, which are \n, \r\n or \r. Every refusal is an InputError that names the line of a text, or the
+/// the ends of lines, which are LF, CR LF or CR. Every refusal is an InputError that names the line of a text, or the
 /// byte of a binary file, counted from 0.
 class MixedScanner {
  public:
@@ -53,8 +53,8 @@ class MixedScanner {
   std::int64_t whole_word(const Expected& expected, std::int64_t least, std::int64_t most);
   /// What is left of the line, without blanks around it; goes behind the line's end.
   std::string_view rest_of_line();
-  /// Goes behind the end of the line; refuses anything but blanks before it. In a binary file a line ends in \n or
-  /// \r\n, behind which the next byte may be a number's.
+  /// Goes behind the end of the line; refuses anything but blanks before it. In a binary file a line ends in LF or
+  /// CR LF, behind which the next byte may be a number's.
   void end_line(const Expected& expected);
   /// Goes back to where `word`, a part of the file's bytes, begins.
   void back_to(std::string_view word) { at_ = static_cast<std::size_t>(word.data() - bytes_.data()); }

@@ -39,7 +39,7 @@ struct PlyHeader {
 };
 
 /// Throws InputError for what is no .ply header, for a name that stands twice in one place, and for elements without a
-/// property. Lines end in \n with or without a \r before it; or all of them in \r, if the first does. Exactly one end
+/// property. Lines end in LF with or without a CR before it; or all of them in CR, if the first does. Exactly one end
 /// belongs to the line end_header, as the data may begin with a byte that looks like one.
 PlyHeader read_ply_header(std::string_view bytes, const std::string& name);
 

@@ -19,7 +19,7 @@ namespace vex {
 /// A word as messages quote it: printable, and not too long.
 std::string quoted(std::string_view word);
 
-/// Goes through a text once. Lines end in \n, \r\n or \r. A byte-order mark of UTF-8 at the beginning is skipped, one
+/// Goes through a text once. Lines end in LF, CR LF or CR. A byte-order mark of UTF-8 at the beginning is skipped, one
 /// of UTF-16 refused. Refers to the text, which must outlive it.
 class TextScanner {
  public:

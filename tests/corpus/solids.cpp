@@ -72,7 +72,9 @@ std::vector<Face> regular_faces(const std::vector<Vec3d>& points, const std::vec
     for (std::uint32_t i = 0; i < points.size(); ++i) {
       if (dot(points[i], axis) > most - 1e-6) face.push_back(i);
     }
-    const Vec3d right = points[face[0]] - (dot(points[face[0]], axis) / dot(axis, axis)) * axis;
+    if (face.empty()) continue;
+    const Vec3d first = points[face.front()];
+    const Vec3d right = first - (dot(first, axis) / dot(axis, axis)) * axis;
     const Vec3d up = cross(axis, right);
     std::ranges::sort(face, {}, [&](std::uint32_t i) {
       return std::atan2(dot(points[i], up) / norm(up), dot(points[i], right) / norm(right));

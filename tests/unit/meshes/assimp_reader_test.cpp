@@ -189,11 +189,51 @@ TEST(AssimpReader, RefusesAColladaUnitThatIsNone) {
 
 TEST(AssimpReader, RefusesColladaNumbersThatAssimpMisreads) {
   const TemporaryFolder folder;
-  for (const char* bad : {"1.0D+02", "100,5", "1x", "1_000"}) {
+  for (const char* bad : {"1.0D+02", "100,5", "1x", "1_000", "5-3", "1.5.2"}) {
     std::string text = dae_with("");
     text.replace(text.find("100 "), 3, bad);
     EXPECT_TRUE(contains(refusal_for(folder.file("a.dae", text)), std::string("'") + bad + "' is no decimal number"));
   }
+}
+
+TEST(AssimpReader, RefusesColladaNumbersOfMoreDigitsThanAssimpCounts) {
+  // assimp counts in 64 bits, and takes what does not fit for 0, or for what is left of it.
+  const TemporaryFolder folder;
+  const auto with = [&](const std::string& number) {
+    std::string text = dae_with("");
+    text.replace(text.find("100 "), 3, number);
+    return folder.file("a.dae", text);
+  };
+  for (const char* bad : {"100000000000000000000.5", "-40000000000000000000", "0000000000000000000000000100",
+                          "1000000000000000000000e-19", "1.5e00000000000000000001", "1e-00000000000000000001"}) {
+    EXPECT_TRUE(contains(refusal_for(with(bad)), "' has more digits than assimp reads")) << bad;
+  }
+  const std::vector<Vec3d> whole = read_polygon_soup(with("100")).points;
+  for (const char* good : {"100.00000000000000000000000000", "1000000000000000.0e-13", "+1.0000000000000000000000e2"}) {
+    expect_equal_points(read_polygon_soup(with(good)), whole);
+  }
+}
+
+TEST(AssimpReader, RefusesColladaIndicesThatAssimpMisreads) {
+  const TemporaryFolder folder;
+  const std::string text = dae_with("");
+  const std::size_t at = text.find("<p>") + 3;
+  const std::size_t size = text.find(' ', at) - at;
+  for (const char* bad : {"-1", "4294967296", "1.5", "0x1", "1,2"}) {
+    EXPECT_TRUE(contains(refusal_for(folder.file("a.dae", std::string(text).replace(at, size, bad))),
+                         std::string("'") + bad + "' is not a whole number from 0 to"));
+  }
+}
+
+TEST(AssimpReader, RefusesColladaThatItCannotLookInto) {
+  const TemporaryFolder folder;
+  for (std::string wide : {"", "\xFF\xFE"}) {  // UTF-16, which assimp reads
+    for (const char c : dae_with("<unit meter=\"0.01\"/>")) wide += {c, '\0'};
+    EXPECT_TRUE(contains(refusal_for(folder.file("a.dae", wide)), " in UTF-"));
+  }
+  std::string skewed = dae_with("");
+  skewed.insert(skewed.find("<instance_geometry"), "<skew>45 0 1 0 1 0 0</skew>");
+  EXPECT_TRUE(contains(refusal_for(folder.file("b.dae", skewed)), "skewed"));
 }
 
 std::string model(const std::string& attributes, const std::string& items = "<item objectid=\"1\"/>") {
@@ -294,6 +334,40 @@ TEST(AssimpReader, Refuses3mfOfWhoseNumbersAssimpWouldMakeOthers) {
                        "transform of '<component "));
 }
 
+TEST(AssimpReader, Refuses3mfWhoseObjectsAreNotThoseItAsksFor) {
+  // assimp leaves out an item whose object is not there, and of two objects of one number the second.
+  const TemporaryFolder folder;
+  const auto refusal = [&](const std::string& text) {
+    EXPECT_FALSE(refusal_for(folder.file("b.3mf", threemf_of(model(""), {{"3D/o.model", text}}))).empty());
+    return refusal_for(folder.file("a.3mf", threemf_of(text)));
+  };
+  const std::string one = "<item objectid=\"1\"/>";
+  EXPECT_TRUE(contains(refusal(model("", one + "<item objectid=\"2\"/>")), "no object has the number"));
+  EXPECT_TRUE(contains(refusal(model("", "<item objectid=\"0\"/>")), "no object has the number"));
+  const auto with_resource = [&](const std::string& resource) {
+    return with_text(model("", one), "</resources>", resource + "</resources>");
+  };
+  EXPECT_TRUE(
+      contains(refusal(with_resource("<object id=\"2\"><components><component objectid=\"3\"/></components></object>")),
+               "no object has the number"));
+  for (const char* resource :
+       {"<object id=\"1\"/>", "<object id=\"01\"/>", "<basematerials id=\"1\"/>", "<m:texture2dgroup id=\"1\"/>"}) {
+    EXPECT_TRUE(contains(refusal(with_resource(resource)), "two resources have the same number")) << resource;
+  }
+  EXPECT_TRUE(contains(refusal(with_resource("</resources><resources>")), "two of what it may have one of"));
+  EXPECT_TRUE(contains(refusal(with_text(model("", one), "</model>", "<build>" + one + "</build></model>")),
+                       "two of what it may have one of"));
+}
+
+TEST(AssimpReader, Reads3mfOfWhichAnObjectComesAfterItsUse) {
+  const TemporaryFolder folder;
+  const std::string text = with_text(
+      model("", "<item objectid=\"7\"/>"), "<resources>",
+      "<resources><basematerials id=\"2\"/><object id=\"7\"><components><component objectid=\"01\"/></components>"
+      "</object>");
+  expect_equal_points(read_polygon_soup(folder.file("a.3mf", threemf_of(text))), kModelPoints);
+}
+
 TEST(AssimpReader, Reads3mfWithNumbersInEveryLegalForm) {
   const TemporaryFolder folder;
   std::string text = model("", "<item objectid=\"1\" transform=\" 1 0 0\n0 1 0\t0 0  1 -2.0 +3e0 4E+00 \"/>");
@@ -315,19 +389,95 @@ TEST(AssimpReader, Refuses3mfThatUnpacksToMoreThanAnyModel) {
   expect_equal_points(read_polygon_soup(folder.file("b.3mf", threemf_of(text, {}, false))), kModelPoints);
 }
 
+std::string amf() {
+  std::string text = "<?xml version=\"1.0\"?><amf unit=\"inch\"><object id=\"0\"><mesh><vertices>";
+  for (const char* p : {"<x>0</x><y>0</y><z>0</z>", "<x>1</x><y>0</y><z>0</z>", "<x>0</x><y>1.25</y><z>0</z>"}) {
+    text += std::string("<vertex><coordinates>") + p + "</coordinates></vertex>";
+  }
+  return text + "</vertices><volume><triangle><v1>0</v1><v2>1</v2><v3>2</v3></triangle></volume></mesh></object></amf>";
+}
+
 TEST(AssimpReader, NamesTheUnitOfGltfAndAmf) {
   const TemporaryFolder folder;
   const PolygonSoup body = icosahedron_soup();
   EXPECT_EQ(read_polygon_soup(folder.file("a.glb", glb(body))).unit, "m");
   EXPECT_EQ(read_polygon_soup(folder.file("a.gltf", gltf_embedded(body))).unit_metres, 1.0);
-  std::string amf = "<?xml version=\"1.0\"?><amf unit=\"inch\"><object id=\"0\"><mesh><vertices>";
-  for (const char* p : {"<x>0</x><y>0</y><z>0</z>", "<x>1</x><y>0</y><z>0</z>", "<x>0</x><y>1.25</y><z>0</z>"}) {
-    amf += std::string("<vertex><coordinates>") + p + "</coordinates></vertex>";
-  }
-  amf += "</vertices><volume><triangle><v1>0</v1><v2>1</v2><v3>2</v3></triangle></volume></mesh></object></amf>";
-  const PolygonSoup soup = read_polygon_soup(folder.file("a.amf", amf));
+  const PolygonSoup soup = read_polygon_soup(folder.file("a.amf", amf()));
   EXPECT_EQ(soup.unit, "in");
   EXPECT_EQ(soup.points.size(), 3U);
+}
+
+// --- AMF
+
+TEST(AssimpReader, RefusesAmfOfWhoseNumbersAssimpWouldMakeOthers) {
+  const TemporaryFolder folder;
+  const auto refusal = [&](const std::string& what, const std::string& with) {
+    return refusal_for(folder.file("a.amf", with_text(amf(), what, with)));
+  };
+  for (const char* token :
+       {"half", "", "1,5", "0x1", "1.0D+01", "1x", "nan", "inf", "1e400", "1 2", "&#49;", "1<!-- -->5", "<b/>1"}) {
+    EXPECT_TRUE(contains(refusal("1.25", token), "' is not a decimal number (")) << token;
+    const std::string instance = "<constellation id=\"c\"><instance objectid=\"0\"><deltay>" + std::string(token) +
+                                 "</deltay></instance></constellation></amf>";
+    EXPECT_TRUE(contains(refusal("</amf>", instance), "<deltay> in <instance>: expected a decimal number")) << token;
+  }
+  for (const char* token : {"", "-1", "1.5", "1x", "0x1", "4294967297", "1<!-- -->5"}) {
+    EXPECT_TRUE(contains(refusal("<v2>1", "<v2>" + std::string(token)), "' is not a whole number from 0 to")) << token;
+  }
+  EXPECT_TRUE(contains(refusal("<y>1.25</y>", "<y/>"), "'' is not a decimal number"));
+}
+
+TEST(AssimpReader, RefusesAmfWithoutAllItsPartsOnce) {
+  const TemporaryFolder folder;
+  const auto refusal = [&](const std::string& what, const std::string& with) {
+    return refusal_for(folder.file("a.amf", with_text(amf(), what, with)));
+  };
+  EXPECT_TRUE(contains(refusal("<y>1.25</y>", ""), "<coordinates> has 0 of <y>"));
+  EXPECT_TRUE(contains(refusal("<y>1.25</y>", "<y>1.25</y><Y>3</Y>"), "<coordinates> has 2 of <y>"));
+  EXPECT_TRUE(contains(refusal("<v3>2</v3>", ""), "<triangle> has 0 of <v3>"));
+  EXPECT_TRUE(contains(refusal("<vertex>", "<vertex/><vertex>"), "<vertex> has 0 of <coordinates>"));
+  EXPECT_TRUE(contains(refusal("<vertex>", "<vertex><coordinates/></vertex><vertex>"), "<coordinates> has 0 of <x>"));
+  const std::string volume = "<volume><triangle><v1>0</v1><v2>2</v2><v3>1</v3></triangle></volume></mesh>";
+  EXPECT_TRUE(contains(refusal("</mesh>", volume), "<mesh> has 2 of <volume>"));
+  EXPECT_TRUE(contains(refusal("</mesh>", "<vertices/></mesh>"), "<mesh> has 2 of <vertices>"));
+}
+
+TEST(AssimpReader, RefusesAmfThatAssimpTakesForAnother) {
+  const TemporaryFolder folder;
+  const auto refusal = [&](const std::string& what, const std::string& with) {
+    return refusal_for(folder.file("a.amf", with_text(amf(), what, with)));
+  };
+  const auto instance = [](const std::string& inside) {
+    return "<constellation id=\"c\"><instance objectid=\"0\">" + inside + "</instance></constellation></amf>";
+  };
+  EXPECT_TRUE(contains(refusal("</amf>", instance("<rz>90</rz>")), "a turned instance"));
+  EXPECT_TRUE(contains(refusal("</vertex>", "<normal><nx>0</nx></normal></vertex>"), "a curved triangle"));
+  EXPECT_TRUE(contains(refusal("</vertices>", "<edge><v1>0</v1></edge></vertices>"), "a curved triangle"));
+  const std::string text = amf();
+  const std::size_t begin = text.find("<object"), end = text.find("</amf>");
+  const std::string object = text.substr(begin, end - begin);
+  EXPECT_TRUE(contains(refusal("</amf>", object + "</amf>"), "not told apart by their names"));
+  EXPECT_TRUE(contains(refusal("</amf>", with_text(object, " id=\"0\"", "") + "</amf>"), "not told apart"));
+
+  const PolygonSoup two = read_polygon_soup(
+      folder.file("b.amf", with_text(text, "</amf>", with_text(object, "\"0\"", "\"1\"") + "</amf>")));
+  EXPECT_EQ(two.face_sizes.size(), 2U);
+  std::vector<Vec3d> moved_points = read_polygon_soup(folder.file("b.amf", text)).points;
+  for (Vec3d& p : moved_points) p = p + Vec3d{5, 0, -2};
+  expect_equal_points(read_polygon_soup(folder.file(
+                          "b.amf", with_text(text, "</amf>", instance("<deltax> 5\n</deltax><deltaz>-2.</deltaz>")))),
+                      moved_points);
+}
+
+TEST(AssimpReader, RefusesAmfThatItCannotLookInto) {
+  const TemporaryFolder folder;
+  for (const bool deflated : {false, true}) {
+    EXPECT_TRUE(contains(refusal_for(folder.file("a.amf", zip_of({{"a.amf", amf()}}, deflated))), "unpack it"));
+  }
+  for (std::string wide : {"", "\xFF\xFE"}) {  // UTF-16, which assimp reads
+    for (const char c : amf()) wide += {c, '\0'};
+    EXPECT_TRUE(contains(refusal_for(folder.file("a.amf", wide)), " in UTF-"));
+  }
 }
 
 // --- glTF

@@ -184,7 +184,7 @@ TEST(WrittenDigits, KnowsAFixedNumberOfDecimals) {
 }
 
 TEST(WrittenDigits, KnowsAFixedNumberOfSignificantDigits) {
-  for (int n = 4; n <= 14; ++n) {
+  for (int n = 2; n <= 14; ++n) {
     if (n == 8 || n == 9) continue;  // as fine as floats are: see below
     for (const char kind : {'g', 'e'}) {
       const int n_printed = kind == 'e' ? n - 1 : n;
@@ -196,6 +196,13 @@ TEST(WrittenDigits, KnowsAFixedNumberOfSignificantDigits) {
   }
   EXPECT_EQ(digits_of({"1.23457e+08", "-3.2e+07", "0"}).last_place, 1000.0);
   EXPECT_DOUBLE_EQ(digits_of({"1.23457e-20", "-3.2e-21"}).last_place, 1e-25);
+}
+
+// A prism of one-digit numbers had a last place of 1, and corners that were so near to each other were joined.
+TEST(WrittenDigits, TakesAFewShortNumbersAtTheirDecimals) {
+  EXPECT_EQ(digits_of({"1", "2", "3", "5e-17"}).kind, Kind::doubles);
+  EXPECT_DOUBLE_EQ(digits_of({"0.1", "9", "1", "0"}).last_place, 0.1);
+  EXPECT_DOUBLE_EQ(digits_of({"12.3", "0.0123"}).last_place, 1e-4);
 }
 
 TEST(WrittenDigits, KnowsDoublesByTheirLastDigits) {

@@ -1,0 +1,45 @@
+// What the looks into scene formats share: refusals, and the numbers that stand in XML.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "meshes/assimp_input.h"
+#include "meshes/formats/xml_tags.h"
+#include "meshes/length_unit.h"
+
+namespace vex {
+
+/// Throws InputError: "problem (path: where) - advice".
+[[noreturn]] void refuse_scene(const AssimpInput& input, const std::string& problem, const std::string& where,
+                               const std::string& advice);
+
+/// Sets the unit, where there is one.
+void set_unit(const std::optional<LengthUnit>& unit, AssimpInput* input);
+
+/// The first tag of a text that is no closing one.
+std::optional<XmlTag> first_tag(std::string_view text);
+/// As messages quote it. (Of a std::string, quoted() would be taken for std::quoted.)
+std::string shown(std::string_view word);
+std::string shown_tag(const XmlTag& tag);
+
+/// What blanks of XML are.
+inline constexpr std::string_view kXmlBlanks = " \t\r\n";
+/// Without the blanks before it.
+std::string_view from_word(std::string_view text);
+/// What stands before the first blank.
+std::string_view first_word(std::string_view text);
+
+/// Whether all of a text is a number that assimp reads as what it is.
+bool is_decimal(std::string_view text);
+bool is_index(std::string_view text);
+
+struct NumberKind {
+  const char* name;
+  bool (*holds)(std::string_view text);
+};
+inline constexpr NumberKind kDecimal{"a decimal number", is_decimal};
+inline constexpr NumberKind kIndex{"a whole number from 0 to 2147483647", is_index};
+
+}  // namespace vex
