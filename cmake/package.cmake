@@ -32,7 +32,7 @@ computations of a paper of 2002 and explains its faulty values. vex_bench measur
 against error of every estimator. vex_stress holds overlap tests against exact
 arithmetic where they are known to fail.
 .
-Bodies are closed convex meshes in any format that assimp reads, or named
+Bodies are closed convex meshes (OBJ, PLY, STL, OFF, glTF, ...), or named
 ones such as box:1,2,3.")
 
 # Static libraries bring no dependencies of their own: these are what a program that uses them is built with.
