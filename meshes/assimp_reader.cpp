@@ -105,13 +105,18 @@ Vec3d placed(const Affine& world_from_mesh, const aiVector3D& p) {
   return {row(0), row(4), row(8)};
 }
 
-/// How far the floats that were read may have moved a placed point, along an axis: the last place of the mesh's largest
-/// coordinate and of the transform's numbers, carried through the transform.
+/// Of all meshes so far, how far the floats that were read may have moved placed points along an axis.
+struct MovedBy {
+  double within_meshes = 0.0;  // against other points of the same mesh
+  double whole_meshes = 0.0;   // a mesh as a whole, which changes the shape of several meshes alone
+};
+
+/// The last place of the mesh's largest coordinate and of the transform's numbers, carried through the transform.
 double placed_last_place(const Placement& world_from_mesh, double largest) {
   const double last_place = float_digits(largest).last_place;
   double most = 0.0;
   for (std::size_t row = 0; row < 12; row += 4) {
-    double sum = world_from_mesh.rounding[row + 3];
+    double sum = 0.0;
     for (std::size_t k = row; k < row + 3; ++k) {
       sum += std::fabs(world_from_mesh.matrix[k]) * last_place + world_from_mesh.rounding[k] * largest;
     }
@@ -122,26 +127,32 @@ double placed_last_place(const Placement& world_from_mesh, double largest) {
 
 constexpr std::size_t kMost = std::size_t{1} << 30U;
 
-void append_points(const aiMesh& mesh, const Placement& world_from_mesh, PolygonSoup* soup) {
+void append_points(const aiMesh& mesh, const Placement& world_from_mesh, PolygonSoup* soup, MovedBy* moved) {
   const std::size_t first = soup->points.size();
   const std::size_t n_points = mesh.mVertices != nullptr ? mesh.mNumVertices : 0;
   if (first + n_points > kMost) {
     throw InputError("the mesh is too large (more than 2^30 vertices) - simplify it");
   }
   const bool in_place = world_from_mesh.matrix == kIdentity;  // then not even a -0 changes
-  double largest = 0.0;
+  double largest = 0.0, largest_placed = 0.0;
   if (first == 0) soup->points.reserve(n_points);
   for (std::size_t i = 0; i < n_points; ++i) {
     const aiVector3D& p = mesh.mVertices[i];
     soup->points.push_back(in_place ? Vec3d{double{p.x}, double{p.y}, double{p.z}} : placed(world_from_mesh.matrix, p));
     largest = std::max({largest, std::fabs(double{p.x}), std::fabs(double{p.y}), std::fabs(double{p.z})});
+    const Vec3d& q = soup->points.back();
+    largest_placed = std::max({largest_placed, std::fabs(q.x), std::fabs(q.y), std::fabs(q.z)});
   }
-  soup->digits.last_place = std::max(soup->digits.last_place, placed_last_place(world_from_mesh, largest));
+  moved->within_meshes = std::max(
+      {moved->within_meshes, placed_last_place(world_from_mesh, largest), double_digits(largest_placed).last_place});
+  for (const std::size_t k : {std::size_t{3}, std::size_t{7}, std::size_t{11}}) {
+    moved->whole_meshes = std::max(moved->whole_meshes, world_from_mesh.rounding[k]);
+  }
 }
 
-void append_mesh(const aiMesh& mesh, const Placement& world_from_mesh, PolygonSoup* soup) {
+void append_mesh(const aiMesh& mesh, const Placement& world_from_mesh, PolygonSoup* soup, MovedBy* moved) {
   const std::size_t first = soup->points.size();
-  append_points(mesh, world_from_mesh, soup);
+  append_points(mesh, world_from_mesh, soup, moved);
   const std::size_t n_points = soup->points.size() - first;
   if (soup->face_sizes.empty()) {
     soup->face_sizes.reserve(mesh.mNumFaces);
@@ -173,6 +184,7 @@ void append_mesh(const aiMesh& mesh, const Placement& world_from_mesh, PolygonSo
 PolygonSoup soup_of(const aiScene& scene) {
   PolygonSoup soup;
   soup.digits.kind = CoordinateDigits::Kind::floats;
+  MovedBy moved;
   std::vector<std::pair<const aiNode*, Placement>> stack;
   if (scene.mRootNode != nullptr) {
     stack.emplace_back(scene.mRootNode, from_assimp(scene.mRootNode->mTransformation));
@@ -182,13 +194,14 @@ PolygonSoup soup_of(const aiScene& scene) {
     stack.pop_back();
     for (unsigned int i = 0; i < node->mNumMeshes; ++i) {
       if (node->mMeshes[i] < scene.mNumMeshes) {
-        append_mesh(*scene.mMeshes[node->mMeshes[i]], world_from_node, &soup);
+        append_mesh(*scene.mMeshes[node->mMeshes[i]], world_from_node, &soup, &moved);
       }
     }
     for (unsigned int i = node->mNumChildren; i-- > 0;) {
       stack.emplace_back(node->mChildren[i], world_from_node * from_assimp(node->mChildren[i]->mTransformation));
     }
   }
+  soup.digits.last_place = moved.within_meshes + (soup.n_parts > 1 ? moved.whole_meshes : 0.0);
   return soup;
 }
 

@@ -33,6 +33,7 @@ constexpr double kLargestVolumeError = 1e-13;    // relative: what convex_mesh.h
 constexpr double kLeastDefaultTolerance = 1e-6;  // of the size
 constexpr double kMostDropped = 1e-5;            // of V/S: so no more of V is lost with the vertices that are dropped
 constexpr double kWorthAWarning = 1e-6;          // of V
+constexpr double kMostRounded = 0.5;             // of V: beyond, it says nothing
 
 void check_options(const MeshOptions& options) {
   const auto check = [](const std::optional<double>& fraction, const char* what, const char* advice) {
@@ -188,6 +189,13 @@ MeshBody with_fewest_vertices(MeshBody body, Passage* passage) {
 void note_rounding(const MeshBody& body, const Passage& passage, MeshReport* report) {
   report->coordinate_rounding = passage.stated_place / bounding_diagonal(body.vertices);
   report->volume_rounding = volume_rounding(body.triangles, body.solid.volume, passage.rounding.last_places);
+  // Of numbers of three digits or fewer nobody knows that they were rounded.
+  const bool is_stated = report->digits.kind != CoordinateDigits::Kind::decimals || report->digits.n_digits > 3;
+  if (report->volume_rounding > kMostRounded && is_stated) {
+    throw InputError("the coordinates are too coarse for the body (" + coordinates_text(report->digits) +
+                     ", so that its volume may differ by " + rough_text(report->volume_rounding) +
+                     " of itself) - write them with more digits, or move the body to the origin first");
+  }
   if (report->volume_rounding > kWorthAWarning) {
     report->notes.push_back(coordinates_text(report->digits) + ": the volume of what was meant may differ by " +
                             rough_text(report->volume_rounding) + " of itself");

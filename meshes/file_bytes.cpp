@@ -116,10 +116,12 @@ FileBytes read_file_bytes(const std::filesystem::path& path) {
 
 FileBytes read_standard_input() {
   const std::string name = "standard input";
+  // It does not say how long it is, so that what is taken doubles; and an endless one should not take long to refuse.
+  const std::uint64_t most = machine_memory() / 16;
   FileBytes bytes;
   std::size_t size = 0;
   do {
-    if (size > most_file_bytes()) refuse_too_large(name, size);
+    if (size > most) refuse_too_large(name, size);
     bytes.resize(std::max(kMiB, 2 * size));
     size += read_until_full(STDIN_FILENO, size, &bytes, name);
   } while (size == bytes.size());

@@ -105,6 +105,7 @@ class Walker {
         if (has_value || !read_string(&text)) return false;
         if (!levels_.empty() && levels_.back().is_object && is_followed_by_colon()) {
           levels_.back().key = text;
+          note_unread(text);
         } else {
           take(text, true);
           has_value = true;
@@ -143,7 +144,17 @@ class Walker {
 
   bool path_is(std::string_view first) const { return !levels_.empty() && levels_[0].key == first; }
 
+  void note_unread(std::string_view key) {
+    if (levels_.size() == 3 && path_is("nodes") && key == "skin") summary_.unread = "skins";
+    if (key == "EXT_mesh_gpu_instancing" && path_is("nodes")) summary_.unread = "instances on the graphics processor";
+  }
+
   void take(std::string_view raw, bool is_string) {
+    // Weights of morph targets: of a mesh, or of a node that shows it.
+    if (levels_.size() == 4 && (path_is("nodes") || path_is("meshes")) && levels_[2].key == "weights" && !is_string &&
+        raw.substr(0, raw.find_first_of("eE")).find_first_of("123456789") != std::string_view::npos) {
+      summary_.unread = "morph targets";
+    }
     if (levels_.size() == 2 && path_is("asset") && levels_[1].key == "version") {
       summary_.version = is_string ? unescaped(raw) : std::string(raw);
     } else if (levels_.size() == 2 && path_is("extensionsRequired") && is_string) {

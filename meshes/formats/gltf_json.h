@@ -12,6 +12,7 @@ struct GltfSummary {
   std::string version;                           // of the asset: "2.0"; empty where it has none
   std::vector<std::string> buffer_uris;          // as they stand, percent escapes and all; embedded data left out
   std::vector<std::string> required_extensions;  // "KHR_draco_mesh_compression"
+  std::string unread;  // what moves or repeats points and is not read: "skins", "morph targets"; empty without
 };
 
 /// Nothing where `json` is not JSON, or is nested more than a thousand levels deep.

@@ -166,14 +166,11 @@ class PointsReader {
   void take_header() {
     has_names_ = true;
     const auto columns = named_columns(fields_);
-    if (!columns && n_fields_ > 3) {
+    if (!columns) {
       scanner_.refuse("the columns' names do not say which are the coordinates", "x, y and z, once each, among them",
                       "name them");
     }
-    if (!columns && std::ranges::any_of(fields_, [](std::string_view name) { return name.empty(); })) {
-      scanner_.refuse("a column has no name", "x, y and z", "name it");
-    }
-    columns_ = columns.value_or(Columns{0, 1, 2});
+    columns_ = *columns;
   }
 
   void read_point() {
@@ -192,18 +189,19 @@ class PointsReader {
       if (!value) refuse_field(field);
       *axes[axis] = *value;
     }
-    if (!has_names_ && n_fields_ > 3) note_other_columns(point);
+    if (!has_names_ && n_fields_ > 3) note_other_columns();
     soup_.points.push_back(point);
   }
 
-  void note_other_columns(const Vec3d& point) {
+  void note_other_columns() {
     for (std::size_t k = 3; k < n_fields_; ++k) {
       const bool is_open_end = separator_ != ' ' && k + 1 == n_fields_ && fields_[k].empty();
       if (!is_open_end && !is_number(fields_[k])) refuse_field(fields_[k]);
     }
     const auto is_whole = [](std::string_view field) { return field.find_first_of(".eE") == std::string_view::npos; };
     all_are_whole_ = all_are_whole_ && std::ranges::all_of(fields_, is_whole);
-    are_rows_ = are_rows_ && is_digits(fields_[0]) && (soup_.points.empty() || point.x == soup_.points.back().x + 1.0);
+    are_rows_ = are_rows_ && is_digits(fields_[0]);
+    has_other_than_whole_ = has_other_than_whole_ || !is_digits(fields_[1]) || !is_digits(fields_[2]);
   }
 
   void refuse_what_may_be_else() {
@@ -212,9 +210,18 @@ class PointsReader {
       scanner_.refuse("the commas may part fields, or be decimal commas", "a decimal point somewhere, or names",
                       advice);
     }
-    if (are_rows_ && soup_.points.size() > 2) {
-      scanner_.refuse("the first column counts the lines, so that it may be x, or not", "x, y, z first", advice);
+    if (are_rows_ && has_other_than_whole_ && are_all_different()) {
+      scanner_.refuse("the first column holds whole numbers alone, so that it may be x, or number the points",
+                      "x, y, z first", advice);
     }
+  }
+
+  /// Of the first coordinates.
+  bool are_all_different() const {
+    std::vector<double> sorted;
+    for (const Vec3d& p : soup_.points) sorted.push_back(p.x);
+    std::ranges::sort(sorted);
+    return std::ranges::adjacent_find(sorted) == sorted.end();
   }
 
   /// The line at hand is a number of points, or of atoms.
@@ -261,6 +268,11 @@ class PointsReader {
       point.x = scanner_.coordinate("C x y z", digits_);
       point.y = scanner_.coordinate("C x y z", digits_);
       point.z = scanner_.coordinate("C x y z", digits_);
+      are_rows_ = are_rows_ && point.x == static_cast<double>(soup_.points.size()) && is_number(scanner_.next_word());
+    }
+    if (are_rows_ && !soup_.points.empty()) {
+      scanner_.refuse("the numbers behind the labels count the atoms, so that x may be the first or the second",
+                      "C x y z", "take out the other columns");
     }
     while (scanner_.next_line()) {
       if (!scanner_.rest_of_line().empty()) {
@@ -285,8 +297,9 @@ class PointsReader {
   std::size_t n_fields_ = 0;            // of every line
   std::size_t n_named_in_comment_ = 0;  // columns; 0 where no comment names x, y, z
   bool has_names_ = false;
-  bool all_are_whole_ = true;  // no number of the file has a point or an exponent
-  bool are_rows_ = true;       // the first column counts by one
+  bool all_are_whole_ = true;          // no number of the file has a point or an exponent
+  bool are_rows_ = true;               // the first column holds whole numbers without a sign
+  bool has_other_than_whole_ = false;  // in the second or third column
 };
 
 }  // namespace

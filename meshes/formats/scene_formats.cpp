@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -54,15 +55,25 @@ bool has_long_run(std::string_view word) {
   return false;
 }
 
+/// assimp adds up fifteen decimals and leaves out the rest: of small numbers that is not rounding.
+bool has_lost_decimals(std::string_view word) {
+  constexpr std::size_t kRead = 15;
+  const std::size_t point = word.find('.'), end = std::min(word.find_first_of("eE"), word.size());
+  if (point == std::string_view::npos || end - point - 1 <= kRead) return false;
+  const std::string read = std::string(word.substr(0, point + 1 + kRead)) + std::string(word.substr(end));
+  return static_cast<float>(parse_decimal(read).value_or(0.0)) != static_cast<float>(parse_decimal(word).value_or(0.0));
+}
+
 /// What is not finite may stand among the texture's coordinates; among others it is refused later.
 bool is_collada_number(std::string_view word) {
-  if (is_decimal(word)) return !has_long_run(word);
+  if (is_decimal(word)) return !has_long_run(word) && !has_lost_decimals(word);
   const std::string_view digits = word.substr(word.starts_with('-') || word.starts_with('+') ? 1 : 0);
   return digits.find_first_of("nNiI") == 0;
 }
 
 /// assimp reads 1,5 as 1.5, 1.0D+01 as 1, 5-3 as two numbers, and the index -1 as 0.
-void check_numbers(const XmlTag& tag, std::string_view text, const AssimpInput& input) {
+std::size_t check_numbers(const XmlTag& tag, std::string_view text, const AssimpInput& input) {
+  std::size_t n_words = 0;
   const bool are_indices = tag.name == "p" || tag.name == "vcount";
   for (text = from_word(text); !text.empty(); text = from_word(text)) {
     const std::string_view word = first_word(text);
@@ -73,8 +84,63 @@ void check_numbers(const XmlTag& tag, std::string_view text, const AssimpInput& 
       refuse_scene(input, shown(word) + problem, "in <" + std::string(tag.name) + ">", "mend the file");
     }
     text.remove_prefix(word.size());
+    ++n_words;
   }
+  return n_words;
 }
+
+/// assimp takes memory by one count, and fills it by another: what a count promises must be there.
+class ColladaCounts {
+ public:
+  explicit ColladaCounts(const AssimpInput& input) : input_(input) {}
+
+  void note_array(const XmlTag& tag, std::size_t n_words) {
+    if (whole(tag, "count", n_words + 1) != n_words) {
+      refuse_scene(input_, "a count does not hold", std::to_string(n_words) + " numbers in " + shown_tag(tag),
+                   "mend the file");
+    }
+    sizes_[std::string(tag.attribute("id").value_or(""))] = n_words;
+  }
+  void note_accessor(const XmlTag& tag) {
+    const std::size_t count = whole(tag, "count", 0), stride = whole(tag, "stride", 1),
+                      offset = whole(tag, "offset", 0);
+    std::string_view source = tag.attribute("source").value_or("");
+    if (source.starts_with('#')) source.remove_prefix(1);
+    accessors_.push_back({std::string(source), shown_tag(tag), count, stride, offset});
+  }
+  void check() const {
+    for (const Accessor& accessor : accessors_) {
+      const auto size = sizes_.find(accessor.source);
+      if (size == sizes_.end()) continue;  // of names
+      const bool is_there = accessor.offset <= size->second && accessor.stride > 0 &&
+                            accessor.count <= (size->second - accessor.offset) / accessor.stride;
+      if (!is_there) {
+        refuse_scene(input_, "a count does not hold", std::to_string(size->second) + " numbers for " + accessor.shown,
+                     "mend the file");
+      }
+    }
+  }
+
+ private:
+  struct Accessor {
+    std::string source, shown;
+    std::size_t count, stride, offset;
+  };
+
+  std::size_t whole(const XmlTag& tag, std::string_view name, std::size_t otherwise) const {
+    const std::optional<std::string_view> text = tag.attribute(name);
+    if (!text) return otherwise;
+    if (!is_index(*text)) {
+      refuse_scene(input_, shown(*text) + " is not " + std::string(kIndex.name), "in " + shown_tag(tag),
+                   "mend the file");
+    }
+    return static_cast<std::size_t>(parse_decimal(*text).value_or(0.0));
+  }
+
+  const AssimpInput& input_;
+  std::map<std::string, std::size_t> sizes_;
+  std::vector<Accessor> accessors_;
+};
 
 }  // namespace
 
@@ -86,6 +152,7 @@ void look_into_collada(AssimpInput* input) {
   }
   constexpr std::array<std::string_view, 8> kHoldNumbers{"float_array", "matrix", "translate", "rotate",
                                                          "scale",       "lookat", "p",         "vcount"};
+  ColladaCounts counts(*input);
   XmlTags tags(input->bytes.view());
   std::vector<std::string_view> path;  // the outer three levels; those below are only counted
   std::size_t depth = 0;
@@ -98,13 +165,20 @@ void look_into_collada(AssimpInput* input) {
       take_collada_unit(*tag, input);
     } else if (tag->name == "skew") {
       refuse_scene(*input, "a node is skewed, which is not read", "<skew>", "export it as .stl, .ply or .obj");
+    } else if (tag->name == "instance_controller") {
+      refuse_scene(*input, "the points are moved by a skin or by morphing, which is not read", "<instance_controller>",
+                   "apply it and export the mesh as it stands, or as .obj, .ply or .stl");
+    } else if (tag->name == "accessor") {
+      counts.note_accessor(*tag);
     } else if (std::ranges::find(kHoldNumbers, tag->name) != kHoldNumbers.end()) {
-      check_numbers(*tag, tags.text_behind(), *input);
+      const std::size_t n_words = check_numbers(*tag, tags.text_behind(), *input);
+      if (tag->name == "float_array") counts.note_array(*tag, n_words);
     }
     if (tag->is_empty) continue;
     if (depth < 3) path.push_back(tag->name);
     ++depth;
   }
+  counts.check();
 }
 
 // --- glTF
@@ -132,6 +206,10 @@ void look_into_gltf(AssimpInput* input) {
       refuse_scene(*input, "the file requires an extension of glTF that is not read", shown(extension),
                    "export it without, or as .obj, .ply or .stl");
     }
+  }
+  if (!summary->unread.empty()) {
+    refuse_scene(*input, "the points are moved or repeated in a way that is not read", summary->unread,
+                 "apply it and export the mesh as it stands, or as .obj, .ply or .stl");
   }
   for (const std::string& uri : summary->buffer_uris) {
     const std::optional<std::filesystem::path> buffer = gltf_buffer_beside(input->path, uri);

@@ -283,5 +283,14 @@ TEST(ConvexMesh, RefusesAScaleThatLeavesNoBody) {
   EXPECT_TRUE(contains(refusal(icosahedron_soup(), scaled_by(0.0)), "choose another scale"));
 }
 
+// Twelve digits at 10^12 told the volume of an icosahedron of edge 2 as 26 times what it was.
+TEST(ConvexMesh, RefusesCoordinatesTooCoarseForTheBody) {
+  PolygonSoup soup = box_soup({0, 0, 0}, {1, 2, 3});
+  soup.digits = {CoordinateDigits::Kind::decimals, 12, 1.0};
+  EXPECT_TRUE(contains(refusal(soup), "too coarse for the body"));
+  soup.digits = {CoordinateDigits::Kind::decimals, 1, 1.0};  // nobody knows that these were rounded
+  EXPECT_GT(convex_mesh_from(soup).report.volume_rounding, 0.5);
+}
+
 }  // namespace
 }  // namespace vex::tests
