@@ -10,7 +10,7 @@
 namespace vex {
 
 void declare_seed_and_threads(OptionParser& options, CommonWords& words, const std::string& group) {
-  options.add_option("--seed", words.seed, "The same seed gives the same hits on any number of threads (default 1)")
+  options.add_option("--seed", words.seed, "The same seed gives the same result on any number of threads (default 1)")
       .type_name("N")
       .group(group);
   options.add_option("--threads", words.threads, "Threads (default: all cores)").type_name("N").group(group);

@@ -47,6 +47,8 @@ void end_on_interrupts(const std::string& program) {
 
 void catch_interrupts() { handle_with(remember_signal); }
 
+void stop_catching_interrupts() { handle_with(SIG_DFL); }
+
 const std::atomic<int>& interrupting_signal() { return arrived; }
 
 }  // namespace vex

@@ -13,6 +13,10 @@ void end_on_interrupts(const std::string& program);
 /// From now on SIGINT and SIGTERM set the number below instead of ending the program; a second one ends it at once.
 void catch_interrupts();
 
+/// From now on SIGINT and SIGTERM end the program as they do by default: what is left to do may wait for others, such as
+/// for the reader of a pipe, and looks at no number. What is ignored stays so.
+void stop_catching_interrupts();
+
 /// The signal that arrived, or 0.
 const std::atomic<int>& interrupting_signal();
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "apps/common/interrupt.h"
 #include "apps/common/replace_file.h"
 #include "engine/numeric/errors.h"
 #include "meshes/reader.h"
@@ -103,11 +104,16 @@ OutputFile::OutputFile(std::string path, std::span<const std::string> inputs) : 
     refuse("the output file is write-protected", "choose another name");
   }
   const fs::path folder = folder_of(target_);
+  const fs::file_status status = fs::status(target_, error);
+  if (status.type() == fs::file_type::none) {
+    refuse(("the output file cannot be there: " + error.message()).c_str(), "choose another name");
+  }
   if (!fs::is_directory(folder, error)) refuse("the output file's folder does not exist", "make it first");
   if (access(folder.c_str(), W_OK) != 0) refuse("the output file's folder cannot be written", "choose another one");
 }
 
 void OutputFile::write(std::string_view text) const {
+  stop_catching_interrupts();
   if (is_standard_output()) {
     std::cout << text << std::flush;
     if (!std::cout)

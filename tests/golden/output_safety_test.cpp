@@ -246,6 +246,16 @@ TEST_F(OutputSafety, ALongNameIsStillAName) {
   EXPECT_EQ(files(), std::vector<std::string>{name});
 }
 
+// The signal was remembered for a run that had ended, and the program waited on.
+TEST_F(OutputSafety, ASignalEndsTheWaitForAPipeThatNobodyReads) {
+  const Finished result = shell("mkfifo pipe && timeout -k 20 2 \"$VEX\" box:1,1,1 --json pipe" + kShortLine);
+  EXPECT_EQ(result.exit_code, 124) << "timeout's own; 137 where it had to kill";
+}
+
+TEST_F(OutputSafety, ANameThatCannotBeIsRefusedBeforeTheRun) {
+  expect_refusal(run(with_short_run({"box:1,1,1", "--json", std::string(256, 'n')})), 2, "cannot be there");
+}
+
 TEST_F(OutputSafety, AnInterruptedRunLeavesTheDocumentAndNothingBeside) {
   // The second signal ends the program at once, unless the document is being written.
   for (int k = 0; k < 8; ++k) {
