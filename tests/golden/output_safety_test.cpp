@@ -242,7 +242,7 @@ TEST_F(OutputSafety, ALongNameIsStillAName) {
   EXPECT_EQ(run(with_short_run({"box:1,1,1", "--json", name})).exit_code, 0);
   EXPECT_TRUE(json::accept(read_file(name)));
   EXPECT_EQ(files(), std::vector<std::string>{name});
-  EXPECT_EQ(run(with_short_run({"box:1,1,1", "--json", std::string(300, 'n')})).exit_code, 1);
+  EXPECT_EQ(run(with_short_run({"box:1,1,1", "--json", std::string(300, 'n')})).exit_code, 2);
   EXPECT_EQ(files(), std::vector<std::string>{name});
 }
 
