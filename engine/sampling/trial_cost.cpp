@@ -1,6 +1,6 @@
 #include "engine/sampling/trial_cost.h"
 
-#include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -38,12 +38,30 @@ double price_of(const CoreForm& core) {
   return price;
 }
 
+double price_of(const ConvexBody& body, const CoreForm* core) {
+  const double of_ball = body.ball_radius() > 0.0 ? 1.0 : 0.0;
+  return of_ball + (core != nullptr ? price_of(*core) : kOfOneByOne);
+}
+
+struct PairPrice {
+  double of_call;  // of the difference's support mapping
+  bool has_kernels;
+};
+
+/// Finds the cores once: of a large hull that is a copy of all vertices.
+PairPrice price_of_pair(const ConvexBody& a, const ConvexBody& b) {
+  if (const std::unique_ptr<PacketPair> pair = PacketPair::make(a, b)) {
+    const PacketPairForms forms = pair->forms();
+    return {price_of(a, forms.a) + price_of(b, forms.b), true};
+  }
+  return {support_price(a) + support_price(b), false};
+}
+
 }  // namespace
 
 double support_price(const ConvexBody& body) {
   const std::optional<CoreForm> core = core_form(body);
-  const double of_ball = body.ball_radius() > 0.0 ? 1.0 : 0.0;
-  return of_ball + (core ? price_of(*core) : kOfOneByOne);
+  return price_of(body, core ? &*core : nullptr);
 }
 
 double pose_cost(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings) {
@@ -51,8 +69,7 @@ double pose_cost(const ConvexBody& a, const ConvexBody& b, const MonteCarloSetti
   constexpr double kOfSupportCall = 2.0;  // the rest of a search, spread over its calls
   constexpr int kMostSupportCalls = 256;
   const bool is_fitted = settings.domain.kind == Domain::Kind::fitted;
-  const double price = support_price(a) + support_price(b);
-  const bool has_kernels = PacketPair::make(a, b) != nullptr;
+  const auto [price, has_kernels] = price_of_pair(a, b);
   double cost = is_fitted ? kOfFittedPose + kHeightsOfFitted * price : kOfPose;
   if (settings.sequence == Sequence::sobol) cost += kOfNetsCoordinate * (3.0 + settings.law.dimension());
   if (settings.backend.is_peer) return cost + kOfPeersTrial;
@@ -73,8 +90,8 @@ double pose_cost(const ConvexBody& a, const ConvexBody& b, const MonteCarloSetti
 
 double ray_cost(const ConvexBody& a, const ConvexBody& b, const RadialMap& map) {
   constexpr double kOfRay = 50.0, kOfSupportCall = 6.5, kOfBisection = 4e4;
-  const double price = kOfSupportCall + support_price(a) + support_price(b);
-  const bool has_kernels = PacketPair::make(a, b) != nullptr;
+  const auto [of_call, has_kernels] = price_of_pair(a, b);
+  const double price = kOfSupportCall + of_call;
   std::vector<double> point(static_cast<std::size_t>(map.dimension()));
   double rays = 0.0;
   for (std::uint64_t k = 0; k < kRays; ++k) {
