@@ -58,9 +58,22 @@ std::vector<CoreForm::Piece> core_pieces(const ExactForm& exact) {
   return pieces;
 }
 
+// A polytope with a table, whose vertices nobody has to copy: along an axis the farthest vertex has the coordinate.
+CoreForm table_form(const ConvexBody& body, const DirectionTable& table) {
+  CoreForm form;
+  form.kind = CoreForm::Kind::table;
+  form.table = table;
+  form.upper = {body.core_support({1, 0, 0}).x, body.core_support({0, 1, 0}).y, body.core_support({0, 0, 1}).z};
+  form.lower = {body.core_support({-1, 0, 0}).x, body.core_support({0, -1, 0}).y, body.core_support({0, 0, -1}).z};
+  return form;
+}
+
 }  // namespace
 
 std::optional<CoreForm> core_form(const ConvexBody& body) {
+  if (body.is_rounded_polytope() && body.may_have_direction_table()) {
+    if (const std::optional<DirectionTable> table = body.direction_table()) return table_form(body, *table);
+  }
   const std::optional<ExactForm> exact = body.exact_form();
   if (!exact) return std::nullopt;
   CoreForm form;
@@ -90,8 +103,7 @@ std::optional<CoreForm> core_form(const ConvexBody& body) {
   for (const Vec3d& p : exact->points) extend(form, p, p);
   if (is_box(exact->points, form.lower, form.upper)) return form;
   if (exact->points.size() > kMostScannedVertices && body.may_have_direction_table()) {
-    form.kind = CoreForm::Kind::table;
-    form.table = body.direction_table().value_or(DirectionTable{});
+    form.kind = CoreForm::Kind::table;  // a null one
     return form;
   }
   if (exact->points.size() > kMostScannedVertices) return std::nullopt;

@@ -183,6 +183,8 @@ MatchingEllipsoid matching_ellipsoid(const ConvexBody& body) {
 }
 
 RadialBody radial_body(const ConvexBody& body) {
+  // Hundreds of directions are asked here and far more by the rays: a table that is made at last had better come first.
+  body.direction_table();
   const MatchingEllipsoid ellipsoid = matching_ellipsoid(body);
   RadialBody found;
   found.centre = ellipsoid.centre;

@@ -5,7 +5,7 @@
 // starts, as the system counts it when it ends. With --beside each takes its turn with the same program of another
 // build. Meshes and poses are made in a temporary folder.
 #include <fcntl.h>
-#include <spawn.h>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -49,6 +49,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kSteps = "steps";  // of --only: the table of the steps of one mesh
+constexpr int kNotStarted = 127;         // the exit code, as a shell's
 constexpr double kSizes[] = {100.0, 1e4, 1e6};
 
 struct Settings {
@@ -73,6 +74,7 @@ struct Command {
 
 struct Taken {
   double processor_ns = 0.0, wall_ns = 0.0;
+  double peak_bytes = 0.0;  // of the process or of the file reader that it starts, whichever had more
 };
 
 double ns_of(const rusage& usage) {
@@ -105,23 +107,29 @@ Taken run(const std::string& program, const std::vector<std::string>& words) {
   std::vector<char*> pointers;
   for (std::string& word : all) pointers.push_back(word.data());
   pointers.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
-    posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_WRONLY, 0);
-  }
+  // A process starts with the peak of the one that it is a copy of: this one's meshes must not be in it. (posix_spawn
+  // would share this one's memory, and its peak of all times.)
+  malloc_trim(0);
   const double start = wall_ns();
-  pid_t id = 0;
-  const int error = posix_spawn(&id, program.c_str(), &actions, nullptr, pointers.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) throw UsageError("a program is missing (" + program + ") - build it");
+  const pid_t id = fork();
+  if (id < 0) throw std::runtime_error("no process can be started");
+  if (id == 0) {
+    const int nothing = open("/dev/null", O_WRONLY);
+    if (nothing >= 0 && dup2(nothing, STDOUT_FILENO) >= 0 && dup2(nothing, STDERR_FILENO) >= 0) {
+      execv(program.c_str(), pointers.data());
+    }
+    _exit(kNotStarted);
+  }
   int status = 0;
   rusage usage{};
   while (wait4(id, &status, 0, &usage) < 0 && errno == EINTR) kill(id, SIGTERM);
   const double wall = wall_ns() - start;
   stop_if_interrupted();
+  if (WIFEXITED(status) && WEXITSTATUS(status) == kNotStarted) {
+    throw UsageError("a program is missing (" + program + ") - build it");
+  }
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error("a program failed (" + program + ")");
-  return {ns_of(usage), wall};
+  return {ns_of(usage), wall, 1024.0 * static_cast<double>(usage.ru_maxrss)};
 }
 
 /// Of this process and of those that it started and that have ended.
@@ -136,12 +144,15 @@ std::string shown(double ns) {
   return short_number(ns / (ns >= 1e9 ? 1e9 : ns >= 1e6 ? 1e6 : ns >= 1e3 ? 1e3 : 1.0), 3) + unit;
 }
 
+std::string mebibytes(double bytes) { return std::to_string(std::lround(bytes / 0x1p20)); }
+
 /// A row of the table: the programs of `beside`, if given, and of this build in turns.
 Json measure(const Command& command, const Settings& settings) {
   std::vector<std::string> folders;
   if (!settings.beside.empty()) folders.push_back(settings.beside);
   folders.emplace_back(VEX_PROGRAMS);
   std::vector<Timing> processor(folders.size()), wall(folders.size());
+  std::vector<double> peak(folders.size());
   for (int round = -1; round < settings.n_rounds; ++round) {  // the first fills caches and does not count
     for (std::size_t k = 0; k < folders.size(); ++k) {
       const std::size_t which = (k + static_cast<std::size_t>(round + 1)) % folders.size();
@@ -149,18 +160,23 @@ Json measure(const Command& command, const Settings& settings) {
       if (round < 0) continue;
       processor[which].ns.push_back(taken.processor_ns / command.n);
       wall[which].ns.push_back(taken.wall_ns / command.n);
+      peak[which] = std::max(peak[which], taken.peak_bytes);
     }
   }
   const std::size_t own = folders.size() - 1;
   std::string line = "| " + command.name + " | ";
   if (own > 0) line += shown(processor[0].median()) + " | ";
   line += shown(processor[own].median()) + " (" + short_number(100.0 * processor[own].spread(), 2) + " %) | " +
-          shown(wall[own].median()) + " |";
-  if (own > 0) line += " " + short_number(ratio(processor[0], processor[own]), 3) + " |";
+          shown(wall[own].median()) + " | ";
+  if (own > 0) line += short_number(ratio(processor[0], processor[own]), 3) + " | " + mebibytes(peak[0]) + " / ";
+  line += mebibytes(peak[own]) + " MiB |";
   settings.print(line + "\n");
-  Json row = {{"name", command.name}, {"processor", timing_json(processor[own])}, {"wall", timing_json(wall[own])}};
+  Json row = {{"name", command.name},
+              {"processor", timing_json(processor[own])},
+              {"wall", timing_json(wall[own])},
+              {"peak_bytes", peak[own]}};
   if (own > 0) {
-    row["beside"] = {{"processor", timing_json(processor[0])}, {"wall", timing_json(wall[0])}};
+    row["beside"] = {{"processor", timing_json(processor[0])}, {"wall", timing_json(wall[0])}, {"peak_bytes", peak[0]}};
     row["times"] = ratio(processor[0], processor[own]);
   }
   return row;
@@ -362,8 +378,9 @@ Json measure_all(const Settings& settings) {
   settings.print(processor() + "; g++ " + __VERSION__ + "\n");
   if (!commands.empty()) {
     const bool beside = !settings.beside.empty();
-    settings.print(std::string("\n| what | ") + (beside ? "before | " : "") + "processor time | wall |" +
-                   (beside ? " before / now |" : "") + "\n|---|---:|---:|" + (beside ? "---:|---:|" : "") + "\n");
+    settings.print(std::string("\n| what | ") + (beside ? "before | " : "") + "processor time | wall | " +
+                   (beside ? "before / now | " : "") + "peak memory |\n|---|---:|---:|---:|" +
+                   (beside ? "---:|---:|" : "") + "\n");
   }
   Json rows = Json::array();
   for (const Command& command : commands) rows.push_back(measure(command, settings));
