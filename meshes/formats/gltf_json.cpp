@@ -1,8 +1,10 @@
 #include "meshes/formats/gltf_json.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <system_error>
 #include <utility>
 
 namespace vex {
@@ -70,6 +72,11 @@ class Walker {
   std::optional<GltfSummary> summary() {
     if (!walk()) return std::nullopt;
     if (has_old_buffers_ && summary_.version.empty()) summary_.version = "1.0";
+    const auto misread = std::ranges::find_if(uses_, [this](const Use& use) { return !is_readable(use); });
+    if (misread != uses_.end()) {
+      summary_.misread_accessor = std::string(misread->is_positions ? "POSITION" : "indices") + ", accessor " +
+                                  std::string(misread->accessor.substr(0, 20));
+    }
     return std::move(summary_);
   }
 
@@ -79,6 +86,24 @@ class Walker {
     std::string_view key;  // of the member at hand
   };
   static constexpr std::size_t kDeepest = 1000;
+  struct Accessor {
+    std::string_view component_type, type;
+  };
+  struct Use {
+    bool is_positions = false;
+    std::string_view accessor;
+  };
+
+  /// assimp copies an element's bytes as if they were of the type that it expects.
+  bool is_readable(const Use& use) const {
+    std::size_t k = 0;
+    const char* const end = use.accessor.data() + use.accessor.size();
+    const auto [last, error] = std::from_chars(use.accessor.data(), end, k);
+    if (error != std::errc() || last != end || k >= accessors_.size()) return false;
+    const auto& [component_type, type] = accessors_[k];
+    if (use.is_positions) return component_type == "5126" && type == "VEC3";
+    return (component_type == "5121" || component_type == "5123" || component_type == "5125") && type == "SCALAR";
+  }
 
   bool walk() {
     bool has_value = false;  // the value before the next comma or end has been seen
@@ -89,6 +114,7 @@ class Walker {
       if (c == '{' || c == '[') {
         if (has_value || levels_.size() == kDeepest) return false;
         has_old_buffers_ = has_old_buffers_ || (c == '{' && path_is("buffers") && levels_.size() == 1);
+        if (c == '{' && path_is("accessors") && levels_.size() == 2) accessors_.emplace_back();
         levels_.push_back({c == '{', {}});
         ++at_;
       } else if (c == '}' || c == ']') {
@@ -155,6 +181,14 @@ class Walker {
         raw.substr(0, raw.find_first_of("eE")).find_first_of("123456789") != std::string_view::npos) {
       summary_.unread = "morph targets";
     }
+    if (levels_.size() == 3 && path_is("accessors") && !accessors_.empty()) {
+      if (levels_[2].key == "componentType" && !is_string) accessors_.back().component_type = raw;
+      if (levels_[2].key == "type" && is_string) accessors_.back().type = raw;
+    }
+    if (path_is("meshes") && levels_.size() >= 5 && levels_[2].key == "primitives") {
+      const bool is_positions = levels_.size() == 6 && levels_[4].key == "attributes" && levels_[5].key == "POSITION";
+      if (is_positions || (levels_.size() == 5 && levels_[4].key == "indices")) uses_.push_back({is_positions, raw});
+    }
     if (levels_.size() == 2 && path_is("asset") && levels_[1].key == "version") {
       summary_.version = is_string ? unescaped(raw) : std::string(raw);
     } else if (levels_.size() == 2 && path_is("extensionsRequired") && is_string) {
@@ -169,6 +203,8 @@ class Walker {
   std::size_t at_ = 0;
   std::vector<Level> levels_;
   GltfSummary summary_;
+  std::vector<Accessor> accessors_;
+  std::vector<Use> uses_;         // by the meshes
   bool has_old_buffers_ = false;  // glTF 1 has objects by name where glTF 2 has arrays
 };
 

@@ -105,6 +105,15 @@ void add_refusals(Rows* rows) {
   rows->refused("the buffer is a folder higher", gltf_text(body, {.uri = "../body.bin"}));
   rows->refused("more points announced than there are", replaced(text, "\"count\": 8", "\"count\": 80000"));
   rows->refused("more corners announced than there are", replaced(text, "\"count\": 36", "\"count\": 36000"));
+  // assimp would take the bytes for floats, of 16-bit positions and of pairs, and for what is no index.
+  const std::string no_floats = "positions are no 32-bit floats in threes";
+  rows->refused("positions of 16 bits", replaced(text, "\"componentType\": 5126", "\"componentType\": 5123"),
+                {no_floats, "POSITION, accessor 0"});
+  rows->refused("positions in pairs", replaced(text, "\"VEC3\"", "\"VEC2\""), {no_floats});
+  rows->refused("indices that are floats", replaced(text, "\"componentType\": 5125", "\"componentType\": 5126"),
+                {no_floats, "indices, accessor 1"});
+  rows->refused("positions of an accessor that is not there", replaced(text, "\"POSITION\": 0", "\"POSITION\": 7"),
+                {no_floats, "POSITION, accessor 7"});
   Solid wrong = body;
   wrong.faces[2][1] = 8;
   rows->no_body("an index beyond the points", gltf_embedded(wrong));
