@@ -6,10 +6,14 @@
 #include <cmath>
 #include <concepts>
 #include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/numeric/errors.h"
 #include "shapes/box.h"
 #include "shapes/capsule.h"
+#include "shapes/closest_word.h"
 #include "shapes/cone.h"
 #include "shapes/cylinder.h"
 #include "shapes/disc.h"
@@ -91,19 +95,49 @@ bool is_rounded(std::string_view text) {
   return name_part(text).size() < text.size() && name_part(text) == kRounded.name;
 }
 
+std::string usage_of(const NamedShape& shape) { return std::string(shape.name) + ":" + std::string(shape.parameters); }
+
 std::string list_of_shapes() {
   std::string list;
   for (const NamedShape& shape : named_shapes()) {
     if (!list.empty()) list += ", ";
-    list += std::string(shape.name) + ":" + std::string(shape.parameters);
+    list += usage_of(shape);
   }
   return list;
 }
 
+/// Other names that bodies of the list go by.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kOtherNames{{{"ball", "sphere"},
+                                                                                     {"cube", "box"},
+                                                                                     {"cuboid", "box"},
+                                                                                     {"brick", "box"},
+                                                                                     {"hexahedron", "box"},
+                                                                                     {"spheroid", "ellipsoid"},
+                                                                                     {"spherocylinder", "capsule"},
+                                                                                     {"pill", "capsule"},
+                                                                                     {"square", "plate"},
+                                                                                     {"rectangle", "plate"},
+                                                                                     {"segment", "needle"},
+                                                                                     {"line", "needle"}}};
+
+[[noreturn]] void refuse_name(std::string_view name, std::string_view text) {
+  std::vector<std::string> words;
+  for (const NamedShape& shape : named_shapes()) words.emplace_back(shape.name);
+  for (const auto& [other, same] : kOtherNames) words.emplace_back(other);
+  std::string meant = closest_word(name, words);
+  const auto* const other =
+      std::ranges::find(kOtherNames, std::string_view(meant), [](const auto& o) { return o.first; });
+  if (other != kOtherNames.end()) meant = other->second;
+  std::string advice = "there are " + list_of_shapes();
+  for (const NamedShape& shape : named_shapes()) {
+    if (shape.name == meant) advice = "did you mean " + usage_of(shape) + "? There are " + list_of_shapes();
+  }
+  throw UsageError("no body of this name (" + std::string(text) + ") - " + advice);
+}
+
 [[noreturn]] void refuse_count(std::size_t n_sizes, std::string_view text, const NamedShape& shape) {
   throw UsageError("wrong number of sizes (" + std::to_string(n_sizes) + " in " + std::string(text) + ") - write " +
-                   std::string(shape.name) + ":" + std::string(shape.parameters) + " (" + std::string(shape.meaning) +
-                   ")");
+                   usage_of(shape) + " (" + std::string(shape.meaning) + ")");
 }
 
 // "between 1e-45 and 1e45"
@@ -187,9 +221,7 @@ MeasuredBody parse_shape(std::string_view text, double scale, const SizeRange& r
   const std::string_view name = name_part(text);
   const auto* const entry =
       std::ranges::find_if(kShapes, [&](const Entry& candidate) { return candidate.shape.name == name; });
-  if (entry == kShapes.end()) {
-    throw UsageError("no body of this name (" + std::string(text) + ") - there are " + list_of_shapes());
-  }
+  if (entry == kShapes.end()) refuse_name(name, text);
   std::vector<double> sizes;
   std::string_view rest = text.substr(std::min(name.size() + 1, text.size()));
   if (rest.empty()) refuse_count(0, text, entry->shape);

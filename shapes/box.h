@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
+#include "engine/support/checked_input.h"
 #include "engine/support/exact_form.h"
 #include "engine/support/generators.h"
 #include "engine/support/support_mapping.h"
@@ -18,9 +18,9 @@ namespace vex {
 class Box {
  public:
   /// Full edges. Their halves are exact, so the eight vertices are exactly (+-a/2, +-b/2, +-c/2).
-  Box(double edge_x, double edge_y, double edge_z) : half_{0.5 * edge_x, 0.5 * edge_y, 0.5 * edge_z} {
-    VEX_EXPECT(edge_x > 0.0 && edge_y > 0.0 && edge_z > 0.0);
-  }
+  Box(double edge_x, double edge_y, double edge_z)
+      : half_{0.5 * checked_size(edge_x, "an edge of a box"), 0.5 * checked_size(edge_y, "an edge of a box"),
+              0.5 * checked_size(edge_z, "an edge of a box")} {}
 
   /// A vertex picked by signs: exact.
   template <class L>

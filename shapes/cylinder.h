@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/support/checked_input.h"
 #include "engine/support/combinators.h"
 #include "shapes/measures.h"
 #include "shapes/normal_measure.h"
@@ -13,9 +14,9 @@ namespace vex {
 
 class Cylinder {
  public:
-  Cylinder(double length, double radius) : half_length_(0.5 * length), radius_(radius) {
-    VEX_EXPECT(length > 0.0 && radius > 0.0);
-  }
+  Cylinder(double length, double radius)
+      : half_length_(0.5 * checked_size(length, "the length of a cylinder")),
+        radius_(checked_size(radius, "the radius of a cylinder")) {}
 
   template <class L>
   Vec3<L> support(const Vec3<L>& dir) const {

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
+#include "engine/support/checked_input.h"
 #include "shapes/measures.h"
 #include "shapes/normal_measure.h"
 #include "shapes/polytope.h"
@@ -46,7 +46,7 @@ class Dodecahedron : public Polytope {
     return dirs;
   }
   static std::vector<Vec3d> corners(double edge) {
-    VEX_EXPECT(edge > 0.0);
+    checked_size(edge, "the edge of a dodecahedron");
     const double a = edge * (0.5 * std::numbers::phi);  // half the edge of the cube
     const double p = a * std::numbers::phi, q = 0.5 * edge;
     std::vector<Vec3d> v;

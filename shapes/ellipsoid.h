@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "engine/support/checked_input.h"
 #include "engine/support/combinators.h"
 #include "shapes/measures.h"
 #include "shapes/normal_measure.h"
@@ -11,8 +12,10 @@ namespace vex {
 
 class Ellipsoid {
  public:
-  Ellipsoid(double semi_axis_x, double semi_axis_y, double semi_axis_z) : axes_{semi_axis_x, semi_axis_y, semi_axis_z} {
-    VEX_EXPECT(semi_axis_x > 0.0 && semi_axis_y > 0.0 && semi_axis_z > 0.0);
+  Ellipsoid(double semi_axis_x, double semi_axis_y, double semi_axis_z)
+      : axes_{checked_size(semi_axis_x, "a semi-axis of an ellipsoid"),
+              checked_size(semi_axis_y, "a semi-axis of an ellipsoid"),
+              checked_size(semi_axis_z, "a semi-axis of an ellipsoid")} {
     scaled_axes_ = scaled_to_unit_exponent(axes_);
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/support/checked_input.h"
 #include "engine/support/combinators.h"
 #include "shapes/measures.h"
 #include "shapes/normal_measure.h"
@@ -15,8 +16,10 @@ class Frustum {
  public:
   /// `lower_radius` at z = -H/2, `upper_radius` at z = H/2. One of them may be 0: a cone.
   Frustum(double height, double lower_radius, double upper_radius)
-      : height_(height), lower_radius_(lower_radius), upper_radius_(upper_radius) {
-    VEX_EXPECT(height > 0.0 && lower_radius >= 0.0 && upper_radius >= 0.0 && lower_radius + upper_radius > 0.0);
+      : height_(checked_size(height, "the height of a cone or frustum")),
+        lower_radius_(checked_size_or_zero(lower_radius, "a radius of a cone or frustum")),
+        upper_radius_(checked_size_or_zero(upper_radius, "a radius of a cone or frustum")) {
+    checked_size(lower_radius + upper_radius, "the larger radius of a cone or frustum");
     place_centre();
   }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/support/checked_input.h"
 #include "engine/support/combinators.h"
 #include "shapes/measures.h"
 #include "shapes/normal_measure.h"
@@ -12,7 +13,7 @@ namespace vex {
 
 class Hemisphere {
  public:
-  explicit Hemisphere(double radius) : radius_(radius) { VEX_EXPECT(radius > 0.0); }
+  explicit Hemisphere(double radius) : radius_(checked_size(radius, "the radius of a hemisphere")) {}
 
   /// On the dome for directions upwards, on the rim for all others.
   template <class L>

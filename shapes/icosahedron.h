@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
+#include "engine/support/checked_input.h"
 #include "shapes/measures.h"
 #include "shapes/normal_measure.h"
 #include "shapes/polytope.h"
@@ -50,7 +50,7 @@ class Icosahedron : public Polytope {
     return dirs;
   }
   static std::vector<Vec3d> corners(double edge) {
-    VEX_EXPECT(edge > 0.0);
+    checked_size(edge, "the edge of an icosahedron");
     const double q = 0.5 * edge, p = q * std::numbers::phi;
     std::vector<Vec3d> v;
     for (const double s : {-1.0, 1.0}) {

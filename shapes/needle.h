@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/numeric/expect.h"
+#include "engine/support/checked_input.h"
 #include "engine/support/exact_form.h"
 #include "engine/support/generators.h"
 #include "engine/support/support_mapping.h"
@@ -15,7 +15,7 @@ namespace vex {
 
 class Needle {
  public:
-  explicit Needle(double length) : half_length_(0.5 * length) { VEX_EXPECT(length > 0.0); }
+  explicit Needle(double length) : half_length_(0.5 * checked_size(length, "the length of a needle")) {}
 
   /// One of the two ends: exact.
   template <class L>

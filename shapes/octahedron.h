@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
+#include "engine/support/checked_input.h"
 #include "shapes/measures.h"
 #include "shapes/normal_measure.h"
 #include "shapes/polytope.h"
@@ -44,7 +44,7 @@ class Octahedron : public Polytope {
     return dirs;
   }
   static std::vector<Vec3d> corners(double edge) {
-    VEX_EXPECT(edge > 0.0);
+    checked_size(edge, "the edge of an octahedron");
     const double a = edge * (0.5 * std::numbers::sqrt2);
     return {{-a, 0, 0}, {a, 0, 0}, {0, -a, 0}, {0, a, 0}, {0, 0, -a}, {0, 0, a}};
   }

@@ -4,8 +4,8 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
+#include "engine/support/checked_input.h"
 #include "engine/support/exact_form.h"
 #include "engine/support/generators.h"
 #include "engine/support/support_mapping.h"
@@ -17,9 +17,9 @@ namespace vex {
 class Plate {
  public:
   /// Full edges. Their halves are exact, so the four vertices are exactly (+-a/2, +-b/2, 0).
-  Plate(double edge_x, double edge_y) : half_x_(0.5 * edge_x), half_y_(0.5 * edge_y) {
-    VEX_EXPECT(edge_x > 0.0 && edge_y > 0.0);
-  }
+  Plate(double edge_x, double edge_y)
+      : half_x_(0.5 * checked_size(edge_x, "an edge of a plate")),
+        half_y_(0.5 * checked_size(edge_y, "an edge of a plate")) {}
 
   /// A vertex picked by signs: exact.
   template <class L>

@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "engine/numeric/errors.h"
-#include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
+#include "engine/support/checked_input.h"
 
 namespace vex {
 
 Polytope::Polytope(std::span<const Vec3d> vertices, const Vec3d& centre, double inradius)
     : centre_(centre), inradius_(inradius) {
-  VEX_EXPECT(inradius >= 0.0);
+  checked_size_or_zero(inradius, "the inradius of a polytope");
   if (vertices.empty()) throw InputError("a polytope has no vertex - give at least one point");
   double farthest = 0.0, largest = 0.0;
   for (const Vec3d& v : vertices) {

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/support/checked_input.h"
 #include "engine/support/combinators.h"
 #include "shapes/measures.h"
 #include "shapes/normal_measure.h"
@@ -44,9 +45,8 @@ template <SupportMapping Body>
 class Rounded : public Inflated<Body> {
  public:
   Rounded(Body body, const Measures& body_measures, double radius)
-      : Inflated<Body>(std::move(body), radius), measures_(parallel_body_measures(body_measures, radius)) {
-    VEX_EXPECT(radius > 0.0);
-  }
+      : Inflated<Body>(std::move(body), checked_size(radius, "the radius of a rounded body")),
+        measures_(parallel_body_measures(body_measures, radius)) {}
 
   Measures measures() const { return measures_; }
 

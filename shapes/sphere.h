@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "engine/support/checked_input.h"
 #include "engine/support/combinators.h"
 #include "shapes/measures.h"
 #include "shapes/normal_measure.h"
@@ -11,7 +12,7 @@ namespace vex {
 
 class Sphere {
  public:
-  explicit Sphere(double radius) : radius_(radius) { VEX_EXPECT(radius > 0.0); }
+  explicit Sphere(double radius) : radius_(checked_size(radius, "the radius of a sphere")) {}
 
   template <class L>
   Vec3<L> support(const Vec3<L>& dir) const {

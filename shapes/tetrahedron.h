@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
+#include "engine/support/checked_input.h"
 #include "shapes/measures.h"
 #include "shapes/normal_measure.h"
 #include "shapes/polytope.h"
@@ -36,7 +36,7 @@ class Tetrahedron : public Polytope {
   /// The faces look away from the corners opposite.
   static std::vector<Vec3d> face_directions() { return {{-1, -1, -1}, {-1, 1, 1}, {1, -1, 1}, {1, 1, -1}}; }
   static std::vector<Vec3d> corners(double edge) {
-    VEX_EXPECT(edge > 0.0);
+    checked_size(edge, "the edge of a tetrahedron");
     const double a = edge * (0.25 * std::numbers::sqrt2);  // half the edge of the cube
     return {{a, a, a}, {a, -a, -a}, {-a, a, -a}, {-a, -a, a}};
   }

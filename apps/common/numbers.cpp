@@ -38,12 +38,6 @@ std::string tidy_exponent(std::string text) {
 
 }  // namespace
 
-std::string shortest_number(double value) {
-  char text[32];
-  const auto result = std::to_chars(text, text + sizeof text, value);
-  return {text, result.ptr};
-}
-
 std::string fixed_number(int decimals, double value) {
   char text[512];  // the largest double has 309 digits before the point
   std::snprintf(text, sizeof text, "%.*f", decimals, value);

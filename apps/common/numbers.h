@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "engine/numeric/number_text.h"
+
 namespace vex {
 
 /// A whole number, also written like 1e7 or 2.5e6; throws UsageError where it is not whole, negative, or above 2^64
@@ -26,9 +28,6 @@ std::string with_error(double value, double std_error);
 
 /// Up to `digits` significant digits, no trailing zeros.
 std::string short_number(double value, int digits = 10);
-
-/// The shortest text that reads back as the same double.
-std::string shortest_number(double value);
 
 /// So many digits after the point, without an exponent.
 std::string fixed_number(int decimals, double value);

@@ -18,6 +18,7 @@
 #include "apps/common/interrupt.h"
 #include "apps/common/text.h"
 #include "engine/numeric/errors.h"
+#include "shapes/closest_word.h"
 
 namespace vex {
 namespace {
@@ -66,36 +67,13 @@ std::string problem_in_words(CLI::App& app, const CLI::ParseError& error) {
   return text;
 }
 
-// The number of edits between two words (Levenshtein), for "did you mean".
-std::size_t distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
-    }
-  }
-  return row.back();
-}
-
 std::string suggestion(const CLI::App& app, const std::string& mistyped) {
-  const std::string word = mistyped.substr(0, mistyped.find('='));
-  std::string best;
-  std::size_t least = word.size() / 3 + 1;
+  std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) {
-      const std::size_t edits = distance(word, "--" + name);
-      if (edits < least) {
-        least = edits;
-        best = "--" + name;
-      }
-    }
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
-  return best.empty() ? std::string() : " - did you mean " + best + "?";
+  const std::string meant = closest_word(mistyped.substr(0, mistyped.find('=')), names);
+  return meant.empty() ? std::string() : " - did you mean " + meant + "?";
 }
 
 }  // namespace

@@ -34,7 +34,9 @@ std::optional<Transformd> pose_of_words(const PairCommandLine& words) {
 
 void declare_options(OptionParser& options, PairCommandLine& words) {
   options.add_option("A", words.a, kBodyHelp).type_name("").required();
-  options.add_option("B", words.b, "The second body").type_name("").required();
+  options.add_option("B", words.b, "The second body, as A is named; vex_pair box:1,1,1 box:1,1,1 for two alike")
+      .type_name("")
+      .required();
 
   const std::string pose = "B's pose in A's frame, R x + t (in one of three ways)";
   options

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "apps/common/numbers.h"
@@ -100,22 +99,6 @@ Transformd with_translation(Transformd rotation, const Vec3d& translation) {
   return rotation;
 }
 
-// Largest magnitude of an entry of R^T R - 1; what is not finite counts as infinite.
-double distance_from_rotation(const Transformd& pose) {
-  const std::array<Vec3d, 3> columns = {{{pose.row_x.x, pose.row_y.x, pose.row_z.x},
-                                         {pose.row_x.y, pose.row_y.y, pose.row_z.y},
-                                         {pose.row_x.z, pose.row_y.z, pose.row_z.z}}};
-  double largest = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = i; j < 3; ++j) {
-      const double off = std::fabs(dot(columns[i], columns[j]) - (i == j ? 1.0 : 0.0));
-      if (!std::isfinite(off)) return std::numeric_limits<double>::infinity();
-      largest = std::max(largest, off);
-    }
-  }
-  return largest;
-}
-
 }  // namespace
 
 double pose_number(std::string_view text, std::string_view name) {
@@ -182,22 +165,11 @@ Transformd pose_of_row(std::string_view line, PoseFormat format) {
 Transformd pose_of_matrix(const std::array<double, 12>& numbers) {
   const auto vec = [&numbers](std::size_t k) { return Vec3d{numbers[k], numbers[k + 1], numbers[k + 2]}; };
   const Transformd pose{vec(0), vec(3), vec(6), vec(9)};
-  const double off = distance_from_rotation(pose);
-  if (!(off <= kRotationTolerance)) {
-    throw InputError("not a rotation (max|R^T R - 1| = " + short_number(off, 6) + ", and " +
-                     short_number(kRotationTolerance) + " is allowed) - give more digits, or a quaternion");
-  }
-  if (dot(cross(pose.row_x, pose.row_y), pose.row_z) < 0.0) {
-    throw InputError("a reflection is no pose (the determinant of R is negative) - mirror the body instead");
-  }
-  return pose;
+  return Pose(pose).a_from_b();
 }
 
 Transformd pose_of_quaternion(const std::array<double, 4>& wxyz, const Vec3d& translation) {
   const auto [w, x, y, z] = wxyz;
-  if (w == 0.0 && x == 0.0 && y == 0.0 && z == 0.0) {
-    throw InputError("a quaternion of length 0 (all four numbers are 0) - any other length will do");
-  }
   return with_translation(rotation_from_quaternion(w, x, y, z), translation);
 }
 

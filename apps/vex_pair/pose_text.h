@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/numeric/transform.h"
+#include "engine/numeric/pose.h"
 
 namespace vex {
 
@@ -19,9 +19,6 @@ enum class PoseFormat {
 
 /// Both headers, as messages and the help show them.
 inline constexpr const char* kHeaders = "r11,r12,r13,r21,r22,r23,r31,r32,r33,tx,ty,tz or tx,ty,tz,qw,qx,qy,qz";
-
-/// A matrix whose R^T R has an entry farther than this from that of the unit matrix is no rotation.
-inline constexpr double kRotationTolerance = 1e-6;
 
 /// Throws InputError where the columns are not those of a format, in its order. Blanks around a name do not count.
 PoseFormat format_of_header(std::string_view line);
@@ -37,7 +34,7 @@ double pose_number(std::string_view text, std::string_view name);
 void read_numbers(std::string_view text, std::string_view option, std::span<double> numbers);
 
 /// r11, r12, ... r33, tx, ty, tz, taken as they are. Throws InputError where R is not a rotation to within
-/// kRotationTolerance, or mirrors.
+/// Pose::kRotationTolerance, or mirrors.
 Transformd pose_of_matrix(const std::array<double, 12>& numbers);
 
 /// Of a quaternion w, x, y, z of any length but 0 (engine/numeric/quaternion.h). Throws InputError for 0.

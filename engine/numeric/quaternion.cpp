@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "engine/numeric/errors.h"
+
 namespace vex {
 namespace {
 
@@ -54,7 +56,10 @@ double correctly_rounded_norm(const std::array<double, 4>& components) {
 
 Transformd rotation_from_quaternion(double w, double x, double y, double z) {
   const double largest = std::max({std::fabs(w), std::fabs(x), std::fabs(y), std::fabs(z)});
-  VEX_EXPECT(std::isfinite(largest) && largest > 0.0);
+  if (!(std::isfinite(w) && std::isfinite(x) && std::isfinite(y) && std::isfinite(z))) {
+    throw InputError("a quaternion is not finite - give finite numbers");
+  }
+  if (largest == 0.0) throw InputError("a quaternion of length 0 (all four numbers are 0) - any other length will do");
   int exponent = 0;
   std::frexp(largest, &exponent);
   for (double* const c : {&w, &x, &y, &z}) *c = std::ldexp(*c, -exponent);

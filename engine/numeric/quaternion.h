@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "engine/numeric/double_double.h"
-#include "engine/numeric/expect.h"
 #include "engine/numeric/transform.h"
 
 namespace vex {
@@ -18,9 +17,10 @@ namespace vex {
 /// trifle.
 double correctly_rounded_norm(const std::array<double, 4>& components);
 
-/// R of the quaternion w + xi + yj + zk, which need not have length 1 but must be finite and not zero: divided by its
+/// R of the quaternion w + xi + yj + zk, which need not have length 1: divided by its
 /// correctly rounded norm, then R = [1-2(yy+zz), 2(xy-wz), ...], unfused, in that order. The components may have any
-/// magnitude: they are scaled by a power of two first, which changes nothing but over- and underflow.
+/// magnitude: they are scaled by a power of two first, which changes nothing but over- and underflow. Throws InputError
+/// for the quaternion 0 and where one is not finite.
 Transformd rotation_from_quaternion(double w, double x, double y, double z);
 
 }  // namespace vex

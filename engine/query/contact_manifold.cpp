@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "engine/numeric/directions.h"
-#include "engine/numeric/expect.h"
+#include "engine/numeric/errors.h"
 #include "engine/numeric/rounding.h"
 #include "engine/query/planar_polygon.h"
 
@@ -278,11 +278,14 @@ std::optional<std::vector<Vec3d>> vertices_of_core(const ConvexBody& body) {
 
 }  // namespace
 
-ContactManifold contact_manifold(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, double margin,
+ContactManifold contact_manifold(const ConvexBody& a, const ConvexBody& b, const Pose& pose, double margin,
                                  double feature_angle) {
-  VEX_EXPECT(margin >= 0.0 && feature_angle >= 0.0);
+  const Transformd& a_from_b = pose.a_from_b();
+  if (!(margin >= 0.0) || !(feature_angle >= 0.0)) {
+    throw UsageError("the margin or the angle of a contact manifold is negative or no number - give one from 0 up");
+  }
   ContactManifold manifold;
-  manifold.separation = signed_distance(a, b, a_from_b);
+  manifold.separation = signed_distance(a, b, pose);
   const Separation& found = manifold.separation;
   if (found.lower > margin || !found.has_witnesses) return manifold;
   const std::optional<std::vector<Vec3d>> vertices_a = vertices_of_core(a);

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/numeric/transform.h"
+#include "engine/numeric/pose.h"
 #include "engine/query/separation.h"
 #include "engine/support/convex_body.h"
 
@@ -28,7 +28,7 @@ struct ContactManifold {
 /// to be at the signed distance. The faces are the vertices within `feature_angle` radians of the plane across the
 /// normal; one face is clipped by the sides of the other (I. Sutherland, G. Hodgman, 1974). `margin`: contacts are
 /// given up to this gap.
-ContactManifold contact_manifold(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
-                                 double margin = 0.0, double feature_angle = 0.01);
+ContactManifold contact_manifold(const ConvexBody& a, const ConvexBody& b, const Pose& pose, double margin = 0.0,
+                                 double feature_angle = 0.01);
 
 }  // namespace vex

@@ -46,7 +46,8 @@ class ExactMotion {
       if (!moved || norm_1(pose(v) - *moved) != 0.0) return std::nullopt;
     }
     OverlapCertificate certificate;
-    const Verdict verdict = overlap(a_, b_, pose, &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
+    const Verdict verdict =
+        overlap(a_, b_, Pose::unchecked(pose), &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
     n_support_calls_ += certificate.n_support_calls;
     if (verdict.outcome == Outcome::undecided) return std::nullopt;
     return verdict.outcome == Outcome::overlap;

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "engine/numeric/directions.h"
-#include "engine/numeric/expect.h"
+#include "engine/numeric/errors.h"
 #include "engine/numeric/rounding.h"
 #include "engine/numeric/scaled_bound.h"
 #include "engine/query/exact_cast.h"
@@ -32,7 +32,7 @@ struct Point {
 FirstContact no_contact(Verdict verdict) { return {verdict, HUGE_VAL, HUGE_VAL, HUGE_VAL, {}, {}, {}, 0}; }
 
 FirstContact contact_at_start(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, Verdict verdict) {
-  const Separation found = penetration_depth(a, b, a_from_b);
+  const Separation found = penetration_depth(a, b, Pose::unchecked(a_from_b));
   return {verdict, 0.0, 0.0, 0.0, found.normal, found.point_a, found.point_b, found.n_support_calls};
 }
 
@@ -41,7 +41,7 @@ FirstContact contact_at_start(const ConvexBody& a, const ConvexBody& b, const Tr
 void touch_at_start(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Vec3d& motion,
                     const RaySearch::Touch& touch, FirstContact& contact) {
   contact.time = contact.lower;
-  const Separation found = signed_distance(a, b, a_from_b);
+  const Separation found = signed_distance(a, b, Pose::unchecked(a_from_b));
   contact.n_support_calls += found.n_support_calls;
   if (found.has_witnesses && norm_1(found.normal) > 0.0) {
     contact.normal = found.normal;
@@ -65,7 +65,7 @@ void touch_by_balls(const ConvexBody& a, const ConvexBody& b, const Transformd& 
   if (!are_balls) return;
   Transformd pose = a_from_b;
   pose.translation = pose.translation + contact.time * motion;
-  const Separation found = signed_distance(a, b, pose);
+  const Separation found = signed_distance(a, b, Pose::unchecked(pose));
   contact.n_support_calls += found.n_support_calls;
   if (!(dot(found.normal, motion) < 0.0)) return;
   contact.normal = found.normal;
@@ -86,7 +86,7 @@ void decide_exactly(const ConvexBody& a, const ConvexBody& b, const Transformd& 
   // As the bodies stand before they touch; or, where that is no more, as they do.
   Transformd pose = a_from_b;
   pose.translation = pose.translation + contact.lower * motion;
-  const Separation apart = signed_distance(a, b, pose);
+  const Separation apart = signed_distance(a, b, Pose::unchecked(pose));
   contact.n_support_calls += apart.n_support_calls;
   if (dot(apart.normal, motion) < 0.0 || !(norm_1(contact.normal) > 0.0)) contact.normal = apart.normal;
   if (!(norm_1(contact.normal) > 0.0)) contact.normal = unit_along(-motion);
@@ -96,10 +96,13 @@ void decide_exactly(const ConvexBody& a, const ConvexBody& b, const Transformd& 
 
 }  // namespace
 
-FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Vec3d& motion) {
-  VEX_EXPECT(norm_1(motion) > 0.0 && is_finite(motion));
+FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& motion) {
+  const Transformd& a_from_b = pose.a_from_b();
+  if (!(norm_1(motion) > 0.0 && is_finite(motion))) {
+    throw InputError("a direction of motion is zero or not finite - give a finite vector of any other length");
+  }
   OverlapCertificate certificate;
-  const Verdict at_start = overlap(a, b, a_from_b, &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
+  const Verdict at_start = overlap(a, b, pose, &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
   if (at_start.outcome == Outcome::overlap) {
     FirstContact contact = contact_at_start(a, b, a_from_b, at_start);
     if (!(norm_1(contact.normal) > 0.0)) contact.normal = unit_along(-motion);

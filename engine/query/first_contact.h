@@ -2,7 +2,7 @@
 // body that turns while it moves.
 #pragma once
 
-#include "engine/numeric/transform.h"
+#include "engine/numeric/pose.h"
 #include "engine/query/verdict.h"
 #include "engine/support/convex_body.h"
 
@@ -32,7 +32,7 @@ struct FirstContact {
 FirstContact cast_ray(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir);
 
 /// B moving without turning: at time t >= 0 it is where the pose has it plus t * motion.
-FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Vec3d& motion);
+FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& motion);
 
 /// In A's frame; a screw about B's origin, which moves straight.
 struct RigidMotion {
@@ -43,8 +43,7 @@ struct RigidMotion {
 /// B at time t: x -> exp(t [w]) R x + (translation + t v). By conservative advancement (B. Mirtich, 1996): as long as
 /// the bodies' gap is larger than what any point of B can move along the separating direction, they do not touch. Ends
 /// where they touch, once circumscribed balls part for good, or, of a body that only turns, after one turn.
-FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
-                            const RigidMotion& motion);
+FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion);
 
 /// B's pose at a time of the motion.
 Transformd pose_at(const Transformd& a_from_b, const RigidMotion& motion, double time);

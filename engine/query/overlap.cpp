@@ -46,8 +46,9 @@ Verdict decide_by_forms(const PlacedForms& forms, const Verdict& filtered, Overl
 
 }  // namespace
 
-Verdict overlap(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, OverlapCertificate* certificate,
+Verdict overlap(const ConvexBody& a, const ConvexBody& b, const Pose& pose, OverlapCertificate* certificate,
                 int max_support_calls, CertificateDetail detail) {
+  const Transformd& a_from_b = pose.a_from_b();
   FilterResult found = filter_overlap(a, b, a_from_b, max_support_calls);
   Verdict verdict = found.verdict;
   if (certificate != nullptr) {
@@ -66,9 +67,10 @@ Verdict overlap(const ConvexBody& a, const ConvexBody& b, const Transformd& a_fr
   return verdict;
 }
 
-CertificateCheck prove_again(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, Outcome claimed) {
+CertificateCheck prove_again(const ConvexBody& a, const ConvexBody& b, const Pose& pose, Outcome claimed) {
+  const Transformd& a_from_b = pose.a_from_b();
   OverlapCertificate certificate;
-  const Verdict verdict = overlap(a, b, a_from_b, &certificate);
+  const Verdict verdict = overlap(a, b, pose, &certificate);
   if (verdict.outcome != claimed) {
     return {false,
             "the engine says " + std::string(name_of(verdict.outcome)) + ", not " + std::string(name_of(claimed))};

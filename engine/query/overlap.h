@@ -1,7 +1,7 @@
 // Do two convex bodies share a point?
 #pragma once
 
-#include "engine/numeric/transform.h"
+#include "engine/numeric/pose.h"
 #include "engine/query/certificate.h"
 #include "engine/query/verdict.h"
 #include "engine/support/convex_body.h"
@@ -25,12 +25,11 @@ enum class CertificateDetail { full, no_witnesses };
 /// curved parts and touches to within some 1e-26 of the pair's size (docs/stress.md has measured bands), and what has
 /// no exact form and touches to within rounding (E1: 40 u of the pair's reach, more where A - B is a needle or a
 /// plate). `certificate`, if given, receives the proof; of an undecided verdict bounds of the gap.
-Verdict overlap(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
-                OverlapCertificate* certificate = nullptr, int max_support_calls = kMaxSupportCalls,
-                CertificateDetail detail = CertificateDetail::full);
+Verdict overlap(const ConvexBody& a, const ConvexBody& b, const Pose& pose, OverlapCertificate* certificate = nullptr,
+                int max_support_calls = kMaxSupportCalls, CertificateDetail detail = CertificateDetail::full);
 
 /// Proves again what some backend answered: asks `overlap` for the same outcome with its certificate, and the checker
 /// for the certificate. Not proven where the engine answers otherwise, which is then said.
-CertificateCheck prove_again(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, Outcome claimed);
+CertificateCheck prove_again(const ConvexBody& a, const ConvexBody& b, const Pose& pose, Outcome claimed);
 
 }  // namespace vex

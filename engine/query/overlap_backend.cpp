@@ -17,7 +17,7 @@ class GjkBackend final : public OverlapBackend {
   void decide(std::span<const Transformd> a_from_b, std::span<Verdict> verdicts) override {
     VEX_EXPECT(a_from_b.size() == verdicts.size());
     if (!packets_) {
-      for (std::size_t k = 0; k < a_from_b.size(); ++k) verdicts[k] = overlap(a_, b_, a_from_b[k]);
+      for (std::size_t k = 0; k < a_from_b.size(); ++k) verdicts[k] = overlap(a_, b_, Pose::unchecked(a_from_b[k]));
       return;
     }
     for (std::size_t first = 0; first < a_from_b.size(); first += PacketOverlap::kMostTrials) {
@@ -56,7 +56,7 @@ class GjkBackend final : public OverlapBackend {
     }
     if (!any_open) return;
     for (std::size_t k = 0; k < a_from_b.n; ++k) {
-      if (answers_[k] == PacketAnswer::open) verdicts[k] = overlap(a_, b_, a_from_b.pose(k));
+      if (answers_[k] == PacketAnswer::open) verdicts[k] = overlap(a_, b_, Pose::unchecked(a_from_b.pose(k)));
     }
   }
 

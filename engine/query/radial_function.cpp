@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "engine/numeric/expect.h"
+#include "engine/numeric/errors.h"
 #include "engine/numeric/rounding.h"
 #include "engine/numeric/scaled_bound.h"
 #include "engine/query/overlap.h"
@@ -147,7 +147,7 @@ class Bisection {
   }
   Outcome outcome_at(double r) {
     pose_.translation = together_ + r * dir_;
-    return overlap(a_, b_, pose_).outcome;
+    return overlap(a_, b_, Pose::unchecked(pose_)).outcome;
   }
 
   const ConvexBody& a_;
@@ -162,7 +162,9 @@ class Bisection {
 
 RadialBounds radial_function(const ConvexBody& a, const ConvexBody& b, const BodyPoints& points,
                              const Transformd& rotation, const Vec3d& dir, double relative_gap) {
-  VEX_EXPECT(norm_1(dir) > 0.0 && is_finite(dir));
+  if (!(norm_1(dir) > 0.0 && is_finite(dir))) {
+    throw InputError("a direction is zero or not finite - give a finite vector of any other length");
+  }
   // Powers of two in and out again: products of a direction of length 1 to 3.5 with normals, which are areas.
   const int exponent = std::ilogb(std::fmax(std::fabs(dir.x), std::fmax(std::fabs(dir.y), std::fabs(dir.z))));
   const Vec3d scaled_dir = times_power_of_two(dir, -exponent);

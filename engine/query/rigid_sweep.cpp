@@ -136,7 +136,8 @@ bool RigidSweep::meets_at(double time) {
     Transformd moved = pose;
     moved.translation = pose.translation + corner * to;
     OverlapCertificate certificate;
-    const Verdict verdict = overlap(a_, b_, moved, &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
+    const Verdict verdict =
+        overlap(a_, b_, Pose::unchecked(moved), &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
     n_support_calls_ += certificate.n_support_calls;
     if (verdict.outcome != Outcome::overlap) return false;
   }

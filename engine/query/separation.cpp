@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "engine/numeric/directions.h"
-#include "engine/numeric/expect.h"
+#include "engine/numeric/errors.h"
 #include "engine/query/expanding_polytope.h"
 #include "engine/query/extended_difference.h"
 #include "engine/query/nearest_descent.h"
@@ -375,7 +375,8 @@ void conclude(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from
     result.verdict = Verdict::overlap(by);
   } else {
     OverlapCertificate certificate;
-    result.verdict = overlap(a, b, a_from_b, &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
+    result.verdict =
+        overlap(a, b, Pose::unchecked(a_from_b), &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
     result.n_support_calls += certificate.n_support_calls;
     if (result.verdict.outcome == Outcome::disjoint) result.lower = std::max(result.lower, 0.0);
     if (result.verdict.outcome == Outcome::overlap) result.upper = std::min(result.upper, 0.0);
@@ -406,7 +407,9 @@ constexpr double kLeastReach = 0x1p-150, kLargestReach = 0x1p150;
 
 Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, Goal goal,
                       const SeparationSettings& settings, WarmStart* warm_start) {
-  VEX_EXPECT(settings.relative_gap >= 0.0);
+  if (!(settings.relative_gap >= 0.0)) {
+    throw UsageError("the relative gap of a distance is negative or no number - give one from 0 up");
+  }
   const double relative_gap = std::max(settings.relative_gap, are_rounded_polytopes(a, b) ? 0x1p-40 : 1e-9);
   Separation result;
   bool is_capped = false;
@@ -456,19 +459,19 @@ Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd
 
 }  // namespace
 
-Separation signed_distance(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
+Separation signed_distance(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
                            const SeparationSettings& settings, WarmStart* warm_start) {
-  return separation(a, b, a_from_b, Goal::signed_distance, settings, warm_start);
+  return separation(a, b, pose.a_from_b(), Goal::signed_distance, settings, warm_start);
 }
 
-Separation distance(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
-                    const SeparationSettings& settings, WarmStart* warm_start) {
-  return separation(a, b, a_from_b, Goal::distance, settings, warm_start);
+Separation distance(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const SeparationSettings& settings,
+                    WarmStart* warm_start) {
+  return separation(a, b, pose.a_from_b(), Goal::distance, settings, warm_start);
 }
 
-Separation penetration_depth(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
+Separation penetration_depth(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
                              const SeparationSettings& settings, WarmStart* warm_start) {
-  return separation(a, b, a_from_b, Goal::depth, settings, warm_start);
+  return separation(a, b, pose.a_from_b(), Goal::depth, settings, warm_start);
 }
 
 ConvexBody with_margin(const ConvexBody& body, double margin) { return Inflated<ConvexBody>(body, margin); }

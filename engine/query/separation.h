@@ -11,7 +11,7 @@
 #include <cmath>
 #include <memory>
 
-#include "engine/numeric/transform.h"
+#include "engine/numeric/pose.h"
 #include "engine/query/overlap.h"
 #include "engine/query/verdict.h"
 #include "engine/support/convex_body.h"
@@ -63,17 +63,17 @@ struct SeparationSettings {
 ///
 /// R of the pose must be a rotation to within 1e-6. Coordinates between 1e-40 and 1e40, or 0, are answered at full
 /// speed, others by twice the precision.
-Separation signed_distance(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
+Separation signed_distance(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
                            const SeparationSettings& settings = {}, WarmStart* warm_start = nullptr);
 
 /// The same of bodies that are apart. Of bodies that overlap no depth is looked for: signed_distance and upper are 0,
 /// lower is -infinity.
-Separation distance(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
-                    const SeparationSettings& settings = {}, WarmStart* warm_start = nullptr);
+Separation distance(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const SeparationSettings& settings = {},
+                    WarmStart* warm_start = nullptr);
 
 /// The same of bodies that overlap; signed_distance is minus the depth. Of bodies that are apart no distance is looked
 /// for: signed_distance and lower are 0, upper is infinity.
-Separation penetration_depth(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
+Separation penetration_depth(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
                              const SeparationSettings& settings = {}, WarmStart* warm_start = nullptr);
 
 /// The body with a ball of this radius, 0 or more, about each of its points: a margin. `overlap` of it and another body

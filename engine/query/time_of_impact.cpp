@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "engine/numeric/expect.h"
+#include "engine/numeric/errors.h"
 #include "engine/numeric/rounding.h"
 #include "engine/numeric/scaled_bound.h"
 #include "engine/query/first_contact.h"
@@ -90,7 +90,7 @@ class Advancement {
   Separation separation_at(double time, double relative_gap) {
     SeparationSettings settings;
     settings.relative_gap = relative_gap;
-    const Separation found = distance(a_, b_, sweep_.pose(time), settings, &warm_start_);
+    const Separation found = distance(a_, b_, Pose::unchecked(sweep_.pose(time)), settings, &warm_start_);
     n_support_calls_ += found.n_support_calls;
     return found;
   }
@@ -272,15 +272,17 @@ class Advancement {
 
 }  // namespace
 
-FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
-                            const RigidMotion& motion) {
-  VEX_EXPECT(is_finite(motion.velocity) && is_finite(motion.angular_velocity));
+FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion) {
+  const Transformd& a_from_b = pose.a_from_b();
+  if (!is_finite(motion.velocity) || !is_finite(motion.angular_velocity)) {
+    throw InputError("a velocity is not finite - give finite numbers");
+  }
   const bool moves = norm_1(motion.velocity) > 0.0, turns = norm_1(motion.angular_velocity) > 0.0;
-  if (moves && !turns) return linear_cast(a, b, a_from_b, motion.velocity);
+  if (moves && !turns) return linear_cast(a, b, pose, motion.velocity);
   OverlapCertificate certificate;
-  const Verdict at_start = overlap(a, b, a_from_b, &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
+  const Verdict at_start = overlap(a, b, pose, &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
   if (at_start.outcome == Outcome::overlap) {
-    const Separation found = penetration_depth(a, b, a_from_b);
+    const Separation found = penetration_depth(a, b, pose);
     return {at_start,     0.0,           0.0,           0.0,
             found.normal, found.point_a, found.point_b, found.n_support_calls + certificate.n_support_calls};
   }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/numeric/expect.h"
+#include "engine/numeric/errors.h"
 #include "engine/numeric/rounding.h"
 
 namespace vex {
@@ -33,10 +33,14 @@ double error_of_mean(double first, double second, double n) {
   return std::sqrt(variance / std::max(1.0, n - 1.0));
 }
 
+void require_trials(const Tally& tally) {
+  if (tally.n_trials == 0) throw UsageError("there is no estimate without trials - run some");
+}
+
 }  // namespace
 
 Interval95 wilson_interval(std::uint64_t n_hits, std::uint64_t n_trials, double z) {
-  VEX_EXPECT(n_trials > 0 && n_hits <= n_trials);
+  if (n_trials == 0 || n_hits > n_trials) throw UsageError("no share has an interval without trials - count some");
   const double n = static_cast<double>(n_trials);
   const double p = static_cast<double>(n_hits) / n;
   const double z_sq_over_n = z * z / n;
@@ -47,7 +51,7 @@ Interval95 wilson_interval(std::uint64_t n_hits, std::uint64_t n_trials, double 
 }
 
 VolumeEstimate hit_or_miss_estimate(const Tally& tally, double domain_volume) {
-  VEX_EXPECT(tally.n_trials > 0);
+  require_trials(tally);
   const double n = static_cast<double>(tally.n_trials);
   const double undecided = static_cast<double>(tally.n_undecided) / n;
   const double p = static_cast<double>(tally.n_hits) / n + 0.5 * undecided;
@@ -65,7 +69,7 @@ VolumeEstimate hit_or_miss_estimate(const Tally& tally, double domain_volume) {
 }
 
 VolumeEstimate fitted_estimate(const Tally& tally, double domain_volume) {
-  VEX_EXPECT(tally.n_trials > 0);
+  require_trials(tally);
   const double n = static_cast<double>(tally.n_trials);
   const double hits = tally.hits.first.value(), undecided = tally.undecided.first.value();
   const double mean = (hits + 0.5 * undecided) / n;
@@ -89,7 +93,7 @@ double half_width_of_undecided(const Tally& tally) {
 }
 
 VolumeEstimate class_estimate(const Tally& tally) {
-  VEX_EXPECT(tally.n_trials > 0);
+  require_trials(tally);
   const ClassTally& by_class = tally.by_class;
   const auto n_classes = static_cast<double>(by_class.classes.size());
   const double n = static_cast<double>(tally.n_trials);
@@ -156,7 +160,7 @@ double mean_sampling_volume(const Tally& tally, const Domain& domain) {
 }
 
 VolumeEstimate excess_over_other(const Tally& tally, const Comparison& comparison, const Domain& domain) {
-  VEX_EXPECT(tally.n_trials > 0);
+  require_trials(tally);
   const double n = static_cast<double>(tally.n_trials);
   const double sum = comparison.only_run.first.value() - comparison.only_other.first.value();
   const double mean_share = mean_sampling_volume(tally, domain) / domain.volume;

@@ -250,10 +250,16 @@ class Run {
 }  // namespace
 
 RunRecord run_monte_carlo(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings) {
-  VEX_EXPECT(settings.n_threads >= 1);
-  VEX_EXPECT(settings.integrand || settings.domain.volume > 0.0);
-  VEX_EXPECT(!settings.stratified || (settings.domain.kind == Domain::Kind::ball && !settings.integrand));
-  VEX_EXPECT(settings.stop.max_trials >= 1 && settings.stop.trials.value_or(1) >= 1);
+  if (settings.n_threads < 1) throw UsageError("a run has no threads - give one at least");
+  if (settings.stop.max_trials < 1 || settings.stop.trials.value_or(1) < 1) {
+    throw UsageError("a run has no trials - give one at least");
+  }
+  if (!settings.integrand && !(settings.domain.volume > 0.0 && std::isfinite(settings.domain.volume))) {
+    throw UsageError("a run has no domain to sample - give best_domain(a, b)");
+  }
+  if (settings.stratified && (settings.domain.kind != Domain::Kind::ball || settings.integrand)) {
+    throw UsageError("strata are of hit-or-miss in a ball - give a ball as the domain and no integrand");
+  }
   return Run(a, b, settings).go();
 }
 
@@ -280,7 +286,7 @@ bool hits_by_construction(const ConvexBody& a, const ConvexBody& b, const Orient
   for (unsigned corner = 0; corner < 8; ++corner) {
     const auto end = [corner](unsigned k) { return (corner >> k & 1u) != 0 ? 1.0 - kNearlyNothing : kNearlyNothing; };
     pose.translation = set.position(end(0), end(1), end(2));
-    if (overlap(a, b, pose).outcome != Outcome::overlap) return false;
+    if (overlap(a, b, Pose::unchecked(pose)).outcome != Outcome::overlap) return false;
   }
   return true;
 }

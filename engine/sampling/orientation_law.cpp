@@ -1,20 +1,13 @@
 #include "engine/sampling/orientation_law.h"
 
-#include <charconv>
 #include <cmath>
 
-#include "engine/numeric/expect.h"
+#include "engine/numeric/errors.h"
+#include "engine/numeric/number_text.h"
 #include "engine/numeric/quaternion.h"
 
 namespace vex {
 namespace {
-
-// Shortest text that reads back as the same double.
-std::string text_of(double value) {
-  std::array<char, 32> buffer{};
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  return {buffer.data(), result.ptr};
-}
 
 // 1 - exp(-x) for x >= 0 by the series of expm1 and e -> e (2 + e) for a doubled argument: the same bits everywhere.
 // Its error of some 10 u is an error of alpha, which nobody knows to 15 digits.
@@ -45,7 +38,10 @@ OrientationLaw OrientationLaw::fixed(double w, double x, double y, double z) {
 }
 
 OrientationLaw OrientationLaw::cone(double degrees) {
-  VEX_EXPECT(degrees >= 0.0 && degrees <= 90.0);
+  if (!(degrees >= 0.0 && degrees <= 90.0)) {
+    throw UsageError("a cone's half angle is not from 0 to 90 degrees (" + shortest_number(degrees) +
+                     ") - give one that is");
+  }
   OrientationLaw law;
   law.kind_ = Kind::cone;
   law.parameter_ = degrees;
@@ -55,7 +51,9 @@ OrientationLaw OrientationLaw::cone(double degrees) {
 }
 
 OrientationLaw OrientationLaw::onsager(double alpha) {
-  VEX_EXPECT(alpha >= 0.0 && std::isfinite(alpha));
+  if (!(alpha >= 0.0 && std::isfinite(alpha))) {
+    throw UsageError("alpha is negative or not finite (" + shortest_number(alpha) + ") - give a number from 0 up");
+  }
   OrientationLaw law;
   law.kind_ = Kind::onsager;
   law.parameter_ = alpha;
@@ -69,13 +67,13 @@ std::string OrientationLaw::name() const {
     case Kind::aligned: return "aligned";
     case Kind::fixed: {
       std::string text = "fixed:";
-      for (std::size_t k = 0; k < 4; ++k) text += (k == 0 ? "" : ",") + text_of(quaternion_[k]);
+      for (std::size_t k = 0; k < 4; ++k) text += (k == 0 ? "" : ",") + shortest_number(quaternion_[k]);
       return text;
     }
-    case Kind::cone: return "cone:" + text_of(parameter_);
+    case Kind::cone: return "cone:" + shortest_number(parameter_);
     case Kind::onsager: break;
   }
-  return "onsager:" + text_of(parameter_);
+  return "onsager:" + shortest_number(parameter_);
 }
 
 int OrientationLaw::dimension() const {

@@ -187,7 +187,7 @@ class PoseRunner final : public TrialRunner {
     for (std::size_t k = 0; k < trials.n; ++k) {
       const Outcome outcome = verdicts_[k].outcome;
       if (outcome == Outcome::undecided) continue;
-      CertificateCheck check = prove_again(a_, b_, poses_[k], outcome);
+      CertificateCheck check = prove_again(a_, b_, Pose::unchecked(poses_[k]), outcome);
       if (check.is_proven) {
         ++record.n_proven_again;
         continue;

@@ -4,9 +4,9 @@
 #include <optional>
 #include <utility>
 
-#include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
 #include "engine/numeric/transform.h"
+#include "engine/support/checked_input.h"
 #include "engine/support/convex_body.h"
 #include "engine/support/support_mapping.h"
 
@@ -62,7 +62,8 @@ class MinkowskiDifference {
 template <SupportMapping Body>
 class Inflated {
  public:
-  Inflated(Body body, double radius) : body_(std::move(body)), radius_(radius) { VEX_EXPECT(radius >= 0.0); }
+  Inflated(Body body, double radius)
+      : body_(std::move(body)), radius_(checked_size_or_zero(radius, "the radius of the ball about a body's points")) {}
 
   template <class L>
   Vec3<L> support(const Vec3<L>& dir) const {

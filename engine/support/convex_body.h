@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/numeric/rounding.h"
+#include "engine/support/checked_input.h"
 #include "engine/support/direction_table.h"
 #include "engine/support/exact_form.h"
 #include "engine/support/generators.h"
@@ -59,6 +60,7 @@ concept RoundsAsKernels = requires {
 /// kernels are compiled for is one more overload of Model::support.
 class ConvexBody {
  public:
+  /// Throws InputError where what the shape says of itself is not finite, or negative.
   template <SupportMapping Shape>
     requires(!std::same_as<Shape, ConvexBody>)
   ConvexBody(Shape shape)  // NOLINT(google-explicit-constructor): every shape is a convex body
@@ -78,7 +80,37 @@ class ConvexBody {
       const std::optional<ExactForm> form = shape.exact_form();
       is_rounded_polytope_ = form && form->is_rounded_polytope();
     }
+    detail::check_claims(
+        {centre_, circumradius_, inradius_, support_error_, core_support_error_, ball_radius_, rolling_radius_});
     model_ = std::make_shared<const ModelOf<Shape>>(std::move(shape));
+  }
+
+  /// What has a support mapping and lacks a member is told which.
+  template <class Shape>
+    requires(!SupportMapping<Shape> && HasSupportMember<Shape>)
+  ConvexBody(Shape) {  // NOLINT(google-explicit-constructor): as above
+    static_assert(SupportMappingOver<Shape, double>,
+                  "a convex body needs: Vec3d support(const Vec3d& dir) const, best a template over the lane");
+    static_assert(
+        requires(const Shape& body) {
+          { body.support_error() } -> std::convertible_to<double>;
+        },
+        "a convex body needs: double support_error() const");
+    static_assert(
+        requires(const Shape& body) {
+          { body.centre() } -> std::convertible_to<Vec3d>;
+        },
+        "a convex body needs: Vec3d centre() const");
+    static_assert(
+        requires(const Shape& body) {
+          { body.circumradius() } -> std::convertible_to<double>;
+        },
+        "a convex body needs: double circumradius() const");
+    static_assert(
+        requires(const Shape& body) {
+          { body.inradius() } -> std::convertible_to<double>;
+        },
+        "a convex body needs: double inradius() const");
   }
 
   Vec3d support(const Vec3d& dir) const { return model_->support(dir); }
@@ -109,8 +141,8 @@ class ConvexBody {
   std::optional<ExactForm> exact_form() const { return model_->exact_form(); }
 
   /// Whether there may be a table of directions; and the table, which is made where it is not there yet (1 to 4 us a
-  /// vertex), or none where the body's numbers allow of none. It lives as long as the shape. Whether it is there changes
-  /// no bit of `support`.
+  /// vertex), or none where the body's numbers allow of none. It lives as long as the shape. Whether it is there
+  /// changes no bit of `support`.
   bool may_have_direction_table() const { return model_->may_have_direction_table(); }
   std::optional<DirectionTable> direction_table() const { return model_->direction_table(); }
 

@@ -17,6 +17,13 @@ concept SupportMappingOver = requires(const S& body, const Vec3<L>& dir) {
   { body.support(dir) } -> std::same_as<Vec3<L>>;
 };
 
+/// Whether a class means to be a body: it has something called `support`, whatever it takes.
+template <class S>
+concept HasSupportMember = requires {
+  &S::support;
+}
+|| requires { &S::template support<double>; };
+
 /// What every body tells of itself, in its own frame. Lengths in the body's units.
 ///
 /// `support_error()`: e >= 0 such that the computed p = s(d) lies within e of the body, and h(d) <= d . p + e |d| for

@@ -18,8 +18,8 @@ constexpr double kStep = 1e-3;
 
 Outcome wanted(SeparationGoal goal) { return goal == SeparationGoal::distance ? Outcome::disjoint : Outcome::overlap; }
 
-Separation ask(SeparationGoal goal, const ConvexBody& body, const Transformd& pose,
-               const SeparationSettings& settings = {}, WarmStart* warm_start = nullptr) {
+Separation ask(SeparationGoal goal, const ConvexBody& body, const Pose& pose, const SeparationSettings& settings = {},
+               WarmStart* warm_start = nullptr) {
   return goal == SeparationGoal::distance ? distance(body, body, pose, settings, warm_start)
                                           : penetration_depth(body, body, pose, settings, warm_start);
 }
@@ -33,7 +33,7 @@ SeparationContender engine(const char* name, const char* setting, double relativ
             SeparationSettings settings;
             settings.relative_gap = relative_gap;
             return [&poses, settings](std::size_t k) {
-              return value_of(ask(poses.goal, poses.body, poses.a_from_b[k], settings));
+              return value_of(ask(poses.goal, poses.body, Pose::unchecked(poses.a_from_b[k]), settings));
             };
           }};
 }
@@ -42,7 +42,8 @@ SeparationContender engine_in_motion(const char* name, const char* setting, bool
   return {name, setting, true, [is_warm](const SeparationPoses& poses) -> SeparationAnswer {
             const auto warm_start = std::make_shared<WarmStart>();
             return [&poses, is_warm, warm_start](std::size_t k) {
-              return value_of(ask(poses.goal, poses.body, poses.a_from_b[k], {}, is_warm ? warm_start.get() : nullptr));
+              return value_of(ask(poses.goal, poses.body, Pose::unchecked(poses.a_from_b[k]), {},
+                                  is_warm ? warm_start.get() : nullptr));
             };
           }};
 }

@@ -77,7 +77,8 @@ Transformd lattice_pose(std::mt19937_64& random, int span) {
   constexpr Vec3d kAxes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const std::size_t first = random() % 3, second = (first + 1 + random() % 2) % 3;
   const auto sign = [&] { return (random() & 1) != 0 ? 1.0 : -1.0; };
-  Transformd pose{sign() * kAxes[first], sign() * kAxes[second], sign() * kAxes[3 - first - second], {}};
+  const Vec3d row_x = sign() * kAxes[first], row_y = sign() * kAxes[second];
+  Transformd pose{row_x, row_y, cross(row_x, row_y), {}};
   const auto coordinate = [&] {
     return static_cast<double>(random() % (2u * static_cast<unsigned>(span) + 1u)) - span;
   };

@@ -73,7 +73,7 @@ TEST(Separation, OfParallelBoxes) {
 TEST(Separation, OfCubesThatStartSymmetrically) {
   const ConvexBody cube = body("box:2,2,2");
   for (const Vec3d& t : {Vec3d{1.9, 0, 0}, Vec3d{0, 1.9, 0}, Vec3d{0, 0, 1.9}, Vec3d{0, 0, -1.9}}) {
-    const Separation found = signed_distance(cube, cube, {.translation = t});
+    const Separation found = signed_distance(cube, cube, Transformd{.translation = t});
     expect(found, -0.1, 1e-15);
     EXPECT_NEAR(dot(found.normal, t), 1.9, 1e-14);
   }
@@ -349,7 +349,7 @@ TEST(Separation, OfPolytopesOfManyVerticesGoesOnToTheEnd) {
   for (const std::vector<Vec3d>& vertices : {prism, ball}) {
     const ConvexBody a = Polytope(vertices, {}, 0.4);
     for (const Vec3d& t : {Vec3d{0.0, 0.0, 0.0}, Vec3d{0.01, 0.02, 0.0}}) {
-      const Separation found = signed_distance(a, at_one_point, {.translation = t});
+      const Separation found = signed_distance(a, at_one_point, Transformd{.translation = t});
       EXPECT_LE(found.upper - found.lower, 1e-12);
       EXPECT_LE(mismatch(found), 1e-12);
     }

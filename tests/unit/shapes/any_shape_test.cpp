@@ -113,6 +113,24 @@ TEST(ParseShape, ExplainsMalformedTexts) {
   EXPECT_NE(message_of<InputError>("rounded:0,box:1,1,1").find("not positive"), std::string::npos);
 }
 
+TEST(ParseShape, SaysWhatMayBeMeant) {
+  const auto meant = [](const char* text) {
+    const std::string message = message_of<UsageError>(text);
+    const std::string begin = "did you mean ";
+    const std::size_t at = message.find(begin);
+    return at == std::string::npos ? "" : message.substr(at + begin.size(), message.find('?') - at - begin.size());
+  };
+  EXPECT_EQ(meant("cube:1"), "box:A,B,C");
+  EXPECT_EQ(meant("spherocylinder:5,1"), "capsule:L,R");
+  EXPECT_EQ(meant("Sphere:1"), "sphere:R");
+  EXPECT_EQ(meant("SPHERE:1"), "sphere:R");
+  EXPECT_EQ(meant("elipsoid:1,2,3"), "ellipsoid:A,B,C");
+  EXPECT_EQ(meant("disk:1"), "disc:R");
+  EXPECT_EQ(meant("rounded:1,tetraedron:1"), "tetrahedron:E");
+  EXPECT_EQ(meant("pear:1"), "");
+  EXPECT_EQ(meant((std::string(100000, 'a') + ":1").c_str()), "");
+}
+
 TEST(NamesAShape, LeavesPathsAlone) {
   EXPECT_FALSE(names_a_shape("box.obj"));
   EXPECT_FALSE(names_a_shape("sphere"));

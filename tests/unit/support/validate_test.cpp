@@ -1,0 +1,181 @@
+// What `validate` says of right support mappings, nothing, and of wrong ones.
+#include "engine/support/validate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "engine/numeric/errors.h"
+#include "engine/support/combinators.h"
+#include "shapes/box.h"
+#include "shapes/sphere.h"
+#include "tests/referees/bodies.h"
+#include "tests/referees/polytopes.h"
+
+namespace vex {
+namespace {
+
+using Claim = Violation::Claim;
+
+std::string all_of(const std::vector<Violation>& violations) {
+  std::string all;
+  for (const Violation& violation : violations) all += "\n  " + violation.text;
+  return all;
+}
+
+bool has(const std::vector<Violation>& violations, Claim claim) {
+  return std::ranges::any_of(violations, [claim](const Violation& v) { return v.claim == claim && v.by > 0.0; });
+}
+
+class EveryTestBody : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(EveryTestBody, KeepsItsPromises) {
+  for (const double scale : {1.0, 1e-40, 1e40}) {
+    const std::vector<Violation> found = validate(parse_shape(GetParam(), scale).body, {.n_directions = 400});
+    EXPECT_TRUE(found.empty()) << scale << all_of(found);
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Validate, EveryTestBody, ::testing::ValuesIn(kTestBodies));
+
+TEST(Validate, FindsNothingWrongWithHulls) {
+  for (const std::size_t n : {33U, 300U, 5000U}) {
+    const std::vector<Violation> found = validate(test_point_hull(static_cast<int>(n), {3, 2, 1}, 7).body);
+    EXPECT_TRUE(found.empty()) << n << all_of(found);
+  }
+}
+
+/// The unit ball by its own support mapping, with every claim open to be wrong.
+struct Claimant {
+  double circumradius_ = 1.0, inradius_ = 1.0, support_error_ = 1e-15;
+  Vec3d centre_{};
+
+  Vec3d support(const Vec3d& dir) const { return norm_1(dir) > 0.0 ? ball_support(1.0, dir) : Vec3d{}; }
+  double support_error() const { return support_error_; }
+  Vec3d centre() const { return centre_; }
+  double circumradius() const { return circumradius_; }
+  double inradius() const { return inradius_; }
+};
+
+TEST(Validate, RightClaimsOfAUsersBody) {
+  const std::vector<Violation> found = validate(Claimant{});
+  EXPECT_TRUE(found.empty()) << all_of(found);
+}
+
+TEST(Validate, AWrongCircumradius) {
+  const std::vector<Violation> found = validate(Claimant{.circumradius_ = 0.999, .inradius_ = 0.9});
+  ASSERT_EQ(found.size(), 1U) << all_of(found);
+  EXPECT_EQ(found[0].claim, Claim::circumradius);
+  EXPECT_NEAR(found[0].by, 0.001, 1e-12);
+  EXPECT_NE(found[0].text.find("the circumradius is too small, 0.999 (by 0.00"), std::string::npos) << found[0].text;
+}
+
+TEST(Validate, AWrongInradius) {
+  const std::vector<Violation> found = validate(Claimant{.circumradius_ = 1.1, .inradius_ = 1.0001});
+  ASSERT_EQ(found.size(), 1U) << all_of(found);
+  EXPECT_EQ(found[0].claim, Claim::inradius);
+}
+
+TEST(Validate, AWrongCentre) {
+  const std::vector<Violation> found =
+      validate(Claimant{.circumradius_ = 3.0, .inradius_ = 0.0, .centre_ = {1.5, 0, 0}});
+  ASSERT_EQ(found.size(), 1U) << all_of(found);
+  EXPECT_EQ(found[0].claim, Claim::centre);
+  EXPECT_NEAR(found[0].by, 0.5, 1e-3);
+}
+
+TEST(Validate, ASupportErrorThatForgetsRounding) {
+  // Of a ball by square root and division no point is right to less than 1e-17.
+  const std::vector<Violation> found =
+      validate(Claimant{.circumradius_ = 1.1, .inradius_ = 0.9, .support_error_ = 1e-18});
+  EXPECT_TRUE(has(found, Claim::convexity)) << all_of(found);
+}
+
+struct RoundedBox : Box {
+  using Box::Box;
+  static constexpr bool kRoundsAsKernels = false;
+  double support_error() const { return 1e-9; }
+  double circumradius() const { return 2.0; }
+  double inradius() const { return 0.1; }
+  /// Lies by 1e-6, near one direction.
+  template <class L>
+  Vec3<L> support(const Vec3<L>& dir) const {
+    return 1.000001 * Box::support(dir);
+  }
+};
+
+TEST(Validate, ASupportErrorThatTheExactFormRefutes) {
+  const std::vector<Violation> found = validate(RoundedBox(1, 1, 1));
+  EXPECT_TRUE(has(found, Claim::support_error)) << all_of(found);
+}
+
+/// Of the astroid-like set |x|^(1/2) + |y|^(1/2) + |z|^(1/2) <= 1 a "support mapping" by the gradient, as users write
+/// it.
+struct NotConvex : Claimant {
+  Vec3d support(const Vec3d& d) const {
+    const double sum = d.x * d.x + d.y * d.y + d.z * d.z;
+    if (!(sum > 0.0)) return {};
+    const auto part = [&](double x) { return std::copysign((x * x / sum) * (x * x / sum), x); };
+    return {part(d.x), part(d.y), part(d.z)};
+  }
+};
+
+TEST(Validate, ABodyThatIsNotConvex) {
+  const std::vector<Violation> found = validate(NotConvex{{.inradius_ = 0.0}});
+  EXPECT_TRUE(has(found, Claim::convexity)) << all_of(found);
+}
+
+/// Forgets to divide by the direction's length.
+struct NeedsUnitVectors : Claimant {
+  Vec3d support(const Vec3d& d) const { return d; }
+};
+
+TEST(Validate, ABodyThatNeedsUnitVectors) {
+  const std::vector<Violation> found = validate(NeedsUnitVectors{{.circumradius_ = 2.0, .inradius_ = 0.0}});
+  EXPECT_TRUE(has(found, Claim::scale)) << all_of(found);
+}
+
+/// Divides by a coordinate that may be 0.
+struct NanOnAxes : Claimant {
+  Vec3d support(const Vec3d& d) const {
+    const double slope = d.y / d.x;
+    return std::isnan(slope * 0.0) && d.y == 0.0 ? Vec3d{slope, 0, 0} : ball_support(1.0, d);
+  }
+};
+
+TEST(Validate, ABodyWithNansOnAxes) {
+  const std::vector<Violation> found = validate(NanOnAxes{});
+  EXPECT_TRUE(has(found, Claim::finite_points)) << all_of(found);
+}
+
+/// Its core is half as large as it says.
+struct WrongCore : Sphere {
+  using Sphere::Sphere;
+  static constexpr bool kRoundsAsKernels = false;
+  double ball_radius() const { return 0.5; }
+};
+
+TEST(Validate, ABallThatIsNotTheBodys) {
+  const std::vector<Violation> found = validate(WrongCore(1.0));
+  EXPECT_TRUE(has(found, Claim::ball_part)) << all_of(found);
+}
+
+/// The hull of a ball and a far point that it forgets where the direction is not exactly towards it: found because
+/// support points that were met are tried against all directions.
+struct Forgetful : Claimant {
+  Vec3d support(const Vec3d& d) const {
+    return d.x > 0.0 && d.y == 0.0 && d.z == 0.0 ? Vec3d{1.5, 0, 0} : Claimant::support(d);
+  }
+};
+
+TEST(Validate, ABodyThatForgetsACorner) {
+  const std::vector<Violation> found = validate(Forgetful{{.circumradius_ = 1.5}});
+  EXPECT_TRUE(has(found, Claim::convexity)) << all_of(found);
+}
+
+TEST(Validate, NeedsADirection) { EXPECT_THROW(validate(Box(1, 1, 1), {.n_directions = 0}), UsageError); }
+
+}  // namespace
+}  // namespace vex
