@@ -126,7 +126,7 @@ TEST(ExactOverlap, OfLatticeHullsUnderBallsIsWhatRationalsSay) {
                              w = lattice_points(random, 1 + random() % 4, 2);
     const ConvexBody a = inflated(Polytope(v, v.front(), 0.0), radius_a);
     const ConvexBody b = inflated(Polytope(w, w.front(), 0.0), radii - radius_a);
-    const Transformd pose = lattice_pose(random, 7);
+    const Transformd pose = lattice_pose(random, 6);
     const Outcome truth = true_outcome(a, b, pose).value();
     ASSERT_NO_FATAL_FAILURE(expect_truth(a, b, pose, truth));
     if (truth == Outcome::disjoint) continue;
