@@ -101,6 +101,10 @@ std::vector<Vec3d> chosen_points(std::span<const Vec3d> points, const std::vecto
 }
 
 HullOfPoints hull_of_points(std::span<const Vec3d> points) {
+  const auto not_finite = std::ranges::find_if_not(points, [](const Vec3d& p) { return is_finite(p); });
+  if (not_finite != points.end()) {
+    throw InputError("a point is not finite (" + point_text(*not_finite) + ") - give finite coordinates");
+  }
   std::optional<Triangles> hull = exact_hull(points);
   if (!hull) {
     refuse(points);

@@ -239,11 +239,8 @@ MeasuredBody parse_shape(std::string_view text, double scale, const SizeRange& r
 }
 
 std::vector<Vec3d> vertices_of(const ConvexBody& body) {
-  if (const auto* const polytope = body.target<Polytope>()) return polytope->vertices();
-  if (const auto* const box = body.target<Box>()) return box->vertices();
-  if (const auto* const plate = body.target<Plate>()) return plate->vertices();
-  if (const auto* const needle = body.target<Needle>()) return needle->vertices();
-  return {};
+  std::optional<ExactForm> form = body.exact_form();
+  return form && form->is_polytope() ? std::move(form->points) : std::vector<Vec3d>();
 }
 
 void require_size_in_range(const ConvexBody& body, const Measures& measures, std::string_view source,

@@ -92,7 +92,8 @@ class Frustum {
     centre_z_ = std::clamp(equidistant, margin, height_ - margin) - 0.5 * height_;
     const double below = centre_z_ + 0.5 * height_, above = 0.5 * height_ - centre_z_;
     circumradius_ = std::max(std::hypot(p, below), std::hypot(q, above)) * (1.0 + gamma(16));
-    const double across = (p * above + q * below) / height_;  // the radius at the centre's height
+    double across = (p * above + q * below) / height_;  // the radius at the centre's height
+    if (!std::isfinite(across)) across = p * (above / height_) + q * (below / height_);
     const double to_mantle = across * (height_ / std::hypot(height_, p - q));
     inradius_ = std::min({below, above, to_mantle}) * (1.0 - gamma(32));
   }

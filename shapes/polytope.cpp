@@ -26,7 +26,7 @@ Polytope::Polytope(std::span<const Vec3d> vertices, const Vec3d& centre, double 
   }
   circumradius_ = farthest * (1.0 + gamma(8));
   support_error_ = 8.0 * kUnitRoundoff * largest;
-  if (n_vertices() > kMostScanned) map_ = std::make_shared<LazyDirectionMap>();
+  if (n_vertices() > kMostScannedVertices) map_ = std::make_shared<LazyDirectionMap>();
 }
 
 std::vector<Vec3d> Polytope::vertices() const {

@@ -51,8 +51,6 @@ class Polytope {
     return {L(x_[i]), L(y_[i]), L(z_[i])};
   }
 
-  /// Bodies with more vertices than this have a table; shorter scans take no longer than it (docs/performance.md).
-  static constexpr std::size_t kMostScanned = 32;
   /// The table, or null while there is none.
   const DirectionMap* direction_map() const { return map_ == nullptr ? nullptr : map_->made(); }
   /// The table as kernels read it: made here and now where it is not there yet. None of a body of few vertices.

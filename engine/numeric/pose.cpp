@@ -25,18 +25,22 @@ double distance_from_rotation(const Transformd& pose) {
   return largest;
 }
 
+bool is_rotation(const Transformd& pose) {
+  return distance_from_rotation(pose) <= Pose::kRotationTolerance &&
+         dot(cross(pose.row_x, pose.row_y), pose.row_z) > 0.0;
+}
+
 void Pose::check() const {
+  if (is_rotation(a_from_b_) && is_finite(a_from_b_.translation)) return;
   const double off = distance_from_rotation(a_from_b_);
   if (!(off <= kRotationTolerance)) {
     throw InputError("not a rotation (max|R^T R - 1| = " + shortest_number(off) + ", and " +
                      shortest_number(kRotationTolerance) + " is allowed) - give more digits, or a quaternion");
   }
-  if (dot(cross(a_from_b_.row_x, a_from_b_.row_y), a_from_b_.row_z) < 0.0) {
+  if (!is_rotation(a_from_b_)) {
     throw InputError("a reflection is no pose (the determinant of R is negative) - mirror the body instead");
   }
-  if (!is_finite(a_from_b_.translation)) {
-    throw InputError("a pose's translation is not finite - give finite numbers");
-  }
+  throw InputError("a pose's translation is not finite - give finite numbers");
 }
 
 }  // namespace vex

@@ -30,5 +30,7 @@ class Pose {
 
 /// The largest magnitude of an entry of R^T R - 1; infinite where one is not finite.
 double distance_from_rotation(const Transformd& pose);
+/// To within Pose::kRotationTolerance, and no reflection.
+bool is_rotation(const Transformd& pose);
 
 }  // namespace vex

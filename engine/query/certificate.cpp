@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/numeric/pose.h"
 #include "engine/numeric/whole.h"
 
 namespace vex {
@@ -306,9 +307,8 @@ CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, con
   if (claimed == Outcome::undecided) return failed("an undecided verdict claims nothing");
   const std::optional<ExactForm> form_a = a.exact_form(), form_b = b.exact_form();
   if (!form_a || !form_b) return failed("a body has no exact form");
-  for (const Vec3d& v : {a_from_b.row_x, a_from_b.row_y, a_from_b.row_z, a_from_b.translation}) {
-    if (!is_finite(v)) return failed("the pose is not finite");
-  }
+  if (!is_finite(a_from_b.translation)) return failed("the pose is not finite");
+  if (!is_rotation(a_from_b)) return failed("the pose is no rotation");
   for (const Vec3d& p : form_b->points) {
     if (!is_finite(a_from_b(p))) return failed("a placed vertex is not finite");
   }

@@ -36,10 +36,6 @@ struct CoreForm {
   double support_error = 0.0;  // of the core's own support mapping, beyond that of the body's
 };
 
-/// Polytopes of more vertices are asked by their table of directions: from there on it takes no longer than the scan,
-/// and grows no longer (docs/performance.md, "Large hulls").
-inline constexpr std::size_t kMostScannedVertices = 32;
-
 /// None where the body's core is none of these.
 std::optional<CoreForm> core_form(const ConvexBody& body);
 

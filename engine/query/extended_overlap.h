@@ -1,6 +1,6 @@
 // The search of portal_refinement.h in double-double arithmetic, on the bodies' exact forms, and where it stalls those
-// of nearest_point.h and expanding_hull.h: for curved bodies that double precision leaves open, and for the witnesses
-// of an overlap.
+// of nearest_descent.h and expanding_polytope.h: for curved bodies that double precision leaves open, and for the
+// witnesses of an overlap.
 #pragma once
 
 #include <functional>

@@ -18,7 +18,7 @@ enum class CertificateDetail { full, no_witnesses };
 
 /// Decides whether A and B, placed by `a_from_b`, share a point; never guesses. No quick verdicts before it.
 ///
-/// R of the pose must be a rotation to within 1e-6. Every size and coordinate may be any finite double, as long as
+/// R of the pose must be a rotation to within 1e-6. Sizes are from 1e-300 to 1e300, coordinates any doubles, as long as
 /// those of the placed vertices are finite too. Three stages (docs/derivations.md, "What the input is", E1, E14, E15):
 /// a search in double precision whose signs are proven; for bodies with curved parts the same in double-double; for
 /// polytopes, rounded or not, spheres and capsules, whole numbers, which always decide. Undecided, then, is what has

@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/numeric/expect.h"
+#include "engine/numeric/errors.h"
 #include "engine/query/overlap.h"
 
 namespace vex {
 namespace {
+
+void require_as_many(std::size_t n_poses, std::size_t n_verdicts) {
+  if (n_poses != n_verdicts) throw UsageError("not as many verdicts as poses - give room for one each");
+}
 
 class GjkBackend final : public OverlapBackend {
  public:
@@ -15,7 +19,7 @@ class GjkBackend final : public OverlapBackend {
       : a_(a), b_(b), packets_(make_packet_overlap(kernel, a, b)) {}
 
   void decide(std::span<const Transformd> a_from_b, std::span<Verdict> verdicts) override {
-    VEX_EXPECT(a_from_b.size() == verdicts.size());
+    require_as_many(a_from_b.size(), verdicts.size());
     if (!packets_) {
       for (std::size_t k = 0; k < a_from_b.size(); ++k) verdicts[k] = overlap(a_, b_, Pose::unchecked(a_from_b[k]));
       return;
@@ -32,7 +36,7 @@ class GjkBackend final : public OverlapBackend {
       OverlapBackend::decide_table(a_from_b, verdicts);
       return;
     }
-    VEX_EXPECT(a_from_b.n == verdicts.size());
+    require_as_many(a_from_b.n, verdicts.size());
     // In parts of about the same size, so that the last is not a remainder that fills no packet.
     const std::size_t n_parts = (a_from_b.n + PacketOverlap::kMostTrials - 1) / PacketOverlap::kMostTrials;
     std::size_t first = 0;
@@ -70,7 +74,7 @@ class GjkBackend final : public OverlapBackend {
 }  // namespace
 
 void OverlapBackend::decide_table(const PoseTable& a_from_b, std::span<Verdict> verdicts) {
-  VEX_EXPECT(a_from_b.n == verdicts.size());
+  require_as_many(a_from_b.n, verdicts.size());
   std::array<Transformd, 64> poses;
   for (std::size_t first = 0; first < a_from_b.n; first += poses.size()) {
     const std::size_t n = std::min(poses.size(), a_from_b.n - first);

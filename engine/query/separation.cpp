@@ -457,21 +457,30 @@ Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd
   return result;
 }
 
+// Bounds that exclude each other, or are no numbers, come from a support mapping that is none: nothing is known then.
+Separation trusted(Separation found) {
+  if (found.lower <= found.upper) return found;
+  Separation nothing;
+  nothing.verdict = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);
+  nothing.n_support_calls = found.n_support_calls;
+  return nothing;
+}
+
 }  // namespace
 
 Separation signed_distance(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
                            const SeparationSettings& settings, WarmStart* warm_start) {
-  return separation(a, b, pose.a_from_b(), Goal::signed_distance, settings, warm_start);
+  return trusted(separation(a, b, pose.a_from_b(), Goal::signed_distance, settings, warm_start));
 }
 
 Separation distance(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const SeparationSettings& settings,
                     WarmStart* warm_start) {
-  return separation(a, b, pose.a_from_b(), Goal::distance, settings, warm_start);
+  return trusted(separation(a, b, pose.a_from_b(), Goal::distance, settings, warm_start));
 }
 
 Separation penetration_depth(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
                              const SeparationSettings& settings, WarmStart* warm_start) {
-  return separation(a, b, pose.a_from_b(), Goal::depth, settings, warm_start);
+  return trusted(separation(a, b, pose.a_from_b(), Goal::depth, settings, warm_start));
 }
 
 ConvexBody with_margin(const ConvexBody& body, double margin) { return Inflated<ConvexBody>(body, margin); }

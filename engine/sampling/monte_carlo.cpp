@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -57,6 +58,7 @@ class Run {
       quick_.emplace(a, b, kDrawnRotationError);
     if (settings.integrand) {
       first_integrand_ = settings.integrand();
+      if (first_integrand_ == nullptr) throw UsageError("a run's integrand is none - give one");
       reference_ = reference_value(*first_integrand_);
     }
     record_.comparisons.resize(settings.cross_check.size());
@@ -249,13 +251,39 @@ class Run {
 
 }  // namespace
 
+namespace {
+
+/// Whether the volume is that of the domain. Whether the domain holds all of A - B, only its maker knows.
+bool is_good(const Domain& domain) {
+  if (!(domain.volume > 0.0 && std::isfinite(domain.volume) && is_finite(domain.middle))) return false;
+  if (domain.kind == Domain::Kind::fitted) return true;
+  const Vec3d& h = domain.half_extent;
+  const double volume = domain.kind == Domain::Kind::ball
+                            ? 4.0 / 3.0 * std::numbers::pi * (domain.radius * domain.radius * domain.radius)
+                            : 8.0 * (h.x * h.y * h.z);
+  return std::fabs(domain.volume - volume) <= 1e-9 * domain.volume && domain.radius >= 0.0 && h.x >= 0.0 && h.y >= 0.0;
+}
+
+}  // namespace
+
 RunRecord run_monte_carlo(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings) {
   if (settings.n_threads < 1) throw UsageError("a run has no threads - give one at least");
   if (settings.stop.max_trials < 1 || settings.stop.trials.value_or(1) < 1) {
     throw UsageError("a run has no trials - give one at least");
   }
-  if (!settings.integrand && !(settings.domain.volume > 0.0 && std::isfinite(settings.domain.volume))) {
-    throw UsageError("a run has no domain to sample - give best_domain(a, b)");
+  if (!settings.integrand && !is_good(settings.domain)) {
+    throw UsageError("a run has no domain to sample, or one whose volume is not its own - give best_domain(a, b)");
+  }
+  if (!settings.integrand && !settings.backend.make) throw UsageError("a run has no backend - give gjk_backend()");
+  for (const BackendKind& backend : settings.cross_check) {
+    if (!backend.make) throw UsageError("a backend to compare with is none - give one that is");
+  }
+  const StopRule& stop = settings.stop;
+  if (stop.relative_error && !(*stop.relative_error > 0.0 && std::isfinite(*stop.relative_error))) {
+    throw UsageError("a relative error is not positive and finite - give one such as 1e-3");
+  }
+  if (stop.seconds && !(*stop.seconds >= 0.0 && std::isfinite(*stop.seconds))) {
+    throw UsageError("a run's seconds are negative or not finite - give a time");
   }
   if (settings.stratified && (settings.domain.kind != Domain::Kind::ball || settings.integrand)) {
     throw UsageError("strata are of hit-or-miss in a ball - give a ball as the domain and no integrand");

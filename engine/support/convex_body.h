@@ -60,7 +60,7 @@ concept RoundsAsKernels = requires {
 /// kernels are compiled for is one more overload of Model::support.
 class ConvexBody {
  public:
-  /// Throws InputError where what the shape says of itself is not finite, or negative.
+  /// Throws InputError where what the shape says of itself is not finite, negative, or out of range.
   template <SupportMapping Shape>
     requires(!std::same_as<Shape, ConvexBody>)
   ConvexBody(Shape shape)  // NOLINT(google-explicit-constructor): every shape is a convex body
@@ -76,12 +76,12 @@ class ConvexBody {
     }
     if constexpr (HasRollingRadius<Shape>) rolling_radius_ = shape.rolling_radius();
     if constexpr (HasGenerators<Shape>) generators_ = shape.generators();
-    if constexpr (HasExactForm<Shape>) {
-      const std::optional<ExactForm> form = shape.exact_form();
-      is_rounded_polytope_ = form && form->is_rounded_polytope();
-    }
+    std::optional<ExactForm> form;
+    if constexpr (HasExactForm<Shape>) form = shape.exact_form();
+    is_rounded_polytope_ = form && form->is_rounded_polytope();
     detail::check_claims(
-        {centre_, circumradius_, inradius_, support_error_, core_support_error_, ball_radius_, rolling_radius_});
+        {centre_, circumradius_, inradius_, support_error_, core_support_error_, ball_radius_, rolling_radius_}, form,
+        generators_);
     model_ = std::make_shared<const ModelOf<Shape>>(std::move(shape));
   }
 

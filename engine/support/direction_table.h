@@ -1,11 +1,16 @@
 // The table over the directions of a polytope of many vertices (shapes/direction_map.h), as the kernels read it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "engine/numeric/vec3.h"
 
 namespace vex {
+
+/// Polytopes of more vertices are asked by their table of directions: from there on it takes no longer than the scan,
+/// and grows no longer (docs/performance.md, "Large hulls").
+inline constexpr std::size_t kMostScannedVertices = 32;
 
 /// What it refers to belongs to the body.
 ///

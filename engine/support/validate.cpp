@@ -71,6 +71,7 @@ class Validation {
     for (std::size_t k = 0; k < settings.n_directions; k += 4) add_hard(&directions);
     for (const Asked& asked : asked_) check_alone(asked);
     check_form();
+    check_rolling_radius();
     for (const Asked& asked : asked_) check_against_others(asked);
     std::vector<Violation> found;
     for (std::optional<Violation>& worst : worst_) {
@@ -159,6 +160,40 @@ class Validation {
       const Exact off = height - core - Exact(scaled(body_.ball_radius()));
       broken(Claim::ball_part, dir, (off.high < 0.0 ? -off : off) - Exact(error_) - Exact(core_error_));
     }
+    if (body_.generators()) {
+      const Exact off = height_of_generators(dir) * one_by - product(dir, exactly(core_of(dir))) * one_by;
+      broken(Claim::generators, dir, (off.high < 0.0 ? -off : off) - Exact(core_error_));
+    }
+  }
+
+  Vec3d core_of(const Vec3d& dir) const { return scaled(body_.core_support(dir)); }
+
+  Exact height_of_generators(const Vec3d& dir) const {
+    const Generators& generators = *body_.generators();
+    Exact height = product(dir, exactly(scaled(generators.centre)));
+    for (int k = 0; k < generators.n_vectors; ++k) {
+      const Exact along = product(dir, exactly(scaled(generators.vectors[static_cast<std::size_t>(k)])));
+      height = height + (along.high < 0.0 ? -along : along);
+    }
+    return height;
+  }
+
+  /// Without the ball that is claimed to roll in it the core must still be convex. (In double: a radius that is too
+  /// large by a part in 10^6 is allowed by the claim.)
+  void check_rolling_radius() {
+    constexpr double kAllowed = 1e-5;
+    const double radius = scaled(body_.rolling_radius());
+    if (!(radius > 0.0)) return;
+    std::vector<Vec3d> inner;
+    for (const Asked& asked : asked_) inner.push_back(core_of(asked.dir) - (radius / asked.length) * asked.dir);
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+      for (std::size_t j = 0; j < inner.size(); ++j) {
+        const double farther = dot(asked_[i].dir, inner[j] - inner[i]) / asked_[i].length;
+        if (farther > kAllowed * radius + 2.0 * core_error_ + 0x1p-45) {
+          broken(Claim::rolling_radius, asked_[i].dir, Exact(farther));
+        }
+      }
+    }
   }
 
   /// Of a polytope of very many vertices, along some of the directions.
@@ -228,6 +263,9 @@ class Validation {
       case Claim::centre: return "the centre is outside the body";
       case Claim::circumradius: return "the circumradius is too small, " + shortest_number(body_.circumradius());
       case Claim::inradius: return "the inradius is too large, " + shortest_number(body_.inradius());
+      case Claim::generators: return "the core is not the sum of the generators";
+      case Claim::rolling_radius:
+        return "no ball of the rolling radius rolls in the core, " + shortest_number(body_.rolling_radius());
       case Claim::ball_part: return "the support point is not that of the core with the ball about it";
     }
     return "";
@@ -239,7 +277,7 @@ class Validation {
   double error_ = 0.0, core_error_ = 0.0;
   Vec3d centre_;
   std::vector<Asked> asked_;
-  std::array<std::optional<Violation>, 8> worst_;  // by claim
+  std::array<std::optional<Violation>, 10> worst_;  // by claim
 };
 
 }  // namespace

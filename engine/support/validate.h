@@ -24,7 +24,9 @@ struct Violation {
     centre,
     circumradius,
     inradius,
-    ball_part,  // support is the core's with the ball
+    ball_part,       // support is the core's with the ball
+    generators,      // the core is their sum
+    rolling_radius,  // the core is another convex body with such a ball about each point
   };
   Claim claim;
   Vec3d dir;         // where it is broken most

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <system_error>
 #include <utility>
 
@@ -88,21 +90,48 @@ class Walker {
   static constexpr std::size_t kDeepest = 1000;
   struct Accessor {
     std::string_view component_type, type;
+    std::optional<std::uint64_t> count, byte_offset = 0, view;
+  };
+  struct View {
+    std::optional<std::uint64_t> byte_length, byte_stride = 0;
   };
   struct Use {
     bool is_positions = false;
     std::string_view accessor;
   };
 
-  /// assimp copies an element's bytes as if they were of the type that it expects.
+  static std::optional<std::uint64_t> whole_number(std::string_view text) {
+    std::uint64_t number = 0;
+    const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || last != text.data() + text.size()) return std::nullopt;
+    return number;
+  }
+
+  /// assimp copies an element's bytes as if they were of the type that it expects, from wherever it is told to.
   bool is_readable(const Use& use) const {
-    std::size_t k = 0;
-    const char* const end = use.accessor.data() + use.accessor.size();
-    const auto [last, error] = std::from_chars(use.accessor.data(), end, k);
-    if (error != std::errc() || last != end || k >= accessors_.size()) return false;
-    const auto& [component_type, type] = accessors_[k];
-    if (use.is_positions) return component_type == "5126" && type == "VEC3";
-    return (component_type == "5121" || component_type == "5123" || component_type == "5125") && type == "SCALAR";
+    const std::optional<std::uint64_t> k = whole_number(use.accessor);
+    if (!k || *k >= accessors_.size()) return false;
+    const Accessor& accessor = accessors_[*k];
+    const bool is_float = accessor.component_type == "5126", is_byte = accessor.component_type == "5121",
+               is_short = accessor.component_type == "5123", is_int = accessor.component_type == "5125";
+    if (use.is_positions ? !is_float || accessor.type != "VEC3"
+                         : !(is_byte || is_short || is_int) || accessor.type != "SCALAR") {
+      return false;
+    }
+    const std::uint64_t component = is_byte ? 1 : is_short ? 2 : 4;
+    return !accessor.view || is_within_view(accessor, component, use.is_positions ? 3 * component : component);
+  }
+
+  bool is_within_view(const Accessor& accessor, std::uint64_t component, std::uint64_t element) const {
+    constexpr std::uint64_t kMost = std::uint64_t{1} << 40U;  // of each number: so that no sum overflows
+    if (*accessor.view >= views_.size()) return false;
+    const View& view = views_[*accessor.view];
+    if (!accessor.count || !accessor.byte_offset || !view.byte_length || !view.byte_stride) return false;
+    if (*accessor.count > kMost || *accessor.byte_offset > kMost || *view.byte_stride > 252) return false;
+    const std::uint64_t stride = *view.byte_stride == 0 ? element : *view.byte_stride;
+    if (stride < element || stride % component != 0 || *accessor.byte_offset % component != 0) return false;
+    return *accessor.count == 0 ||
+           *accessor.byte_offset + (*accessor.count - 1) * stride + element <= *view.byte_length;
   }
 
   bool walk() {
@@ -115,6 +144,8 @@ class Walker {
         if (has_value || levels_.size() == kDeepest) return false;
         has_old_buffers_ = has_old_buffers_ || (c == '{' && path_is("buffers") && levels_.size() == 1);
         if (c == '{' && path_is("accessors") && levels_.size() == 2) accessors_.emplace_back();
+        if (c == '{' && path_is("bufferViews") && levels_.size() == 2) views_.emplace_back();
+        if (c == '[' && is_rotation()) rotation_.clear();
         levels_.push_back({c == '{', {}});
         ++at_;
       } else if (c == '}' || c == ']') {
@@ -130,8 +161,8 @@ class Walker {
         std::string_view text;
         if (has_value || !read_string(&text)) return false;
         if (!levels_.empty() && levels_.back().is_object && is_followed_by_colon()) {
-          levels_.back().key = text;
-          note_unread(text);
+          levels_.back().key = text.find('\\') == std::string_view::npos ? text : kept_.emplace_back(unescaped(text));
+          note_unread(levels_.back().key);
         } else {
           take(text, true);
           has_value = true;
@@ -168,6 +199,22 @@ class Walker {
     return true;
   }
 
+  /// Whether what begins, or stands at that depth, is the quaternion of a node.
+  bool is_rotation(std::size_t depth = 3) const {
+    return levels_.size() >= depth && path_is("nodes") && levels_[2].key == "rotation";
+  }
+  /// assimp makes of a quaternion whose length is not 1 a matrix that also stretches.
+  void take_rotation(std::string_view raw) {
+    double number = 0.0;
+    const auto [last, error] = std::from_chars(raw.data(), raw.data() + raw.size(), number);
+    rotation_.push_back(error == std::errc() && last == raw.data() + raw.size() ? number : HUGE_VAL);
+    if (rotation_.size() != 4) return;
+    double square = 0.0;
+    for (const double x : rotation_) square += x * x;
+    constexpr double kTolerance = 1e-3;  // of floats in few digits
+    if (!(std::fabs(square - 1.0) <= kTolerance)) summary_.unread = "a rotation by a quaternion whose length is not 1";
+  }
+
   bool path_is(std::string_view first) const { return !levels_.empty() && levels_[0].key == first; }
 
   void note_unread(std::string_view key) {
@@ -182,9 +229,18 @@ class Walker {
       summary_.unread = "morph targets";
     }
     if (levels_.size() == 3 && path_is("accessors") && !accessors_.empty()) {
-      if (levels_[2].key == "componentType" && !is_string) accessors_.back().component_type = raw;
-      if (levels_[2].key == "type" && is_string) accessors_.back().type = raw;
+      Accessor& accessor = accessors_.back();
+      if (levels_[2].key == "componentType" && !is_string) accessor.component_type = raw;
+      if (levels_[2].key == "type" && is_string) accessor.type = kept_.emplace_back(unescaped(raw));
+      if (levels_[2].key == "count") accessor.count = whole_number(raw);
+      if (levels_[2].key == "byteOffset") accessor.byte_offset = whole_number(raw);
+      if (levels_[2].key == "bufferView") accessor.view = whole_number(raw).value_or(views_.max_size());
     }
+    if (levels_.size() == 3 && path_is("bufferViews") && !views_.empty()) {
+      if (levels_[2].key == "byteLength") views_.back().byte_length = whole_number(raw);
+      if (levels_[2].key == "byteStride") views_.back().byte_stride = whole_number(raw);
+    }
+    if (levels_.size() == 4 && is_rotation(3)) take_rotation(raw);
     if (path_is("meshes") && levels_.size() >= 5 && levels_[2].key == "primitives") {
       const bool is_positions = levels_.size() == 6 && levels_[4].key == "attributes" && levels_[5].key == "POSITION";
       if (is_positions || (levels_.size() == 5 && levels_[4].key == "indices")) uses_.push_back({is_positions, raw});
@@ -204,7 +260,10 @@ class Walker {
   std::vector<Level> levels_;
   GltfSummary summary_;
   std::vector<Accessor> accessors_;
+  std::vector<View> views_;
+  std::vector<double> rotation_;  // of the node at hand, as far as it was read
   std::vector<Use> uses_;         // by the meshes
+  std::deque<std::string> kept_;  // words that stand with escapes in the document, as they are meant
   bool has_old_buffers_ = false;  // glTF 1 has objects by name where glTF 2 has arrays
 };
 

@@ -12,7 +12,8 @@ struct GltfSummary {
   std::string version;                           // of the asset: "2.0"; empty where it has none
   std::vector<std::string> buffer_uris;          // as they stand, percent escapes and all; embedded data left out
   std::vector<std::string> required_extensions;  // "KHR_draco_mesh_compression"
-  // Where a mesh's positions or indices are no 32-bit floats in threes, or no unsigned numbers: of which accessor.
+  // Where a mesh's positions or indices are no 32-bit floats in threes, or no unsigned numbers, or not all within their
+  // part of a buffer: of which accessor.
   std::optional<std::string> misread_accessor;
   std::string unread;  // what moves or repeats points and is not read: "skins", "morph targets"; empty without
 };

@@ -208,8 +208,10 @@ void look_into_gltf(AssimpInput* input) {
     }
   }
   if (summary->misread_accessor) {
-    refuse_scene(*input, "a mesh's positions are no 32-bit floats in threes, or its indices no unsigned numbers",
-                 *summary->misread_accessor, "export it with plain positions, or as .obj, .ply or .stl");
+    refuse_scene(
+        *input,
+        "a mesh's positions are no 32-bit floats in threes, its indices no unsigned numbers, or not within the buffer",
+        *summary->misread_accessor, "export it with plain positions, or as .obj, .ply or .stl");
   }
   if (!summary->unread.empty()) {
     refuse_scene(*input, "the points are moved or repeated in a way that is not read", summary->unread,

@@ -114,6 +114,18 @@ void add_refusals(Rows* rows) {
                 {no_floats, "indices, accessor 1"});
   rows->refused("positions of an accessor that is not there", replaced(text, "\"POSITION\": 0", "\"POSITION\": 7"),
                 {no_floats, "POSITION, accessor 7"});
+  // Escapes in names are what they mean.
+  rows->refused("positions of 16 bits behind an escape",
+                replaced(replaced(text, "\"componentType\": 5126", "\"componentType\": 5123"), "\"POSITION\"",
+                         "\"\\u0050OSITION\""),
+                {no_floats});
+  rows->is("a name with an escape", replaced(text, "\"POSITION\"", "\"\\u0050OSITION\""), body);
+  rows->refused("positions that begin within a number",
+                replaced(text, "\"componentType\": 5126", "\"byteOffset\": 2, \"componentType\": 5126"), {"POSITION"});
+  rows->refused("positions that end beyond their part of the buffer",
+                replaced(text, "\"componentType\": 5126", "\"byteOffset\": 4, \"componentType\": 5126"), {"POSITION"});
+  rows->refused("a rotation that stretches",
+                gltf_embedded(body, {.nodes = R"([{"mesh": 0, "rotation": [0.5, 0, 0, 0]}])"}), {"length is not 1"});
   Solid wrong = body;
   wrong.faces[2][1] = 8;
   rows->no_body("an index beyond the points", gltf_embedded(wrong));

@@ -6,6 +6,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <tuple>
@@ -118,6 +119,15 @@ TEST(HullOfPoints, OfRandomPointsHasNoPointAboveItAndQhullsVolume) {
   }
   EXPECT_GT(fraction_kept / n_clouds, 0.3);
   EXPECT_LT(fraction_kept / n_clouds, 0.8);
+}
+
+TEST(HullOfPoints, RefusesPointsThatAreNotFinite) {
+  std::vector<Vec3d> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    points.push_back({wrong, 0, 0});  // a NaN was left out without a word
+    EXPECT_THROW(hull_of_points(points), InputError);
+    points.pop_back();
+  }
 }
 
 TEST(HullOfPoints, LeavesOutWhatIsInsideFacetsAndEdges) {

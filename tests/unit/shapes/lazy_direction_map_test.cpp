@@ -25,7 +25,7 @@ TEST(LazyDirectionMap, IsMadeByTheCallThatPays) {
 }
 
 TEST(LazyDirectionMap, BodiesOfFewVerticesHaveNone) {
-  const Polytope body(test_point_hull(static_cast<int>(Polytope::kMostScanned), {3, 2, 1}, 1).vertices, {}, 0.0);
+  const Polytope body(test_point_hull(static_cast<int>(kMostScannedVertices), {3, 2, 1}, 1).vertices, {}, 0.0);
   for (std::size_t k = 0; k < 2 * LazyDirectionMap::kCallsThatPay; ++k) body.support(Vec3d{1.0, 0.0, 0.0});
   EXPECT_EQ(body.direction_map(), nullptr);
 }

@@ -14,6 +14,7 @@
 #include "engine/query/contact_manifold.h"
 #include "engine/query/first_contact.h"
 #include "engine/query/overlap.h"
+#include "engine/query/overlap_backend.h"
 #include "engine/query/separation.h"
 #include "engine/sampling/estimate.h"
 #include "engine/sampling/monte_carlo.h"
@@ -74,7 +75,7 @@ TEST(CheckedInput, EverySizeOfEveryBodyIsPositiveAndFinite) {
   for (const Kind& kind : kinds) {
     SCOPED_TRACE(kind.name);
     EXPECT_NO_THROW(kind.make(1.0));
-    for (const double wrong : {0.0, -0.0, -1.0, -kInfinity, kInfinity, kNan}) {
+    for (const double wrong : {0.0, -0.0, -1.0, -kInfinity, kInfinity, kNan, 5e-324, 1e-301, 1e301, 1.7e308}) {
       EXPECT_THROW(kind.make(wrong), InputError) << wrong;
     }
   }
@@ -134,6 +135,59 @@ TEST(CheckedInput, WhatAUsersBodySaysOfItself) {
   EXPECT_THROW(ConvexBody(Claimant{.support_error_ = kNan}), InputError);
 }
 
+struct Formed : Box {
+  Formed() : Box(1, 1, 1) {}
+  ExactForm form;
+  Generators sum = Box::generators();
+  ExactForm exact_form() const { return form; }
+  Generators generators() const { return sum; }
+};
+
+TEST(CheckedInput, WhatAUsersBodySaysThatItIs) {
+  Formed good;
+  good.form = Box(1, 1, 1).exact_form();
+  EXPECT_NO_THROW(ConvexBody{good});
+  EXPECT_THROW(ConvexBody(Formed{}), InputError) << "a form without a point crashed the exact stage";
+  for (const double wrong : {kNan, kInfinity}) {
+    Formed far = good;
+    far.form.points[3].y = wrong;
+    EXPECT_THROW(ConvexBody{far}, InputError);
+    Formed summed = good;
+    summed.sum.vectors[1].x = wrong;
+    EXPECT_THROW(ConvexBody{summed}, InputError);
+  }
+  Formed hollow = good;
+  hollow.form.ball_radius = -1.0;
+  EXPECT_THROW(ConvexBody{hollow}, InputError);
+  Formed inverted = good;
+  inverted.form.pieces.push_back({{}, {1, -1, 1}});
+  EXPECT_THROW(ConvexBody{inverted}, InputError);
+  Formed endless = good;
+  endless.sum.n_vectors = 100;
+  EXPECT_THROW(ConvexBody{endless}, InputError) << "it was read beyond the three that there are";
+}
+
+/// NaN along one direction.
+struct Blind : Box {
+  Blind() : Box(1, 1, 1) {}
+  static constexpr bool kRoundsAsKernels = false;
+  template <class L>
+  Vec3<L> support(const Vec3<L>& dir) const {
+    return Box::support(dir);
+  }
+  Vec3d support(const Vec3d& dir) const { return dir.x > 0.999999 * norm(dir) ? Vec3d{kNan, 0, 0} : Box::support(dir); }
+  std::optional<ExactForm> exact_form() const { return std::nullopt; }
+  std::optional<Generators> generators() const { return std::nullopt; }
+};
+
+TEST(CheckedInput, BoundsAreNumbersWhateverASupportMappingSays) {
+  const ConvexBody blind = Blind{}, box = Box(1, 1, 1);
+  for (const double x : {0.5, 1.0, 3.0}) {
+    const Separation found = signed_distance(blind, box, Transformd{.translation = {x, 0, 0}});
+    EXPECT_LE(found.lower, found.upper);
+  }
+}
+
 std::vector<Transformd> no_poses() {
   Transformd stretched, mirrored, askew, not_a_number, far, sheared;
   stretched.row_x = {1.001, 0, 0};
@@ -170,6 +224,25 @@ TEST(CheckedInput, EveryQueryRefusesWhatIsNoPose) {
   EXPECT_NO_THROW(Pose(Transformd{{1, 1e-8, 0}, {-1e-8, 1, 0}, {0, 0, 1}, {}})) << "to within 1e-6";
 }
 
+TEST(CheckedInput, NoCertificateHoldsInWhatIsNoPose) {
+  const ConvexBody a = Box(1, 1, 1);
+  const Transformd apart{.translation = {3, 0, 0}};
+  OverlapCertificate certificate;
+  overlap(a, a, apart, &certificate);
+  EXPECT_TRUE(check_certificate(a, a, apart, Outcome::disjoint, certificate).is_proven);
+  for (Transformd pose : no_poses()) {
+    pose.translation = pose.translation + apart.translation;
+    EXPECT_FALSE(check_certificate(a, a, pose, Outcome::disjoint, certificate).is_proven);
+  }
+}
+
+TEST(CheckedInput, AsManyVerdictsAsPoses) {
+  const ConvexBody a = Box(1, 1, 1);
+  const std::vector<Transformd> poses(3);
+  std::vector<Verdict> verdicts(1);
+  EXPECT_THROW(gjk_backend().make(a, a)->decide(poses, verdicts), UsageError) << "it wrote beyond their end";
+}
+
 TEST(CheckedInput, DirectionsAndMotionsAreVectors) {
   const ConvexBody a = Box(1, 1, 1), b = Sphere(1);
   for (const Vec3d& wrong : {Vec3d{0, 0, 0}, Vec3d{kNan, 0, 1}, Vec3d{kInfinity, 0, 0}}) {
@@ -203,6 +276,15 @@ TEST(CheckedInput, SettingsAreWithinTheirRange) {
   settings.stop.trials = 0;
   EXPECT_THROW(run_monte_carlo(a, a, settings), UsageError);
   settings.stop.trials = 10;
+  settings.domain.volume *= 2.0;
+  EXPECT_THROW(run_monte_carlo(a, a, settings), UsageError) << "its volume is not its own";
+  settings.domain = best_domain(a, a);
+  settings.stop.relative_error = kNan;
+  EXPECT_THROW(run_monte_carlo(a, a, settings), UsageError) << "it never ended";
+  settings.stop.relative_error.reset();
+  settings.backend.make = nullptr;
+  EXPECT_THROW(run_monte_carlo(a, a, settings), UsageError);
+  settings.backend = gjk_backend();
   settings.domain = {};
   EXPECT_THROW(run_monte_carlo(a, a, settings), UsageError) << "without a domain every estimate was 0";
   EXPECT_THROW(hit_or_miss_estimate(Tally{}, 1.0), UsageError);

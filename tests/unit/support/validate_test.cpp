@@ -11,6 +11,7 @@
 #include "engine/numeric/errors.h"
 #include "engine/support/combinators.h"
 #include "shapes/box.h"
+#include "shapes/ellipsoid.h"
 #include "shapes/sphere.h"
 #include "tests/referees/bodies.h"
 #include "tests/referees/polytopes.h"
@@ -160,6 +161,22 @@ struct WrongCore : Sphere {
 TEST(Validate, ABallThatIsNotTheBodys) {
   const std::vector<Violation> found = validate(WrongCore(1.0));
   EXPECT_TRUE(has(found, Claim::ball_part)) << all_of(found);
+}
+
+struct WrongGenerators : Box {
+  using Box::Box;
+  Generators generators() const { return Box(2, 2, 2).generators(); }
+};
+
+TEST(Validate, GeneratorsOfAnotherBody) { EXPECT_TRUE(has(validate(WrongGenerators(1, 1, 1)), Claim::generators)); }
+
+struct WrongRolling : Ellipsoid {
+  using Ellipsoid::Ellipsoid;
+  double rolling_radius() const { return 1.0; }
+};
+
+TEST(Validate, ABallThatDoesNotRoll) {
+  EXPECT_TRUE(has(validate(WrongRolling(1, 2, 3)), Claim::rolling_radius)) << "a third";
 }
 
 /// The hull of a ball and a far point that it forgets where the direction is not exactly towards it: found because
