@@ -115,7 +115,7 @@ TEST(Certificate, WithANumberThatIsNoneProvesNothing) {
     }
   }
   // Vertices that are placed beyond the largest double.
-  const ConvexBody huge = Polytope(std::vector<Vec3d>{{1.5e308, 0, 0}}, {}, 0.0);
+  const ConvexBody huge = Polytope(std::vector<Vec3d>{{1.5e308, 0, 0}}, {1.5e308, 0, 0}, 0.0);
   OverlapCertificate apart;
   apart.separating_dir = {-1, 0, 0};
   EXPECT_FALSE(check_certificate(huge, huge, shifted(-1.5e308, 0, 0), Outcome::overlap, apart).is_proven);
