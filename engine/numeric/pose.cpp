@@ -10,6 +10,12 @@
 #include "engine/numeric/number_text.h"
 
 namespace vex {
+namespace {
+
+bool mirrors(const Transformd& pose) { return dot(cross(pose.row_x, pose.row_y), pose.row_z) < 0.0; }
+
+}  // namespace
+
 double distance_from_rotation(const Transformd& pose) {
   const std::array<Vec3d, 3> columns = {{{pose.row_x.x, pose.row_y.x, pose.row_z.x},
                                          {pose.row_x.y, pose.row_y.y, pose.row_z.y},
@@ -26,21 +32,21 @@ double distance_from_rotation(const Transformd& pose) {
 }
 
 bool is_rotation(const Transformd& pose) {
-  return distance_from_rotation(pose) <= Pose::kRotationTolerance &&
-         dot(cross(pose.row_x, pose.row_y), pose.row_z) > 0.0;
+  return distance_from_rotation(pose) <= Pose::kRotationTolerance && !mirrors(pose);
 }
 
 void Pose::check() const {
-  if (is_rotation(a_from_b_) && is_finite(a_from_b_.translation)) return;
   const double off = distance_from_rotation(a_from_b_);
   if (!(off <= kRotationTolerance)) {
     throw InputError("not a rotation (max|R^T R - 1| = " + shortest_number(off) + ", and " +
                      shortest_number(kRotationTolerance) + " is allowed) - give more digits, or a quaternion");
   }
-  if (!is_rotation(a_from_b_)) {
+  if (mirrors(a_from_b_)) {
     throw InputError("a reflection is no pose (the determinant of R is negative) - mirror the body instead");
   }
-  throw InputError("a pose's translation is not finite - give finite numbers");
+  if (!is_finite(a_from_b_.translation)) {
+    throw InputError("a pose's translation is not finite - give finite numbers");
+  }
 }
 
 }  // namespace vex

@@ -7,23 +7,6 @@
 #include "engine/numeric/number_text.h"
 
 namespace vex {
-double checked_size(double size, const char* what) {
-  if (!(size > 0.0 && std::isfinite(size))) {
-    throw InputError(std::string(what) + " is not positive and finite (" + shortest_number(size) +
-                     ") - every size of a body must be");
-  }
-  if (size >= kLeastBodySize && size <= kLargestBodySize) return size;
-  throw InputError(std::string(what) + " is out of range (" + shortest_number(size) + ") - use sizes from " +
-                   shortest_number(kLeastBodySize) + " to " + shortest_number(kLargestBodySize));
-}
-
-double checked_size_or_zero(double size, const char* what) {
-  if (size == 0.0) return size;
-  if (size > 0.0) return checked_size(size, what);
-  throw InputError(std::string(what) + " is negative or no number (" + shortest_number(size) +
-                   ") - give a length from 0 up");
-}
-
 namespace {
 
 void check_bound(double claim, const char* what) {
@@ -55,6 +38,23 @@ void check_generators(const Generators& generators) {
 }
 
 }  // namespace
+
+double checked_size(double size, const char* what) {
+  if (!(size > 0.0 && std::isfinite(size))) {
+    throw InputError(std::string(what) + " is not positive and finite (" + shortest_number(size) +
+                     ") - every size of a body must be");
+  }
+  if (size >= kLeastBodySize && size <= kLargestBodySize) return size;
+  throw InputError(std::string(what) + " is out of range (" + shortest_number(size) + ") - use sizes from " +
+                   shortest_number(kLeastBodySize) + " to " + shortest_number(kLargestBodySize));
+}
+
+double checked_size_or_zero(double size, const char* what) {
+  if (size == 0.0) return size;
+  if (size > 0.0) return checked_size(size, what);
+  throw InputError(std::string(what) + " is negative or no number (" + shortest_number(size) +
+                   ") - give a length from 0 up");
+}
 
 namespace detail {
 

@@ -161,7 +161,7 @@ class Walker {
         std::string_view text;
         if (has_value || !read_string(&text)) return false;
         if (!levels_.empty() && levels_.back().is_object && is_followed_by_colon()) {
-          levels_.back().key = text.find('\\') == std::string_view::npos ? text : kept_.emplace_back(unescaped(text));
+          levels_.back().key = meant_by(text);
           note_unread(levels_.back().key);
         } else {
           take(text, true);
@@ -192,6 +192,11 @@ class Walker {
     return true;
   }
 
+  /// A string without its escapes. It lives as long as this.
+  std::string_view meant_by(std::string_view raw) {
+    return raw.find('\\') == std::string_view::npos ? raw : kept_.emplace_back(unescaped(raw));
+  }
+
   bool is_followed_by_colon() {
     const std::size_t next = json_.find_first_not_of(" \t\r\n", at_);
     if (next == std::string_view::npos || json_[next] != ':') return false;
@@ -199,10 +204,8 @@ class Walker {
     return true;
   }
 
-  /// Whether what begins, or stands at that depth, is the quaternion of a node.
-  bool is_rotation(std::size_t depth = 3) const {
-    return levels_.size() >= depth && path_is("nodes") && levels_[2].key == "rotation";
-  }
+  /// Whether the value at hand is the quaternion of a node, or within it.
+  bool is_rotation() const { return levels_.size() >= 3 && path_is("nodes") && levels_[2].key == "rotation"; }
   /// assimp makes of a quaternion whose length is not 1 a matrix that also stretches.
   void take_rotation(std::string_view raw) {
     double number = 0.0;
@@ -231,7 +234,7 @@ class Walker {
     if (levels_.size() == 3 && path_is("accessors") && !accessors_.empty()) {
       Accessor& accessor = accessors_.back();
       if (levels_[2].key == "componentType" && !is_string) accessor.component_type = raw;
-      if (levels_[2].key == "type" && is_string) accessor.type = kept_.emplace_back(unescaped(raw));
+      if (levels_[2].key == "type" && is_string) accessor.type = meant_by(raw);
       if (levels_[2].key == "count") accessor.count = whole_number(raw);
       if (levels_[2].key == "byteOffset") accessor.byte_offset = whole_number(raw);
       if (levels_[2].key == "bufferView") accessor.view = whole_number(raw).value_or(views_.max_size());
@@ -240,7 +243,7 @@ class Walker {
       if (levels_[2].key == "byteLength") views_.back().byte_length = whole_number(raw);
       if (levels_[2].key == "byteStride") views_.back().byte_stride = whole_number(raw);
     }
-    if (levels_.size() == 4 && is_rotation(3)) take_rotation(raw);
+    if (levels_.size() == 4 && is_rotation()) take_rotation(raw);
     if (path_is("meshes") && levels_.size() >= 5 && levels_[2].key == "primitives") {
       const bool is_positions = levels_.size() == 6 && levels_[4].key == "attributes" && levels_[5].key == "POSITION";
       if (is_positions || (levels_.size() == 5 && levels_[4].key == "indices")) uses_.push_back({is_positions, raw});

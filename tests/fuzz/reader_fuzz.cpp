@@ -1,7 +1,5 @@
 #include "reader_fuzz.h"
 
-#include <zlib.h>
-
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -17,6 +15,7 @@
 #include "meshes/formats/scene_formats.h"
 #include "meshes/formats/strict_readers.h"
 #include "meshes/gunzip.h"
+#include "tests/corpus/file_text.h"
 
 namespace vex::tests {
 namespace {
@@ -66,43 +65,13 @@ void look_into(void (*look)(AssimpInput*), std::string_view data, const std::str
   demand(std::isfinite(input.unit_metres) && input.unit_metres >= 0.0, "the unit is a length");
 }
 
-void put(std::uint64_t number, int n_bytes, std::string* bytes) {
-  for (int k = 0; k < n_bytes; ++k) bytes->push_back(static_cast<char>(number >> (8 * k) & 0xFFU));
-}
-
 /// A .3mf archive with this model, not packed and with the right check sums: mutations of packed bytes hardly ever
 /// have.
 std::string archive_of_model(std::string_view model) {
   const std::string relations =
       "<Relationships><Relationship Target=\"/3D/a.model\" "
       "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>";
-  std::string bytes, directory;
-  const auto add = [&](const std::string& path, std::string_view contents) {
-    std::string common;
-    for (const unsigned field : {20U, 0U, 0U, 0U, 0x21U}) put(field, 2, &common);
-    put(crc32(0, reinterpret_cast<const Bytef*>(contents.data()), static_cast<uInt>(contents.size())), 4, &common);
-    for (int k = 0; k < 2; ++k) put(contents.size(), 4, &common);
-    put(path.size(), 2, &common);
-    put(0x02014B50, 4, &directory);
-    put(20, 2, &directory);
-    directory += common + std::string(12, '\0');
-    put(bytes.size(), 4, &directory);
-    directory += path;
-    put(0x04034B50, 4, &bytes);
-    bytes += common + std::string(2, '\0') + path;
-    bytes += contents;
-  };
-  add("_rels/.rels", relations);
-  add("3D/a.model", model);
-  const std::size_t place = bytes.size();
-  bytes += directory;
-  put(0x06054B50, 4, &bytes);
-  put(0, 4, &bytes);
-  for (int k = 0; k < 2; ++k) put(2, 2, &bytes);
-  put(directory.size(), 4, &bytes);
-  put(place, 4, &bytes);
-  put(0, 2, &bytes);
-  return bytes;
+  return zipped({{"_rels/.rels", relations}, {"3D/a.model", std::string(model)}});
 }
 
 const std::string kName = "fuzz.bin";
