@@ -42,8 +42,6 @@ constexpr std::array<Unread, 5> kUnread{{{"rx", "instance", "a turned instance"}
                                          {"normal", "vertex", "a curved triangle"},
                                          {"edge", "vertices", "a curved triangle"}}};
 
-std::string named(std::string_view name) { return "<" + std::string(name) + ">"; }
-
 /// Of a coordinate assimp takes the name in either case.
 std::string_view in_lower_case(std::string_view name) {
   if (name == "X") return "x";
@@ -88,7 +86,7 @@ class AmfCheck {
     for (const Unread& unread : kUnread) {
       if (tag.name != unread.name || parent.name != unread.parent) continue;
       refuse_scene(input_, "the file holds " + std::string(unread.what) + ", which is not read",
-                   named(tag.name) + " in " + named(parent.name), "export it as .stl, .ply or .obj");
+                   shown_name(tag.name) + " in " + shown_name(parent.name), "export it as .stl, .ply or .obj");
     }
     if (open_.size() == 1 && (tag.name == "object" || tag.name == "constellation")) {
       ids_.push_back(tag.attribute("id").value_or(""));
@@ -110,7 +108,7 @@ class AmfCheck {
     const auto end = static_cast<std::size_t>(text_behind.data() + text_behind.size() - text_.data());
     if (kind.holds(number) && text_.substr(end).starts_with("</")) return;
     refuse_scene(input_, shown(number) + " is not " + kind.name,
-                 named(tag.name) + " in " + named(open_.back().name) + ": expected " + kind.name + " alone",
+                 shown_name(tag.name) + " in " + shown_name(open_.back().name) + ": expected " + kind.name + " alone",
                  "mend the file");
   }
 
@@ -122,7 +120,8 @@ class AmfCheck {
     for (std::size_t k = 0; k < closed.counts.size(); ++k) {
       const std::string_view part = closed.whole->parts[k];
       if (part.empty() || closed.counts[k] == 1) continue;
-      refuse_scene(input_, named(closed.name) + " has " + std::to_string(closed.counts[k]) + " of " + named(part),
+      refuse_scene(input_,
+                   shown_name(closed.name) + " has " + std::to_string(closed.counts[k]) + " of " + shown_name(part),
                    "expected one", kMendOrExport);
     }
   }

@@ -81,7 +81,7 @@ std::size_t check_numbers(const XmlTag& tag, std::string_view text, const Assimp
       const std::string problem = are_indices        ? " is not " + std::string(kIndex.name)
                                   : is_decimal(word) ? " has more digits than assimp reads"
                                                      : " is no decimal number";
-      refuse_scene(input, shown(word) + problem, "in <" + std::string(tag.name) + ">", "mend the file");
+      refuse_scene(input, shown(word) + problem, "in " + shown_name(tag.name), "mend the file");
     }
     text.remove_prefix(word.size());
     ++n_words;

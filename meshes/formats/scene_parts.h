@@ -23,6 +23,8 @@ std::optional<XmlTag> first_tag(std::string_view text);
 /// As messages quote it. (Of a std::string, quoted() would be taken for std::quoted.)
 std::string shown(std::string_view word);
 std::string shown_tag(const XmlTag& tag);
+/// A tag's name as `<name>`, printable and shortened as quoted words are.
+std::string shown_name(std::string_view name);
 
 /// What blanks of XML are.
 inline constexpr std::string_view kXmlBlanks = " \t\r\n";

@@ -129,13 +129,13 @@ void check_model(const ZipEntry& part, std::string_view text, bool is_only_part,
     } else if (tag->name == "component" || tag->name == "item") {
       if (!is_only_part && tag->attributes.find(":path") != std::string_view::npos) {
         refuse_scene(input, "the model's parts lie in several files of the archive",
-                     "<" + std::string(tag->name) + "> of " + part.name, "export it as .stl, .ply or .obj");
+                     shown_name(tag->name) + " of " + shown(part.name), "export it as .stl, .ply or .obj");
       }
       ids.note_use(*tag, check(*tag, "objectid", kIndex));
       if (tag->attribute("transform")) check(*tag, "transform", kTransform);
     } else if ((tag->name == "resources" && ++n_resources > 1) || (tag->name == "build" && ++n_builds > 1)) {
       refuse_scene(input, "the model has two of what it may have one of",
-                   "<" + std::string(tag->name) + "> in " + shown(part.name), "mend the file");
+                   shown_name(tag->name) + " in " + shown(part.name), "mend the file");
     }
   }
   ids.check_uses();

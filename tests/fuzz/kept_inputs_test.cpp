@@ -7,6 +7,7 @@
 
 #include "meshes/file_bytes.h"
 #include "reader_fuzz.h"
+#include "tests/corpus/file_text.h"
 
 namespace vex::tests {
 namespace {
@@ -26,9 +27,31 @@ TEST_P(KeptInputs, KeepTheReadersPromises) {
   EXPECT_GT(n_files, 1U);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEveryFormat, KeptInputs, ::testing::ValuesIn(fuzz_formats()), [](const auto& test) {
-  return "of_" + test.param.name;
-});
+INSTANTIATE_TEST_SUITE_P(OfEveryFormat, KeptInputs, ::testing::ValuesIn(fuzz_formats()),
+                         [](const auto& test) { return "of_" + test.param.name; });
+
+struct Found {
+  const char* format;
+  std::string bytes;
+};
+
+/// Inputs on which a promise was broken.
+TEST(FoundInputs, KeepTheReadersPromises) {
+  const Found inputs[] = {
+      // A tag's name in a message, with control characters of the file.
+      {"amf", "<amf><constellation><instance><deltax\x01\x7f>1,5</deltax\x01\x7f></instance></constellation></amf>"},
+      {"amf", "<amf><object><mesh><vertices><vertex><coordinates\x02 /></vertex></vertices></mesh></object></amf>"},
+      // The name of an archive's part, likewise.
+      {"3mf", zipped({{"_rels/.rels", "<Relationships/>"},
+                      {"3D/a\x03.model", "<model unit=\"millimeter\"><resources/><resources/></model>"},
+                      {"3D/b\x04.model", "<model><component objectid=\"1\" p:path=\"/3D/a.model\"/></model>"}})}};
+  for (const Found& found : inputs) {
+    SCOPED_TRACE(found.format);
+    for (const FuzzFormat& format : fuzz_formats()) {
+      if (format.name == found.format) EXPECT_NO_THROW(read_as(format, found.bytes));
+    }
+  }
+}
 
 }  // namespace
 }  // namespace vex::tests
