@@ -39,6 +39,18 @@ foreach(room IN ITEMS engine shapes meshes)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${room} ${PROJECT_BINARY_DIR}/include/vex/${room} SYMBOLIC)
 endforeach()
 
+# <vex/vex.h> is the list of the public headers.
+file(STRINGS ${PROJECT_SOURCE_DIR}/cmake/public_headers.txt vex_public_headers REGEX "^[a-z]")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/public_headers.txt)
+list(TRANSFORM vex_public_headers REPLACE "(.+)" "#include \"vex/\\1\"" OUTPUT_VARIABLE includes)
+list(JOIN includes "\n" includes)
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/include/vex/vex.h @ONLY CONTENT
+"// All that vex offers: see docs/library.md.
+#pragma once
+
+${includes}
+")
+
 # vex_library(NAME sources...): a static library with the options above and an alias vex::NAME.
 function(vex_library name)
   add_library(vex_${name} STATIC ${ARGN})

@@ -46,6 +46,9 @@ include(cmake/man_pages.cmake)
 # (docs/decisions/0003), hence the one compiler option that goes along.
 target_compile_options(vex_engine INTERFACE
   $<INSTALL_INTERFACE:$<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-ffp-contract=off>>)
+set_target_properties(vex_vex PROPERTIES EXPORT_NAME vex)
+install(TARGETS vex_vex EXPORT vex_meshes)
+
 foreach(room IN LISTS vex_installed_rooms)
   set_target_properties(vex_${room} PROPERTIES EXPORT_NAME ${room})
   install(TARGETS vex_${room} EXPORT vex_${room}
@@ -69,6 +72,7 @@ endif()
 install(CODE "
   set(vex_source_dir \"${PROJECT_SOURCE_DIR}\")
   set(vex_rooms ${vex_installed_rooms})
+  set(vex_umbrella \"${PROJECT_BINARY_DIR}/include/vex/vex.h\")
   set(vex_staging_dir \"${PROJECT_BINARY_DIR}/install_headers\")
   set(vex_include_dir \"${vex_include_dir}\")
   include(\"${PROJECT_SOURCE_DIR}/cmake/install_headers.cmake\")"

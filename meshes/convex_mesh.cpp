@@ -149,7 +149,8 @@ NormalMeasures normals_of(MeshBody body) {
   return {[kept] { return area_measure(kept->triangles); }, [kept] { return mean_curvature_measure(kept->triangles); }};
 }
 
-ConvexMesh finished(MeshBody body, MeshReport report) {
+/// `faces_are_triangles`: the file's own, whatever they are, are not the body's.
+ConvexMesh finished(MeshBody body, MeshReport report, bool faces_are_triangles) {
   report.n_vertices = body.vertices.size();
   report.n_dropped_vertices = report.n_points - report.n_vertices;
   report.n_triangles = body.triangles.size();
@@ -157,9 +158,12 @@ ConvexMesh finished(MeshBody body, MeshReport report) {
   const double widest_inradius = inscribed_radius(body.triangles, body.solid.centroid);
   const Vec3d centre = rounded_centre(body.solid.centroid, widest_inradius, report.size);
   const double inradius = inscribed_radius(body.triangles, {centre, {}});
-  ConvexMesh mesh{Polytope(body.vertices, centre, inradius), measures_of(body), std::move(report)};
-  mesh.normals = normals_of(std::move(body));
-  return mesh;
+  const Measures measures = measures_of(body);
+  Polytope polytope(body.vertices, centre, inradius);
+  const std::size_t n_faces =
+      faces_are_triangles || report.n_dropped_vertices > 0 ? report.n_triangles : report.n_faces;
+  return {{"polyhedron", ConvexBody(std::move(polytope)), measures, n_faces, normals_of(std::move(body))},
+          std::move(report)};
 }
 
 /// The convex body with as few vertices as its coordinates' rounding allows. The power of two: what rounding makes of
@@ -208,7 +212,7 @@ ConvexMesh finished(MeshBody body, Passage passage) {
   MeshReport report = std::move(passage.report);
   note_rounding(body, passage, &report);
   if (!passage.options.scale) {
-    return finished(std::move(body), std::move(report));
+    return finished(std::move(body), std::move(report), passage.options.hull);
   }
   const double scale = passage.options.scale(measures_of(body));
   body = scaled_body(std::move(body), scale);
@@ -216,7 +220,7 @@ ConvexMesh finished(MeshBody body, Passage passage) {
   if (report.hull_added_volume) {
     report.hull_added_volume = scale * scale * scale * *report.hull_added_volume;
   }
-  ConvexMesh result = finished(std::move(body), std::move(report));
+  ConvexMesh result = finished(std::move(body), std::move(report), passage.options.hull);
   check_scaled_measures(result.measures, scale);
   return result;
 }
@@ -315,7 +319,15 @@ ConvexMesh convex_mesh_from(PolygonSoup soup, const MeshOptions& options) {
   return options.hull ? hull_from(std::move(soup), std::move(passage)) : body_from(std::move(soup), std::move(passage));
 }
 
-ConvexMesh load_convex_mesh(const std::filesystem::path& path, const MeshOptions& options) {
+ConvexMesh hull_of(std::span<const Vec3d> points) {
+  PolygonSoup soup;
+  soup.points.assign(points.begin(), points.end());
+  return convex_mesh_from(std::move(soup), {.hull = true});
+}
+
+const Polytope& ConvexMesh::polytope() const { return *body.target<Polytope>(); }
+
+ConvexMesh load(const std::filesystem::path& path, const MeshOptions& options) {
   check_options(options);
   return convex_mesh_from(read_polygon_soup(path, {.format = options.format, .isolated = options.isolated_reader}),
                           options);

@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "meshes/polygon_soup.h"
-#include "shapes/measures.h"
-#include "shapes/normal_measure.h"
+#include "shapes/body.h"
 #include "shapes/polytope.h"
 
 namespace vex {
@@ -80,19 +80,21 @@ struct MeshReport {
 /// 1e-12 of the exact polyhedron's. Points inside, or on a facet or an edge, are left out where exact signs prove that
 /// they are there; and corners of the hull that are no farther outside the others' hull than the rounding of the
 /// coordinates explains, where that is not more than 1e-5 of V/S (meshes/extreme_vertices.h).
-struct ConvexMesh {
-  Polytope body;
-  Measures measures;
+struct ConvexMesh : Body {
   MeshReport report;
 
-  /// The measures on normals of the surface that was measured, made from it each time they are asked for.
-  NormalMeasures normals{};
+  /// The body, as the hull that it is. Its vertices are `vertices_of(body)`.
+  const Polytope& polytope() const;
 };
 
 /// Reads, welds, checks and measures. Throws InputError naming the first condition that fails, where, and by how much.
-ConvexMesh load_convex_mesh(const std::filesystem::path& path, const MeshOptions& options = {});
+ConvexMesh load(const std::filesystem::path& path, const MeshOptions& options = {});
 
 /// The same for a mesh that is already in memory.
 ConvexMesh convex_mesh_from(PolygonSoup soup, const MeshOptions& options = {});
+
+/// The convex hull of points in any order, those inside included. Throws InputError where a coordinate is not finite or
+/// the points span no volume.
+ConvexMesh hull_of(std::span<const Vec3d> points);
 
 }  // namespace vex

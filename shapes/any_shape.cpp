@@ -34,55 +34,41 @@ namespace {
 
 using Sizes = std::span<const double>;
 
-template <class Shape>
-MeasuredBody measured(const Shape& shape) {
-  MeasuredBody made{{}, ConvexBody(shape), shape.measures()};
-  if constexpr (requires { shape.n_faces(); }) made.n_faces = shape.n_faces();
-  made.normals = normal_measures_of(shape);
-  return made;
-}
-
-// A regular polyhedron is its vertices; as what it was made does not matter any more.
-template <std::derived_from<Polytope> Polyhedron>
-MeasuredBody measured(const Polyhedron& shape) {
-  return {{}, ConvexBody(Polytope(shape)), shape.measures(), shape.n_faces(), normal_measures_of(shape)};
-}
-
 struct Entry {
   NamedShape shape;
   std::size_t n_sizes;
-  MeasuredBody (*make)(Sizes sizes);
+  Body (*make)(Sizes sizes);
 };
 
 // The list: a new body is one line here. Every size is a length.
 constexpr std::array kShapes = {
-    Entry{{"sphere", "R", "radius"}, 1, [](Sizes s) { return measured(Sphere(s[0])); }},
-    Entry{{"box", "A,B,C", "full edges along x, y, z"}, 3, [](Sizes s) { return measured(Box(s[0], s[1], s[2])); }},
+    Entry{{"sphere", "R", "radius"}, 1, [](Sizes s) -> Body { return Sphere(s[0]); }},
+    Entry{{"box", "A,B,C", "full edges along x, y, z"}, 3, [](Sizes s) -> Body { return Box(s[0], s[1], s[2]); }},
     Entry{{"ellipsoid", "A,B,C", "semi-axes along x, y, z"},
           3,
-          [](Sizes s) { return measured(Ellipsoid(s[0], s[1], s[2])); }},
+          [](Sizes s) -> Body { return Ellipsoid(s[0], s[1], s[2]); }},
     Entry{{"capsule", "L,R", "length of the straight part along z, radius"},
           2,
-          [](Sizes s) { return measured(Capsule(s[0], s[1])); }},
-    Entry{{"cylinder", "L,R", "length along z, radius"}, 2, [](Sizes s) { return measured(Cylinder(s[0], s[1])); }},
+          [](Sizes s) -> Body { return Capsule(s[0], s[1]); }},
+    Entry{{"cylinder", "L,R", "length along z, radius"}, 2, [](Sizes s) -> Body { return Cylinder(s[0], s[1]); }},
     Entry{{"cone", "H,R", "height along z, radius of the base at z = -H/2"},
           2,
-          [](Sizes s) { return measured(Cone(s[0], s[1])); }},
+          [](Sizes s) -> Body { return Cone(s[0], s[1]); }},
     Entry{{"frustum", "H,R1,R2", "height along z, radii at z = -H/2 and z = H/2"},
           3,
-          [](Sizes s) { return measured(Frustum(s[0], s[1], s[2])); }},
+          [](Sizes s) -> Body { return Frustum(s[0], s[1], s[2]); }},
     Entry{{"hemisphere", "R", "radius; flat face in z = 0, dome towards +z"},
           1,
-          [](Sizes s) { return measured(Hemisphere(s[0])); }},
-    Entry{{"disc", "R", "radius; in z = 0, no thickness"}, 1, [](Sizes s) { return measured(Disc(s[0])); }},
+          [](Sizes s) -> Body { return Hemisphere(s[0]); }},
+    Entry{{"disc", "R", "radius; in z = 0, no thickness"}, 1, [](Sizes s) -> Body { return Disc(s[0]); }},
     Entry{{"plate", "A,B", "full edges along x, y; in z = 0, no thickness"},
           2,
-          [](Sizes s) { return measured(Plate(s[0], s[1])); }},
-    Entry{{"needle", "L", "length along z, no thickness"}, 1, [](Sizes s) { return measured(Needle(s[0])); }},
-    Entry{{"tetrahedron", "E", "edge"}, 1, [](Sizes s) { return measured(Tetrahedron(s[0])); }},
-    Entry{{"octahedron", "E", "edge"}, 1, [](Sizes s) { return measured(Octahedron(s[0])); }},
-    Entry{{"dodecahedron", "E", "edge"}, 1, [](Sizes s) { return measured(Dodecahedron(s[0])); }},
-    Entry{{"icosahedron", "E", "edge"}, 1, [](Sizes s) { return measured(Icosahedron(s[0])); }},
+          [](Sizes s) -> Body { return Plate(s[0], s[1]); }},
+    Entry{{"needle", "L", "length along z, no thickness"}, 1, [](Sizes s) -> Body { return Needle(s[0]); }},
+    Entry{{"tetrahedron", "E", "edge"}, 1, [](Sizes s) -> Body { return Tetrahedron(s[0]); }},
+    Entry{{"octahedron", "E", "edge"}, 1, [](Sizes s) -> Body { return Octahedron(s[0]); }},
+    Entry{{"dodecahedron", "E", "edge"}, 1, [](Sizes s) -> Body { return Dodecahedron(s[0]); }},
+    Entry{{"icosahedron", "E", "edge"}, 1, [](Sizes s) -> Body { return Icosahedron(s[0]); }},
 };
 
 // The one body that is made of another.
@@ -204,9 +190,9 @@ std::optional<RoundedText> parse_rounded(std::string_view text) {
   return parts;
 }
 
-MeasuredBody rounded(const MeasuredBody& body, double radius, std::string_view source, const SizeRange& range) {
+Body rounded(const Body& body, double radius, std::string_view source, const SizeRange& range) {
   const Rounded<ConvexBody> shape(body.body, body.measures, size_in_range(radius, source, range));
-  MeasuredBody made{std::string(kRounded.name), ConvexBody(shape), shape.measures()};
+  Body made{std::string(kRounded.name), ConvexBody(shape), shape.measures()};
   if (body.normals.area && body.normals.mean_curvature) {
     made.normals = parallel_body_normal_measures(body.normals, radius);
   }
@@ -214,7 +200,7 @@ MeasuredBody rounded(const MeasuredBody& body, double radius, std::string_view s
   return made;
 }
 
-MeasuredBody parse_shape(std::string_view text, double scale, const SizeRange& range) {
+Body parse_shape(std::string_view text, double scale, const SizeRange& range) {
   if (const std::optional<RoundedText> parts = parse_rounded(text)) {
     return rounded(parse_shape(parts->body, scale, range), parts->radius * scale, text, range);
   }
@@ -232,7 +218,7 @@ MeasuredBody parse_shape(std::string_view text, double scale, const SizeRange& r
     rest = rest.substr(comma + 1);
   }
   if (sizes.size() != entry->n_sizes) refuse_count(sizes.size(), text, entry->shape);
-  MeasuredBody made = entry->make(sizes);
+  Body made = entry->make(sizes);
   made.kind = entry->shape.name;
   require_size_in_range(made.body, made.measures, text, range);
   return made;

@@ -1,26 +1,14 @@
 // A body named by a text: `box:1,2,3`.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "engine/support/convex_body.h"
-#include "shapes/measures.h"
-#include "shapes/normal_measure.h"
+#include "shapes/body.h"
 
 namespace vex {
-
-/// A body as the sampler sees it, and beside it, never mixed with it, its measures as the formula sees them.
-struct MeasuredBody {
-  std::string kind;  // sphere, box, ...; polyhedron for a mesh
-  ConvexBody body;
-  Measures measures;
-  std::size_t n_faces = 0;   // of a polytope, sides of a plate; 0 for what has curved parts
-  NormalMeasures normals{};  // none of a body that somebody made without
-};
 
 /// The vertices of a polytope, exactly: it is their convex hull. None for a body with curved parts.
 std::vector<Vec3d> vertices_of(const ConvexBody& body);
@@ -49,7 +37,7 @@ inline constexpr SizeRange kQueriedSizes{1e-150, 1e150, false};
 
 /// The body that the text names, every size of it multiplied by `scale` and rounded. Throws UsageError where the text
 /// is malformed, InputError where a size is zero, negative, not finite, or out of the range.
-MeasuredBody parse_shape(std::string_view text, double scale = 1.0, const SizeRange& range = kMeasuredSizes);
+Body parse_shape(std::string_view text, double scale = 1.0, const SizeRange& range = kMeasuredSizes);
 
 /// `rounded:r,BODY`, taken apart. BODY is the text of any body, also of one that only the caller can make (a mesh
 /// file); where it is rounded itself the radii add up, as the parallel bodies do.
@@ -62,8 +50,7 @@ struct RoundedText {
 std::optional<RoundedText> parse_rounded(std::string_view text);
 
 /// The body with a ball of this radius about each of its points. `source` names it in messages.
-MeasuredBody rounded(const MeasuredBody& body, double radius, std::string_view source,
-                     const SizeRange& range = kMeasuredSizes);
+Body rounded(const Body& body, double radius, std::string_view source, const SizeRange& range = kMeasuredSizes);
 
 /// Throws InputError where the body, or a coordinate of it, is out of the range; `source` names it in the message.
 void require_size_in_range(const ConvexBody& body, const Measures& measures, std::string_view source,

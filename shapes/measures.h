@@ -1,6 +1,8 @@
 // The three measures of a convex body that its average excluded volume depends on.
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace vex {
@@ -16,6 +18,15 @@ struct Measures {
   double integrated_mean_curvature = 0.0;
 
   /// M / 4 pi, in units of length: R for a sphere.
+  /// Of a body that does not tell its measures: NaN each.
+  static Measures unknown() {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    return {kUnknown, kUnknown, kUnknown};
+  }
+  bool are_known() const {
+    return !(std::isnan(volume) || std::isnan(surface_area) || std::isnan(integrated_mean_curvature));
+  }
+
   double mean_radius() const { return integrated_mean_curvature / (4.0 * std::numbers::pi); }
 };
 

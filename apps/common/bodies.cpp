@@ -93,10 +93,8 @@ LoadedBody loaded_from(const std::string& text, const BodyOptions& options, cons
     mesh_options.scale = [&](const Measures& measures) { return scale = factor(measures); };
   }
   ConvexMesh mesh = naming_the_file(core, [&] { return mesh_from(mesh_options); });
-  LoadedBody loaded{text, {"polyhedron", ConvexBody(std::move(mesh.body)), mesh.measures}, scale, mesh.report};
-  loaded.shape.normals = std::move(mesh.normals);
-  loaded.shape.n_faces =
-      options.hull || mesh.report.n_dropped_vertices > 0 ? mesh.report.n_triangles : mesh.report.n_faces;
+  MeshReport report = std::move(mesh.report);
+  LoadedBody loaded{text, std::move(mesh), scale, std::move(report)};
   require_size_in_range(loaded.shape.body, loaded.shape.measures, text, range);
   if (round) loaded.shape = rounded(loaded.shape, radius * scale, text, range);
   return loaded;
@@ -114,9 +112,8 @@ void require_one_unit(const LoadedBody& a, const LoadedBody& b, const BodyOption
 }  // namespace
 
 LoadedBody load_body(const std::string& text, const BodyOptions& options) {
-  return loaded_from(text, options, [&](const MeshOptions& mesh_options) {
-    return load_convex_mesh(file_named_by(text), mesh_options);
-  });
+  return loaded_from(text, options,
+                     [&](const MeshOptions& mesh_options) { return load(file_named_by(text), mesh_options); });
 }
 
 std::pair<LoadedBody, LoadedBody> load_two_bodies(const std::string& a, const std::string& b,

@@ -39,7 +39,7 @@ struct BodyOptions {
 
 struct LoadedBody {
   std::string source;                // as the user wrote it
-  MeasuredBody shape;                // rounded and scaled
+  Body shape;                // rounded and scaled
   double scale = 1.0;                // what every length was multiplied by
   std::optional<MeshReport> mesh{};  // of a mesh file; what was rounded is its core
 

@@ -58,7 +58,7 @@ std::string volume_remark(const LoadedBody& loaded) {
 }  // namespace
 
 nlohmann::ordered_json body_json(const LoadedBody& loaded, bool with_vertices) {
-  const MeasuredBody& shape = loaded.shape;
+  const Body& shape = loaded.shape;
   const std::optional<MeshReport>& mesh = loaded.mesh;
   const std::vector<Vec3d> vertices = vertices_of(shape.body);
   nlohmann::ordered_json json;
@@ -107,7 +107,7 @@ nlohmann::ordered_json body_json(const LoadedBody& loaded, bool with_vertices) {
 }
 
 std::string body_text(const LoadedBody& loaded, const std::string& label, bool with_vertices) {
-  const MeasuredBody& shape = loaded.shape;
+  const Body& shape = loaded.shape;
   const std::optional<MeshReport>& mesh = loaded.mesh;
   const Vec3d centre = shape.body.centre();
   const std::vector<Vec3d> vertices = vertices_of(shape.body);

@@ -33,7 +33,8 @@ std::size_t terminal_width() {
 
 }  // namespace
 
-double fraction_done(const Progress& progress, const StopRule& stop) {
+double fraction_done(const Progress& progress) {
+  const StopRule& stop = progress.stop;
   const double n = static_cast<double>(progress.tally.n_trials);
   double fraction = n / static_cast<double>(std::min(stop.trials.value_or(stop.max_trials), stop.max_trials));
   if (stop.seconds) fraction = std::max(fraction, progress.seconds / *stop.seconds);
@@ -49,8 +50,8 @@ double fraction_done(const Progress& progress, const StopRule& stop) {
   return std::clamp(fraction, 0.0, 1.0);
 }
 
-ProgressBar::ProgressBar(bool wanted, const StopRule& stop, std::string label)
-    : enabled_(wanted && isatty(STDERR_FILENO) != 0), stop_(stop), label_(std::move(label)) {}
+ProgressBar::ProgressBar(bool wanted, std::string label)
+    : enabled_(wanted && isatty(STDERR_FILENO) != 0), label_(std::move(label)) {}
 
 ProgressBar::~ProgressBar() {
   if (drawn_) std::fputs("\r\033[K", stderr);
@@ -61,15 +62,14 @@ void ProgressBar::show(const Progress& progress) {
   next_seconds_ = progress.seconds + kSecondsBetween;
   const std::size_t width = terminal_width();
   const std::size_t label_width = std::min(label_.size(), width);
-  const std::string line =
-      "\r\033[K" + label_.substr(0, label_width) + progress_line(progress, stop_, width - label_width);
+  const std::string line = "\r\033[K" + label_.substr(0, label_width) + progress_line(progress, width - label_width);
   std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
   drawn_ = true;
 }
 
-std::string progress_line(const Progress& progress, const StopRule& stop, std::size_t width) {
-  const double fraction = fraction_done(progress, stop);
+std::string progress_line(const Progress& progress, std::size_t width) {
+  const double fraction = fraction_done(progress);
   const double n = static_cast<double>(progress.tally.n_trials);
   std::string text = short_number(std::floor(100.0 * fraction), 3) + " %  ";
   if (fraction > 0.0) text += duration(progress.seconds * (1.0 - fraction) / fraction) + " left  ";

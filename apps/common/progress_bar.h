@@ -12,7 +12,7 @@ namespace vex {
 class ProgressBar {
  public:
   /// `label` stands before all else.
-  ProgressBar(bool wanted, const StopRule& stop, std::string label = "");
+  explicit ProgressBar(bool wanted, std::string label = "");
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -25,14 +25,13 @@ class ProgressBar {
   bool enabled_;
   bool drawn_ = false;
   double next_seconds_ = kSecondsBetween;  // so that a run over in a blink draws nothing
-  StopRule stop_;
   std::string label_;
 };
 
 /// How much of a run is done, 0 to 1: the largest share over its stop rules.
-double fraction_done(const Progress& progress, const StopRule& stop);
+double fraction_done(const Progress& progress);
 
 /// The bar and, beside it, remaining time, trials, rate and error: shorter than `width` columns.
-std::string progress_line(const Progress& progress, const StopRule& stop, std::size_t width);
+std::string progress_line(const Progress& progress, std::size_t width);
 
 }  // namespace vex

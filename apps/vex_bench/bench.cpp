@@ -10,7 +10,7 @@
 #include "engine/numeric/errors.h"
 #include "meshes/convex_mesh.h"
 #include "meshes/nearest_float.h"
-#include "shapes/excluded_volume.h"
+#include "shapes/formula.h"
 
 namespace vex {
 namespace {
@@ -18,49 +18,46 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Contender {
-  Estimator estimator;
+  const Estimator* estimator;
   Sequence sequence;
   BackendKind backend;
   bool is_library = false;
 };
 
-std::vector<Contender> contenders(const MeasuredBody& body) {
+std::vector<Contender> contenders(const Body& body) {
   const BackendKind gjk = gjk_backend();
-  std::vector<Contender> all = {{Estimator::radial, Sequence::sobol, gjk},
-                                {Estimator::radial, Sequence::random, gjk},
-                                {Estimator::hit_or_miss_fitted, Sequence::sobol, gjk},
-                                {Estimator::hit_or_miss_fitted, Sequence::random, gjk},
-                                {Estimator::stratified, Sequence::random, gjk},
-                                {Estimator::hit_or_miss, Sequence::sobol, gjk},
-                                {Estimator::hit_or_miss, Sequence::random, gjk}};
+  std::vector<Contender> all, without_gjk;
+  for (const Estimator* const one : estimators()) {
+    if (!one->runs_gjk) {
+      without_gjk.push_back({one, one->usual_sequence, gjk});
+      continue;
+    }
+    for (const Sequence sequence : {Sequence::sobol, Sequence::random}) all.push_back({one, sequence, gjk});
+  }
+  const Estimator* const hit_or_miss = &estimator_named("hit-or-miss");
   for (const BackendKind& peer : peer_backends()) {
-    if (peer.takes(body.body, body.body)) all.push_back({Estimator::hit_or_miss, Sequence::random, peer, true});
+    if (peer.takes(body, body)) all.push_back({hit_or_miss, Sequence::random, peer, true});
   }
-  if (const BackendKind special = specialised_backend(); special.takes(body.body, body.body)) {
-    all.push_back({Estimator::hit_or_miss, Sequence::random, special});
+  if (const BackendKind special = specialised_backend(); special.takes(body, body)) {
+    all.push_back({hit_or_miss, Sequence::random, special});
   }
-  all.push_back({Estimator::mixed_volume, Sequence::sobol, gjk});
-  all.push_back({Estimator::mean_width, Sequence::sobol, gjk});
-  std::erase_if(all, [&body](const Contender& one) { return why_not(one.estimator, body, body, {}).has_value(); });
+  all.insert(all.end(), without_gjk.begin(), without_gjk.end());
+  std::erase_if(all, [&body](const Contender& one) { return one.estimator->why_not(body, body, {}).has_value(); });
   return all;
 }
 
 // Points of a spiral on the ellipsoid 3:2:1 and their convex hull.
-MeasuredBody hull_of_100_points() {
+Body hull_of_100_points() {
   constexpr int n = 100;
   constexpr double kGoldenTurn = 0.38196601125010515;
-  PolygonSoup soup;
+  std::vector<Vec3d> points;
   for (int k = 0; k < n; ++k) {
     const double z = 1.0 - (2.0 * k + 1.0) / n, across = std::sqrt(1.0 - z * z);
     const double azimuth = 2.0 * std::numbers::pi * kGoldenTurn * k;
-    soup.points.push_back({nearest_float(3.0 * across * std::cos(azimuth)),
-                           nearest_float(2.0 * across * std::sin(azimuth)), nearest_float(z)});
+    points.push_back({nearest_float(3.0 * across * std::cos(azimuth)), nearest_float(2.0 * across * std::sin(azimuth)),
+                      nearest_float(z)});
   }
-  MeshOptions options;
-  options.hull = true;
-  ConvexMesh mesh = convex_mesh_from(soup, options);
-  return {"polyhedron", ConvexBody(std::move(mesh.body)), mesh.measures, mesh.report.n_triangles,
-          std::move(mesh.normals)};
+  return hull_of(points);
 }
 
 double relative_slope(const Rung& from, const Rung& to) {
@@ -70,7 +67,7 @@ double relative_slope(const Rung& from, const Rung& to) {
 }  // namespace
 
 std::string ErrorCurve::name() const {
-  std::string text(name_of(estimator));
+  std::string text(estimator->name);
   if (sequence == Sequence::sobol) text += ", Sobol'";
   return backend == gjk_backend().name ? text : text + ", " + backend;
 }
@@ -137,7 +134,7 @@ BodyCurves measure(const BenchBody& body, const BenchSettings& bench) {
     settings.sequence = one.sequence;
     settings.backend = one.backend;
     settings.interrupt = bench.interrupt;
-    set_estimator(settings, one.estimator, body.shape, body.shape);
+    set_estimator(settings, *one.estimator, body.shape, body.shape);
     double spent = 0.0;
     settings.stop.trials = kFirst;
     settings.seed = bench.seed;

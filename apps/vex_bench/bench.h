@@ -8,16 +8,16 @@
 #include <string>
 #include <vector>
 
-#include "apps/common/estimators.h"
 #include "engine/query/overlap_backend.h"
 #include "shapes/any_shape.h"
+#include "shapes/estimators/estimator.h"
 
 namespace vex {
 
 struct BenchBody {
   std::string name;    // for people
   std::string source;  // for the command line, where there is a word for it
-  MeasuredBody shape;
+  Body shape;
 };
 
 /// One length of run: several runs under as many seeds.
@@ -37,7 +37,7 @@ struct TimeToError {
 
 /// How the error of one estimator, sequence and backend falls with time.
 struct ErrorCurve {
-  Estimator estimator{};
+  const Estimator* estimator = nullptr;
   Sequence sequence{};
   std::string backend;
   bool is_library = false;  // another library answers: libccd or FCL

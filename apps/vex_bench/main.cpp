@@ -11,7 +11,7 @@
 #include "apps/vex_bench/options.h"
 #include "apps/vex_bench/report.h"
 #include "engine/numeric/errors.h"
-#include "shapes/excluded_volume.h"
+#include "shapes/formula.h"
 
 namespace vex {
 namespace {
@@ -56,6 +56,7 @@ int run_vex_bench(const BenchCommandLine& words, const std::string& command) {
   const std::optional<OutputFile> json = files.output("--json", run.options.json);
   const std::optional<OutputFile> csv = files.output("--csv", run.options.csv);
   const std::optional<OutputFile> plot = files.output("--plot", run.options.plot);
+  const std::optional<OutputFile> others = files.output("--plot-others", run.options.plot_others);
   if (!run.options.quiet) files.print_report();
   const std::vector<BenchBody> bodies = bodies_of(run.options);
 
@@ -64,12 +65,14 @@ int run_vex_bench(const BenchCommandLine& words, const std::string& command) {
   const auto is_standard_output = [](const std::optional<OutputFile>& file) {
     return file && file->is_standard_output();
   };
-  if (!run.options.quiet && !is_standard_output(json) && !is_standard_output(csv) && !is_standard_output(plot)) {
+  if (!run.options.quiet && !is_standard_output(json) && !is_standard_output(csv) && !is_standard_output(plot) &&
+      !is_standard_output(others)) {
     std::cout << report_text(run);
   }
   if (json) json->write(report_json(run));
   if (csv) csv->write(report_csv(run));
-  if (plot) plot->write(picture_of(run));
+  if (plot) plot->write(picture_of(run, Curves::main));
+  if (others) others->write(picture_of(run, Curves::others));
   return run.complete ? kSuccess : kSignalBase + interrupting_signal().load();
 }
 

@@ -1,6 +1,7 @@
 #include "apps/vex_bench/options.h"
 
 #include <filesystem>
+#include <utility>
 
 #include "apps/common/numbers.h"
 #include "engine/numeric/errors.h"
@@ -27,7 +28,14 @@ void declare_options(OptionParser& options, BenchCommandLine& words) {
   options.add_option("--csv", words.csv, "Write every point of every curve as a row of numbers")
       .type_name("FILE")
       .group(output);
-  options.add_option("--plot", words.plot, "Draw error over run time (SVG)").type_name("FILE").group(output);
+  options
+      .add_option(
+          "--plot", words.plot,
+          "Draw error over run time (SVG): the estimators that GJK runs, each with its usual points, and libccd "
+          "and FCL")
+      .type_name("FILE")
+      .group(output);
+  options.add_option("--plot-others", words.plot_others, "The same of all others").type_name("FILE").group(output);
   options.footer(named_bodies_help() +
                  "\n\nExit codes:"
                  "\n  0  success"
@@ -45,10 +53,12 @@ BenchOptions interpret(const BenchCommandLine& words) {
   if (!words.seconds.empty()) options.seconds = parse_positive_number(words.seconds, "--seconds");
   options.csv = words.csv;
   options.plot = words.plot;
-  if (const std::string suffix = std::filesystem::path(words.plot).extension().string();
-      !suffix.empty() && suffix != ".svg" && words.plot != "-") {
-    throw UsageError("only SVG is drawn (" + words.plot +
-                     " for --plot) - name it .svg; rsvg-convert makes other formats");
+  options.plot_others = words.plot_others;
+  for (const auto& [file, option] : {std::pair(words.plot, "--plot"), std::pair(words.plot_others, "--plot-others")}) {
+    const std::string suffix = std::filesystem::path(file).extension().string();
+    if (suffix.empty() || suffix == ".svg" || file == "-") continue;
+    throw UsageError("only SVG is drawn (" + file + " for " + option +
+                     ") - name it .svg; rsvg-convert makes other formats");
   }
   if (words.dump_vertices) throw UsageError("no vertices are listed here (--dump-vertices) - vex_mesh lists them");
   options.body_options = interpret_bodies(words, words.bodies);

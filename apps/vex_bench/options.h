@@ -12,7 +12,7 @@ namespace vex {
 /// The words of the command line, as they stand.
 struct BenchCommandLine : CommonWords, BodyWords {
   std::vector<std::string> bodies;
-  std::string seconds, csv, plot;
+  std::string seconds, csv, plot, plot_others;
   bool standard = false;
 };
 
@@ -24,7 +24,7 @@ struct BenchOptions : CommonOptions {
   std::vector<std::string> bodies;
   bool standard = false;  // the standard bodies, before those that are named
   double seconds = 1.0;   // for each curve
-  std::string csv, plot;
+  std::string csv, plot, plot_others;
   BodyOptions body_options;
 };
 

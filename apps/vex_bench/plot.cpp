@@ -1,5 +1,6 @@
 // The picture of vex_bench: error over run time, a panel for each body, one legend for all.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -30,15 +31,11 @@ Style style_of(const ErrorCurve& curve) {
     return {curve.backend == "ccd-gjk" ? "#9ca3af" : "#374151", curve.backend == "ccd-gjk" ? "2 3" : "6 3", 1.8};
   }
   const std::string dashes = curve.sequence == Sequence::random ? "5 3" : "";
-  switch (curve.estimator) {
-    case Estimator::radial: return {"#b2182b", dashes, curve.sequence == Sequence::sobol ? 3.2 : 2.0};
-    case Estimator::hit_or_miss: return {"#1f6fb4", dashes};
-    case Estimator::hit_or_miss_fitted: return {"#2a9d8f", dashes};
-    case Estimator::stratified: return {"#8e5ea2", dashes};
-    case Estimator::mixed_volume: return {"#d98c00", dashes};
-    case Estimator::mean_width: break;
-  }
-  return {"#6a8f00", dashes};
+  // By their place in the list, so that a new one has a colour.
+  static constexpr std::array kColours = {"#b2182b", "#2a9d8f", "#1f6fb4", "#8e5ea2", "#d98c00", "#6a8f00", "#a0522d"};
+  const auto place = static_cast<std::size_t>(std::ranges::find(estimators(), curve.estimator) - estimators().begin());
+  const bool is_main_one = place == 0 && curve.sequence == curve.estimator->usual_sequence;
+  return {kColours[place % kColours.size()], dashes, is_main_one ? 3.2 : 2.0};
 }
 
 // Of XML.
@@ -67,9 +64,27 @@ struct Range {
   }
 };
 
+// A guide to the eye.
+struct Slope {
+  double slope;
+  const char* name;
+  Style style;
+};
+const std::array<Slope, 2> kSlopes = {Slope{-0.5, "slope &#8722;1/2", {"#111", "1 4", 1.0}},
+                                      Slope{-1.0, "slope &#8722;1", {"#111", "1 9", 1.0}}};
+
+// What a reader asks first: the paper's way with each library, and how much faster it gets. Five curves at most.
+bool is_main(const ErrorCurve& curve) {
+  if (curve.backend != gjk_backend().name) return curve.is_library && curve.backend != "ccd-gjk";
+  return curve.estimator->runs_gjk && curve.sequence == curve.estimator->pilot_sequence &&
+         curve.estimator->name != "stratified";
+}
+
+bool is_in(const ErrorCurve& curve, Curves which) { return is_main(curve) == (which == Curves::main); }
+
 // A line of this slope through a point of the panel, cut off at its edges.
-void draw_slope(Svg& svg, const LogAxis& x, const LogAxis& y, double slope, double at_x, double at_y,
-                const std::string& name) {
+void draw_slope(Svg& svg, const LogAxis& x, const LogAxis& y, const Slope& guide, double at_x, double at_y) {
+  const double slope = guide.slope;
   double from = x.from, to = x.to;
   const auto height = [&](double place) { return at_y + slope * (place - at_x); };
   if (height(from) > y.to) from = at_x + (y.to - at_y) / slope;
@@ -78,22 +93,17 @@ void draw_slope(Svg& svg, const LogAxis& x, const LogAxis& y, double slope, doub
   const auto pixel = [&](double place) {
     return Pixel{x.pixel(std::pow(10.0, place)), y.pixel(std::pow(10.0, height(place)))};
   };
-  svg.line(pixel(from), pixel(to), "stroke=\"#111\" stroke-width=\"1\" stroke-dasharray=\"1 4\"");
-  // Beside its lower end, where the curves are not.
-  Pixel label = pixel(to);
-  const bool ends_below = label.y > y.begin - 20.0;
-  svg.label({ends_below ? label.x - 8.0 : label.x - 4.0, ends_below ? y.begin - 12.0 : label.y - 10.0}, name,
-            anchored("end", "font-size=\"12\" fill=\"#111\""));
+  svg.line(pixel(from), pixel(to), stroke(guide.style));
 }
 
-void draw_panel(Svg& svg, const BodyCurves& body, const LogAxis& x, const LogAxis& y) {
+void draw_panel(Svg& svg, const BodyCurves& body, Curves which, const LogAxis& x, const LogAxis& y) {
   draw_log_axes(svg, x, y, 12);
   svg.label({0.5 * (x.begin + x.end), y.end - 12.0}, escaped(std::filesystem::path(body.body.name).filename().string()),
             "font-size=\"15\" font-weight=\"bold\" fill=\"#111\"");
   const double at_y = y.from + 0.45 * (y.to - y.from);
-  draw_slope(svg, x, y, -0.5, x.from, at_y, "slope &#8722;1/2");
-  draw_slope(svg, x, y, -1.0, x.from, at_y, "slope &#8722;1");
+  for (const Slope& slope : kSlopes) draw_slope(svg, x, y, slope, x.from, at_y);
   for (const ErrorCurve& curve : body.curves) {
+    if (!is_in(curve, which)) continue;
     const Style style = style_of(curve);
     std::vector<Pixel> pixels;
     for (const Rung& rung : curve.rungs) {
@@ -114,7 +124,7 @@ void draw_panel(Svg& svg, const BodyCurves& body, const LogAxis& x, const LogAxi
 
 }  // namespace
 
-std::string picture_of(const BenchRun& run) {
+std::string picture_of(const BenchRun& run, Curves which) {
   const std::size_t n = std::max<std::size_t>(1, run.bodies.size());
   const std::size_t n_across = n == 1 ? 1 : n <= 4 ? 2 : 3, n_down = (n + n_across - 1) / n_across;
   const double panel_width = n == 1 ? 660.0 : n_across == 2 ? 420.0 : 330.0, panel_height = n == 1 ? 470.0 : 300.0;
@@ -125,6 +135,7 @@ std::string picture_of(const BenchRun& run) {
   std::vector<ErrorCurve> legend;
   for (const BodyCurves& body : run.bodies) {
     for (const ErrorCurve& curve : body.curves) {
+      if (!is_in(curve, which)) continue;
       for (const Rung& rung : curve.rungs) {
         if (!is_drawn(rung)) continue;
         seconds.add(rung.seconds);
@@ -152,7 +163,7 @@ std::string picture_of(const BenchRun& run) {
     const LogAxis x{std::log10(seconds.least) - 0.1, std::log10(seconds.most) + 0.1, left, left + panel_width - 16.0};
     const LogAxis y{std::floor(std::log10(errors.least)), std::min(0.0, std::ceil(std::log10(errors.most))),
                     top + panel_height, top};
-    draw_panel(svg, run.bodies[k], x, y);
+    draw_panel(svg, run.bodies[k], which, x, y);
     svg.label({0.5 * (x.begin + x.end), y.begin + 36.0}, "run time / s", "font-size=\"13\" fill=\"#111\"");
     if (k % n_across == 0) {
       upright_label(svg, {left - 48.0, 0.5 * (y.begin + y.end)}, "relative standard error",
@@ -165,6 +176,11 @@ std::string picture_of(const BenchRun& run) {
     const Style style = style_of(curve);
     svg.line({legend_left, at}, {legend_left + 30.0, at}, stroke(style));
     svg.label({legend_left + 38.0, at}, curve.name(), anchored("start", "font-size=\"13\" fill=\"#111\""));
+    at += 22.0;
+  }
+  for (const Slope& slope : kSlopes) {
+    svg.line({legend_left, at}, {legend_left + 30.0, at}, stroke(slope.style));
+    svg.label({legend_left + 38.0, at}, slope.name, anchored("start", "font-size=\"13\" fill=\"#111\""));
     at += 22.0;
   }
   return svg.text();

@@ -100,9 +100,9 @@ std::string report_json(const BenchRun& run) {
     Json of_body{{"name", body.body.name}, {"source", body.body.source}, {"excluded_volume", body.exact}};
     of_body["curves"] = Json::array();
     for (const ErrorCurve& curve : body.curves) {
-      Json of_curve{{"estimator", name_of(curve.estimator)},
+      Json of_curve{{"estimator", curve.estimator->name},
                     {"sequence", name_of(curve.sequence)},
-                    {"backend", is_independent_of_formula(curve.estimator) ? Json(curve.backend) : Json(nullptr)},
+                    {"backend", curve.estimator->runs_gjk ? Json(curve.backend) : Json(nullptr)},
                     {"slope", number_or_null(curve.slope())},
                     {"figure_of_merit", number_or_null(curve.figure_of_merit())},
                     {"ratio_to_peers_at_1e-4", number_or_null(ratio_to_peers(body, curve))}};
@@ -139,7 +139,7 @@ std::string report_csv(const BenchRun& run) {
   for (const BodyCurves& body : run.bodies) {
     for (const ErrorCurve& curve : body.curves) {
       for (const Rung& rung : curve.rungs) {
-        text += quoted(body.body.name) + "," + quoted(body.body.source) + "," + std::string(name_of(curve.estimator)) +
+        text += quoted(body.body.name) + "," + quoted(body.body.source) + "," + std::string(curve.estimator->name) +
                 "," + std::string(name_of(curve.sequence)) + "," + curve.backend + "," + std::to_string(rung.n_trials) +
                 "," + std::to_string(rung.n_runs) + "," + shortest_number(rung.seconds) + "," +
                 shortest_number(rung.relative_error) + "," + shortest_number(rung.true_relative_error) + "," +

@@ -26,7 +26,8 @@ std::string report_text(const BenchRun& run);
 std::string report_json(const BenchRun& run);
 /// A row for every point of every curve.
 std::string report_csv(const BenchRun& run);
+enum class Curves { main, others };  // five at most; and all the rest
 /// The text of an SVG file: error over run time, a panel for each body.
-std::string picture_of(const BenchRun& run);
+std::string picture_of(const BenchRun& run, Curves which);
 
 }  // namespace vex

@@ -14,24 +14,6 @@
 namespace vex {
 namespace {
 
-void require_finite(double value, const char* what) {
-  if (!std::isfinite(value)) {
-    throw InputError(std::string("a result would overflow (") + what + ") - choose another unit of length");
-  }
-  if (value == 0.0) {
-    throw InputError(std::string("a result would underflow (") + what + ") - choose another unit of length");
-  }
-}
-
-// Why B can lie nowhere inside A, whatever the orientations; empty where it can.
-std::string why_no_volume(const MeshRun& run, double formula) {
-  if (formula == 0.0) return "two needles exclude no volume, in no orientation: <V_ex> = 0";
-  if (difference_is_flat(run.a.shape.body, run.b.shape.body, run.options.law)) {
-    return "flat bodies in parallel planes exclude no volume: <V_ex> = 0";
-  }
-  return "";
-}
-
 // Which of the two bodies the backend has no representation of, or that it has no test of the two; nothing where it
 // takes the pair.
 std::optional<std::string> why_left_out(const BackendKind& kind, const MeshRun& run) {
@@ -45,76 +27,23 @@ std::optional<std::string> why_left_out(const BackendKind& kind, const MeshRun& 
 }
 
 void choose_backends(MeshRun& run) {
-  if (const std::optional<std::string> reason = why_left_out(run.options.backend, run)) {
+  if (const std::optional<std::string> reason = why_left_out(run.options.settings.backend, run)) {
     throw UsageError(*reason + " - use another --backend");
   }
-  std::erase_if(run.options.cross_check, [&run](const BackendKind& kind) {
+  std::erase_if(run.options.settings.cross_check, [&run](const BackendKind& kind) {
     const std::optional<std::string> reason = why_left_out(kind, run);
     if (reason) run.left_out.push_back(*reason);
     return reason.has_value();
   });
 }
 
-// The second value where the formula does not hold; none where it was interrupted before it was known at all.
-void average_exactly(MeshRun& run) {
-  ExactAverageSettings settings;
-  settings.interrupt = &interrupting_signal();
-  const ExactAverage average = exact_average(run.a.shape, run.b.shape, run.options.law, settings);
-  if (std::isfinite(average.error)) run.exact_average = average;
-}
-
-bool is_stopped_by_rule(const StopRule& stop) { return stop.trials || stop.relative_error || stop.seconds; }
-
-// The driver's settings, by the estimator that was asked for or that a pilot chose.
-MonteCarloSettings choose_settings(MeshRun& run) {
-  const Options& options = run.options;
-  MonteCarloSettings settings;
-  settings.seed = options.seed;
-  settings.n_threads = options.n_threads;
-  settings.law = options.law;
-  settings.quick_verdicts = options.quick_verdicts;
-  settings.instruction_set = options.instruction_set;
-  settings.verify = options.verify;
-  settings.stop = options.stop;
-  settings.backend = options.backend;
-  settings.cross_check = options.cross_check;
-  settings.interrupt = &interrupting_signal();
-  const MeasuredBody &a = run.a.shape, &b = run.b.shape;
-  if (options.estimator) {
-    run.estimator = *options.estimator;
-    run.sequence = options.sequence.value_or(usual_sequence(run.estimator));
-  } else {
-    run.candidates = measure_candidates(a, b, settings);
-    const Candidate chosen =
-        chosen_of(run.candidates, options.stop.relative_error.value_or(usual_relative_error(Estimator::radial)));
-    run.estimator = chosen.estimator;
-    run.sequence = options.sequence.value_or(chosen.sequence);
-    // Where no pilot had an error, nothing but a limit would end a run without a rule.
-    constexpr std::uint64_t kMostInVain = 10'000'000;
-    const bool is_hopeless = !std::isfinite(chosen.cost.relative_error);
-    if (is_hopeless && !is_stopped_by_rule(options.stop)) {
-      settings.stop.max_trials = std::min(settings.stop.max_trials, kMostInVain);
-    }
-  }
-  settings.sequence = run.sequence;
-  set_estimator(settings, run.estimator, a, b, options.domain);
-  if (!run.control_bodies.empty()) {
-    run.control_weight =
-        set_control_variate(settings, run.estimator, run.control_bodies.front().shape, run.control_bodies.back().shape);
-  }
-  if (!is_stopped_by_rule(options.stop)) {
-    settings.stop.relative_error = usual_relative_error(options.estimator.value_or(Estimator::radial));
-  }
-  run.domain = settings.domain;
-  if (!settings.integrand) require_finite(run.domain.volume, "the sampling volume");
-  return settings;
-}
-
 void sample(MeshRun& run) {
-  MonteCarloSettings settings = choose_settings(run);
-  ProgressBar bar(!run.options.quiet, settings.stop);
+  ExcludedVolumeSettings& settings = run.options.settings;
+  for (const LoadedBody& simpler : run.control_bodies) settings.control_variate.push_back(simpler.shape);
+  settings.interrupt = &interrupting_signal();
+  ProgressBar bar(!run.options.quiet);
   settings.on_progress = [&bar](const Progress& progress) { bar.show(progress); };
-  run.record = run_monte_carlo(run.a.shape.body, run.b.shape.body, settings);
+  run.result = excluded_volume(run.a.shape, run.b.shape, settings);
 }
 
 int run_vex_mesh(const CommandLine& words, const std::string& command) {
@@ -134,34 +63,16 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
   }
   if (options.dump_vertices) require_vertices_to_list(run.a, run.b);
   choose_backends(run);
-  const ConvexBody& a = run.a.shape.body;
-  const ConvexBody& b = run.b.shape.body;
-  const FormulaResult formula = formula_result(run.a.shape.measures, run.b.shape.measures);
-  if (formula.excluded_volume != 0.0) require_finite(formula.excluded_volume, "the excluded volume");
-  if (options.law.kind() == OrientationLaw::Kind::isotropic) {
-    run.formula = formula;
-  } else {
-    run.formula_reason = "the formula holds for isotropic orientations, not for " + options.law.name() + " ones";
-  }
-  require_finite(ball_domain(a, b).volume, "the sampling volume");
-
-  run.no_run_reason = why_no_volume(run, formula.excluded_volume);
-  if (run.no_run_reason.empty()) {
-    catch_interrupts();
-    if (!run.formula) average_exactly(run);
-    sample(run);
-  } else {
-    run.record.complete = true;
-  }
-  compare(run);
+  catch_interrupts();
+  sample(run);
 
   if (!options.quiet && !(json && json->is_standard_output())) std::cout << report_text(run);
   if (json) json->write(report_json(run));
 
-  if (run.record.stopped_by == StopReason::interrupted) return kSignalBase + interrupting_signal().load();
+  if (run.result.record.stopped_by == StopReason::interrupted) return kSignalBase + interrupting_signal().load();
   // A peer's verdict that has no proof is the peer's fault, and reported as such.
-  if (run.record.unproven.n_all > 0 && !run.options.backend.is_peer) return kFault;
-  return run.z && std::fabs(*run.z) > options.max_z ? kDisagreement : kSuccess;
+  if (run.result.record.unproven.n_all > 0 && !run.options.settings.backend.is_peer) return kFault;
+  return run.result.z && std::fabs(*run.result.z) > options.max_z ? kDisagreement : kSuccess;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <string>
 #include <utility>
 
 #include "apps/common/choices.h"
@@ -49,29 +50,15 @@ InstructionSet instruction_set_named(const std::string& name) {
                    std::string(name_of(best_instruction_set())));
 }
 
-// The one asked for; hit-or-miss where an option is about its poses; otherwise none. Throws UsageError where they
-// contradict each other.
-std::optional<Estimator> estimator_of(const CommandLine& words) {
-  const std::optional<Estimator> estimator = estimator_named(words.estimator);
-  const bool is_peer = !words.backend.empty() && words.backend != gjk_backend().name;
-  for (const auto& [given, option] :
-       std::initializer_list<std::pair<bool, const char*>>{{is_peer, "--backend"},
-                                                           {words.cross_check, "--cross-check"},
-                                                           {words.verify, "--verify"},
-                                                           {words.no_quick_verdicts, "--no-quick-verdicts"}}) {
-    if (!given) continue;
-    if (!estimator) return Estimator::hit_or_miss;
-    if (!samples_poses(*estimator)) {
-      throw UsageError(std::string(option) + " is about overlap verdicts, of which this estimator asks none (\"" +
-                       words.estimator + "\" for --estimator) - use hit-or-miss, hit-or-miss-fitted or stratified");
-    }
+std::string estimators_help() {
+  std::string text;
+  for (const Estimator* const one : estimators()) {
+    text += std::string(one->name) + " (" + std::string(one->meaning) + ")" +
+            (one == estimators().back()                     ? ""
+             : one == estimators()[estimators().size() - 2] ? " or "
+                                                            : ", ");
   }
-  if (words.domain.empty()) return estimator;
-  if (estimator && *estimator != Estimator::hit_or_miss) {
-    throw UsageError("only hit-or-miss has a choice of domains (\"" + words.domain + "\" for --domain with " +
-                     words.estimator + ") - leave out --domain");
-  }
-  return Estimator::hit_or_miss;
+  return text + "; the default is chosen by a pilot among those that run GJK, and named in the report";
 }
 
 }  // namespace
@@ -101,15 +88,7 @@ void declare_options(OptionParser& options, CommandLine& words) {
           "angle of +-z; onsager:ALPHA, both z axes by the density cosh(ALPHA cos theta)")
       .type_name("LAW")
       .group(sampling);
-  options
-      .add_option(
-          "--estimator", words.estimator,
-          "radial (by ray casts), hit-or-miss (the paper's), hit-or-miss-fitted (its domain fitted to each trial's "
-          "orientation), stratified (hit or miss in shells), mixed-volume or mean-width (by the formula's own "
-          "geometry); "
-          "the default is chosen by a pilot among those that run GJK, and named in the report")
-      .type_name("NAME")
-      .group(sampling);
+  options.add_option("--estimator", words.estimator, estimators_help()).type_name("NAME").group(sampling);
   options
       .add_option("--sequence", words.sequence,
                   "random, or sobol: quasi-random points, 32 times scrambled (default but for hit or miss)")
@@ -176,50 +155,48 @@ Options interpret(const CommandLine& words) {
     if (given) not_built_yet(option);
   }
   const auto or_default = [](const std::string& word, const char* value) { return word.empty() ? value : word; };
-  const std::string domain = or_default(words.domain, "best");
   const std::string backend = or_default(words.backend, "gjk");
   const std::string orientations = or_default(words.orientations, "isotropic");
-  if (!words.estimator.empty()) {
-    require_one_of(words.estimator, "--estimator",
-                   {"hit-or-miss", "hit-or-miss-fitted", "stratified", "radial", "mixed-volume", "mean-width"}, {});
-  }
   if (!words.sequence.empty()) require_one_of(words.sequence, "--sequence", {"random", "sobol"}, {});
-  require_one_of(domain, "--domain", {"ball", "box", "best"}, {});
+  if (!words.domain.empty()) require_one_of(words.domain, "--domain", {"ball", "box", "best"}, {});
 
   Options options;
   static_cast<CommonOptions&>(options) = interpret_common(words);
   options.a = words.a;
   options.b = words.b.empty() ? words.a : words.b;
-  if (!words.trials.empty()) options.stop.trials = parse_positive_count(words.trials, "--trials");
-  if (!words.relative_error.empty())
-    options.stop.relative_error = parse_positive_number(words.relative_error, "--rel-error");
-  if (!words.seconds.empty()) options.stop.seconds = parse_positive_number(words.seconds, "--seconds");
-  if (!words.max_trials.empty()) options.stop.max_trials = parse_positive_count(words.max_trials, "--max-trials");
-  options.estimator = estimator_of(words);
-  if (!words.sequence.empty()) options.sequence = words.sequence == "sobol" ? Sequence::sobol : Sequence::random;
-  if (domain != "best") options.domain = domain == "ball" ? Domain::Kind::ball : Domain::Kind::box;
+  ExcludedVolumeSettings& settings = options.settings;
+  settings.seed = options.seed;
+  settings.threads = options.n_threads;
+  if (!words.trials.empty()) settings.trials = parse_positive_count(words.trials, "--trials");
+  if (!words.relative_error.empty()) settings.rel_error = parse_positive_number(words.relative_error, "--rel-error");
+  if (!words.seconds.empty()) settings.seconds = parse_positive_number(words.seconds, "--seconds");
+  if (!words.max_trials.empty()) settings.max_trials = parse_positive_count(words.max_trials, "--max-trials");
+  settings.estimator = words.estimator;
+  if (!words.sequence.empty()) settings.sequence = words.sequence == "sobol" ? Sequence::sobol : Sequence::random;
+  settings.domain = words.domain;
   options.control_variate = words.control_variate;
   if (options.control_variate.size() > 2) {
     throw UsageError("too many bodies (" + options.control_variate.back() + " for --control-variate) - at most two");
   }
-  if (!options.control_variate.empty() && !options.estimator) options.estimator = Estimator::radial;
-  options.law = parse_orientations(orientations, "--orientations");
-  options.instruction_set = instruction_set_named(or_default(words.isa, "best"));
-  options.backend = backend_named(backend);
+  settings.law = parse_orientations(orientations, "--orientations");
+  settings.instruction_set = instruction_set_named(or_default(words.isa, "best"));
+  settings.backend = backend_named(backend);
   options.is_cross_check = words.cross_check;
   if (words.cross_check) {
     for (BackendKind& kind : every_backend()) {
-      if (kind.name != options.backend.name) options.cross_check.push_back(std::move(kind));
+      if (kind.name != settings.backend.name) settings.cross_check.push_back(std::move(kind));
     }
   }
   // The engine's own by the kernels that were asked for, whether it answers or checks.
-  const auto set_kernels = [&options](BackendKind& kind) {
-    if (kind.name == gjk_backend().name) kind = gjk_backend(options.instruction_set);
+  const auto set_kernels = [&settings](BackendKind& kind) {
+    if (kind.name == gjk_backend().name) kind = gjk_backend(settings.instruction_set);
   };
-  set_kernels(options.backend);
-  std::ranges::for_each(options.cross_check, set_kernels);
-  options.verify = words.verify;
-  options.quick_verdicts = !words.no_quick_verdicts;
+  set_kernels(settings.backend);
+  std::ranges::for_each(settings.cross_check, set_kernels);
+  settings.verify = words.verify;
+  settings.quick_verdicts = !words.no_quick_verdicts;
+  // Also where no backend is left to check against.
+  if (const Estimator* const asked = estimator_asked_for(settings)) settings.estimator = asked->name;
   std::vector<std::string> bodies = {words.a};
   if (!words.b.empty()) bodies.push_back(words.b);
   bodies.insert(bodies.end(), words.control_variate.begin(), words.control_variate.end());

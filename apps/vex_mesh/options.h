@@ -1,14 +1,12 @@
 // The command line of vex_mesh.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "apps/common/body_options.h"
 #include "apps/common/common_options.h"
-#include "apps/common/estimators.h"
-#include "engine/sampling/monte_carlo.h"
+#include "shapes/estimators/excluded_volume.h"
 
 namespace vex {
 
@@ -29,18 +27,9 @@ void declare_options(OptionParser& options, CommandLine& words);
 /// What the words mean.
 struct Options : CommonOptions {
   std::string a, b;
-  StopRule stop;                             // empty where none was given: usual_relative_error
-  std::optional<Estimator> estimator;        // none: chosen by a pilot
-  std::optional<Sequence> sequence;          // none: usual_sequence
-  std::optional<Domain::Kind> domain;        // the best of ball and box where none was asked for
-  std::vector<std::string> control_variate;  // none, one body for both, or one for each
-  OrientationLaw law;
-  BackendKind backend;
+  ExcludedVolumeSettings settings;           // without the bodies of a control variate, which are
+  std::vector<std::string> control_variate;  // none, one for both, or one for each
   bool is_cross_check = false;
-  std::vector<BackendKind> cross_check;  // the backends beside `backend`
-  bool quick_verdicts = true;
-  InstructionSet instruction_set = best_instruction_set();
-  bool verify = false;
   BodyOptions bodies;
   bool dump_vertices = false;
 };

@@ -7,7 +7,7 @@
 #include "apps/common/body_report.h"
 #include "apps/common/numbers.h"
 #include "apps/common/text.h"
-#include "shapes/excluded_volume.h"
+#include "shapes/formula.h"
 
 namespace vex {
 namespace {
@@ -18,65 +18,72 @@ constexpr DecidedBy kAllDecidedBy[] = {DecidedBy::outer_bound,   DecidedBy::inne
                                        DecidedBy::double_double, DecidedBy::exact,       DecidedBy::peer};
 
 std::vector<std::string> backend_names(const MeshRun& run) {
-  std::vector<std::string> names = {run.options.backend.name};
-  for (const BackendKind& kind : run.options.cross_check) names.push_back(kind.name);
+  std::vector<std::string> names = {run.options.settings.backend.name};
+  for (const BackendKind& kind : run.options.settings.cross_check) names.push_back(kind.name);
   return names;
 }
 
+bool samples_poses(const MeshRun& run) {
+  return run.result.estimator != nullptr && run.result.estimator->samples_poses;
+}
+bool runs_gjk(const MeshRun& run) { return run.result.estimator == nullptr || run.result.estimator->runs_gjk; }
+bool has_trials(const MeshRun& run) { return run.result.record.tally.n_trials > 0; }
+double relative_error_of(const MeshRun& run) { return run.result.std_error / run.result.value; }
+
 // In length^3, of hit or miss: of shells what lies between the balls.
 double sampling_volume(const MeshRun& run) {
-  const Tally& tally = run.record.tally;
-  return run.estimator == Estimator::stratified && tally.n_trials > 0 ? tally.by_class.unit
-                                                                      : mean_sampling_volume(tally, run.domain);
+  const Tally& tally = run.result.record.tally;
+  return run.result.stratified && tally.n_trials > 0 ? tally.by_class.unit
+                                                     : mean_sampling_volume(tally, run.result.domain);
 }
 
 // By how much a trial of this run took longer than it was counted to: costs are counted in nanoseconds of some machine,
 // the same everywhere, and the run tells what such a nanosecond is here.
 double pace_of(const MeshRun& run) {
-  for (const Candidate& candidate : run.candidates) {
-    if (candidate.estimator != run.estimator || run.record.tally.n_trials == 0) continue;
-    const double counted = candidate.cost.seconds_per_trial * static_cast<double>(run.record.tally.n_trials);
-    return run.record.seconds * run.options.n_threads / counted;
+  for (const Candidate& candidate : run.result.candidates) {
+    if (candidate.estimator != run.result.estimator || run.result.record.tally.n_trials == 0) continue;
+    const double counted = candidate.cost.seconds_per_trial * static_cast<double>(run.result.record.tally.n_trials);
+    return run.result.record.seconds * run.options.n_threads / counted;
   }
   return 1.0;
 }
 
 // What the run's error cost, or would have cost with another estimator; on as many threads.
 double seconds_of(const Candidate& candidate, const MeshRun& run) {
-  return pace_of(run) * candidate.cost.seconds_to(run.estimate->relative_error()) / run.options.n_threads;
+  return pace_of(run) * candidate.cost.seconds_to(relative_error_of(run)) / run.options.n_threads;
 }
 
 Json pilot_json(const MeshRun& run) {
   Json list = Json::array();
-  for (const Candidate& candidate : run.candidates) {
-    list.push_back({{"estimator", name_of(candidate.estimator)},
+  for (const Candidate& candidate : run.result.candidates) {
+    list.push_back({{"estimator", candidate.estimator->name},
                     {"sequence", name_of(candidate.sequence)},
-                    {"runs_gjk", is_independent_of_formula(candidate.estimator)},
+                    {"runs_gjk", candidate.estimator->runs_gjk},
                     {"trials", candidate.cost.n_trials},
                     {"seconds_per_trial", candidate.cost.seconds_per_trial},
                     {"relative_error", number_or_null(candidate.cost.relative_error)},
                     {"slope", candidate.cost.slope},
-                    {"seconds_to_this_error", run.estimate ? number_or_null(seconds_of(candidate, run)) : Json()}});
+                    {"seconds_to_this_error", has_trials(run) ? number_or_null(seconds_of(candidate, run)) : Json()}});
   }
   return list;
 }
 
 std::string pilot_text(const MeshRun& run) {
-  std::string text =
-      "   chosen by a pilot                 rel. error " + short_number(run.estimate->relative_error(), 2);
-  for (const Candidate& candidate : run.candidates) {
-    if (candidate.estimator != Estimator::hit_or_miss) continue;
-    const double error = candidate.cost.relative_error_after(run.record.seconds * run.options.n_threads / pace_of(run));
+  std::string text = "   chosen by a pilot                 rel. error " + short_number(relative_error_of(run), 2);
+  for (const Candidate& candidate : run.result.candidates) {
+    if (candidate.estimator->name != "hit-or-miss") continue;
+    const double error =
+        candidate.cost.relative_error_after(run.result.record.seconds * run.options.n_threads / pace_of(run));
     if (std::isfinite(error)) text += "; hit-or-miss would have " + short_number(error, 2) + " after as long";
   }
   for (const bool runs_gjk : {true, false}) {
-    if (!(run.estimate->relative_error() < 1.0)) break;  // no error that a time could be told to
+    if (!(relative_error_of(run) < 1.0)) break;  // no error that a time could be told to
     std::string line;
-    for (const Candidate& candidate : run.candidates) {
-      if (is_independent_of_formula(candidate.estimator) != runs_gjk) continue;
+    for (const Candidate& candidate : run.result.candidates) {
+      if (candidate.estimator->runs_gjk != runs_gjk) continue;
       const double seconds = seconds_of(candidate, run);
-      if (candidate.estimator == run.estimator) continue;  // this one's is known
-      line += (line.empty() ? "" : ", ") + std::string(name_of(candidate.estimator)) + " " +
+      if (candidate.estimator == run.result.estimator) continue;  // this one's is known
+      line += (line.empty() ? "" : ", ") + std::string(candidate.estimator->name) + " " +
               (std::isfinite(seconds) ? short_number(seconds, 2) + " s" : "unknown");
     }
     if (line.empty()) continue;
@@ -92,45 +99,50 @@ double control_mean(const MeshRun& run) {
 Json control_json(const MeshRun& run) {
   return {{"bodies", {run.control_bodies.front().source, run.control_bodies.back().source}},
           {"excluded_volume", control_mean(run)},
-          {"weight", run.control_weight}};
+          {"weight", run.result.control_weight}};
 }
 
 std::string control_text(const MeshRun& run) {
   const std::string &a = run.control_bodies.front().source, &b = run.control_bodies.back().source;
   return "   control variate                   " + printable(a == b ? a : a + ", " + b) +
          ", <V_ex> = " + short_number(control_mean(run), 10) + " by the formula, weight " +
-         short_number(run.control_weight, 3) + "\n";
+         short_number(run.result.control_weight, 3) + "\n";
 }
 
 Json estimate_json(const MeshRun& run) {
-  const Tally& tally = run.record.tally;
+  const Tally& tally = run.result.record.tally;
   Json json;
-  const bool has_hits = samples_poses(run.estimator);
-  json["estimator"] = name_of(run.estimator);
-  json["sequence"] = name_of(run.sequence);
-  const bool runs_gjk = is_independent_of_formula(run.estimator);
-  json["backend"] = runs_gjk ? run.options.backend.name : "none";
-  json["orientations"] = run.options.law.name();
-  json["excluded_volume"] = run.estimate ? number_or_null(run.estimate->excluded_volume) : Json(nullptr);
-  json["std_error"] = run.estimate ? number_or_null(run.estimate->std_error) : Json(nullptr);
-  json["ci95"] = run.estimate ? Json{run.estimate->ci95.lower, run.estimate->ci95.upper} : Json(nullptr);
+  const bool has_hits = samples_poses(run);
+  const bool is_run = run.result.estimator != nullptr;
+  json["estimator"] = is_run ? Json(run.result.estimator->name) : Json(nullptr);
+  json["sequence"] = is_run ? Json(name_of(run.result.sequence)) : Json(nullptr);
+  const bool with_gjk = runs_gjk(run);
+  json["backend"] = with_gjk ? run.options.settings.backend.name : "none";
+  json["orientations"] = run.options.settings.law.name();
+  const bool is_known = !std::isnan(run.result.value);
+  json["excluded_volume"] = number_or_null(run.result.value);
+  json["std_error"] = is_known ? number_or_null(run.result.std_error) : Json(nullptr);
+  json["ci95"] = is_known ? Json{run.result.ci95.lower, run.result.ci95.upper} : Json(nullptr);
+  json["reduced"] = number_or_null(run.result.reduced);
+  json["b2"] = number_or_null(run.result.b2);
   json["trials"] = tally.n_trials;
   json["hits"] = has_hits ? Json(tally.n_hits) : Json(nullptr);
   json["undecided"] = tally.n_undecided;
   json["sampling_volume"] = has_hits ? Json(sampling_volume(run)) : Json(nullptr);
   if (!run.control_bodies.empty()) json["control_variate"] = control_json(run);
-  json["domain"] = has_hits ? Json(name_of(run.domain.kind)) : Json(nullptr);
-  json["quick_verdicts"] = has_hits && run.options.quick_verdicts && !run.options.backend.is_peer;
-  json["isa"] = name_of(run.options.instruction_set);
-  json["seconds"] = run.record.seconds;
-  json["trials_per_second"] = number_or_null(static_cast<double>(tally.n_trials) / run.record.seconds);
-  json["stopped_by"] = run.no_run_reason.empty() ? std::string(name_of(run.record.stopped_by)) : "no-volume";
+  json["domain"] = has_hits ? Json(name_of(run.result.domain.kind)) : Json(nullptr);
+  json["quick_verdicts"] = has_hits && run.options.settings.quick_verdicts && !run.options.settings.backend.is_peer;
+  json["isa"] = name_of(run.options.settings.instruction_set);
+  json["seconds"] = run.result.record.seconds;
+  json["trials_per_second"] = number_or_null(static_cast<double>(tally.n_trials) / run.result.record.seconds);
+  json["stopped_by"] =
+      run.result.no_run_reason.empty() ? std::string(name_of(run.result.record.stopped_by)) : "no-volume";
   for (const DecidedBy by : kAllDecidedBy) {
-    json["decided_by"][std::string(name_of(by))] = runs_gjk ? tally.n_decided_by[static_cast<std::size_t>(by)] : 0;
+    json["decided_by"][std::string(name_of(by))] = with_gjk ? tally.n_decided_by[static_cast<std::size_t>(by)] : 0;
   }
-  if (!runs_gjk) json["decided_by"]["support_values"] = tally.n_trials;
+  if (!with_gjk) json["decided_by"]["support_values"] = tally.n_trials;
   json["undecided_trials"] = Json::array();
-  for (const UndecidedTrial& trial : run.record.undecided.kept) {
+  for (const UndecidedTrial& trial : run.result.record.undecided.kept) {
     json["undecided_trials"].push_back({{"index", trial.index}, {"reason", name_of(trial.reason)}});
   }
   return json;
@@ -139,7 +151,7 @@ Json estimate_json(const MeshRun& run) {
 Json disagreements_json(const MeshRun& run) {
   const std::vector<std::string> names = backend_names(run);
   Json list = Json::array();
-  for (const Disagreement& found : run.record.disagreements.kept) {
+  for (const Disagreement& found : run.result.record.disagreements.kept) {
     Json verdicts;
     for (std::size_t k = 0; k < names.size(); ++k) verdicts[names[k]] = name_of(found.outcomes[k]);
     list.push_back({{"index", found.index}, {"matrix", twelve_numbers(found.a_from_b)}, {"verdicts", verdicts}});
@@ -166,13 +178,14 @@ std::string decided_by_text(const Tally& tally) {
 
 std::string cross_check_text(const MeshRun& run) {
   const std::vector<std::string> names = backend_names(run);
-  const FirstOf<Disagreement>& found = run.record.disagreements;
+  const FirstOf<Disagreement>& found = run.result.record.disagreements;
   std::string text = "\nCross-check";
   for (const std::string& name : names) text += " " + name;
   if (names.size() == 1) text += " (alone: nothing to compare with)";
-  text += ": " + std::to_string(found.n_all) + " of " + std::to_string(run.record.tally.n_trials) + " poses disputed\n";
+  text += ": " + std::to_string(found.n_all) + " of " + std::to_string(run.result.record.tally.n_trials) +
+          " poses disputed\n";
   for (std::size_t k = 1; k < names.size(); ++k) {
-    if (const std::uint64_t n = run.record.comparisons[k - 1].n_undecided; n > 0) {
+    if (const std::uint64_t n = run.result.record.comparisons[k - 1].n_undecided; n > 0) {
       text += "   " + names[k] + " gave up on " + std::to_string(n) + "\n";
     }
   }
@@ -191,10 +204,10 @@ std::string cross_check_text(const MeshRun& run) {
 }
 
 Json verification_json(const MeshRun& run) {
-  const FirstOf<UnprovenTrial>& unproven = run.record.unproven;
-  Json json{{"proven", run.record.n_proven_again},
+  const FirstOf<UnprovenTrial>& unproven = run.result.record.unproven;
+  Json json{{"proven", run.result.record.n_proven_again},
             {"unproven", unproven.n_all},
-            {"undecided", run.record.tally.n_undecided},
+            {"undecided", run.result.record.tally.n_undecided},
             {"faults", Json::array()}};
   for (const UnprovenTrial& trial : unproven.kept) {
     json["faults"].push_back({{"index", trial.index},
@@ -206,11 +219,11 @@ Json verification_json(const MeshRun& run) {
 }
 
 std::string verification_text(const MeshRun& run) {
-  const FirstOf<UnprovenTrial>& unproven = run.record.unproven;
-  std::string text = "\nVerification  " + std::to_string(run.record.n_proven_again) +
+  const FirstOf<UnprovenTrial>& unproven = run.result.record.unproven;
+  std::string text = "\nVerification  " + std::to_string(run.result.record.n_proven_again) +
                      " verdicts proven again, in exact arithmetic; " + std::to_string(unproven.n_all) + " not\n";
-  if (run.record.tally.n_undecided > 0) {
-    text += "   " + std::to_string(run.record.tally.n_undecided) + " undecided trials claim nothing\n";
+  if (run.result.record.tally.n_undecided > 0) {
+    text += "   " + std::to_string(run.result.record.tally.n_undecided) + " undecided trials claim nothing\n";
   }
   constexpr std::size_t kShown = 10;
   for (std::size_t j = 0; j < unproven.kept.size() && j < kShown; ++j) {
@@ -224,30 +237,57 @@ std::string verification_text(const MeshRun& run) {
 }
 
 // With its error, unless that is beyond the digits shown.
-std::string exact_average_text(const ExactAverage& average) {
-  return average.error > 1e-11 * average.excluded_volume ? with_error(average.excluded_volume, average.error)
-                                                         : short_number(average.excluded_volume, 12);
+std::string reference_number(double value, double std_error) {
+  return std_error > 1e-11 * value ? with_error(value, std_error) : short_number(value, 12);
 }
 
-// z is in standard errors of the run alone; an exact average with half as large an error would make it larger by 12 %.
-constexpr double kComparable = 0.5;
+Json reference_json(const Reference& reference) {
+  return {{"kind", name_of(reference.kind)},
+          {"excluded_volume", number_or_null(reference.value)},
+          {"std_error", reference.std_error},
+          {"reduced", number_or_null(reference.reduced)},
+          {"b2", number_or_null(reference.b2)}};
+}
+
+constexpr const char* kNoReduced = "none: a flat body has no volume";
+
+std::string reference_text(const MeshRun& run) {
+  const std::optional<Reference>& reference = run.result.reference;
+  std::string text = "\nFormula  V_A + V_B + (M_A S_B + M_B S_A)/4pi, random orientations\n";
+  if (!run.result.reference_reason.empty()) text += "   none: " + run.result.reference_reason + "\n";
+  if (!reference) return text;
+  const bool is_formula = reference->kind == Reference::Kind::formula;
+  if (!is_formula) {
+    text += run.options.settings.law.dimension() == 0 ? "Exact value  at this one orientation"
+                                                      : "Exact average  over these orientations";
+    text += ", from mixed volumes\n";
+  }
+  const auto number = [&](double value) {
+    return reference_number(value, reference->std_error * (value / reference->value));
+  };
+  text += std::string("   <V_ex>, ") + (is_formula ? "formula" : "exact  ") + "                   " +
+          number(reference->value) + "\n";
+  text += "   <V_ex> / sqrt(V_A V_B)            " +
+          (std::isnan(reference->reduced) ? kNoReduced : number(reference->reduced)) + "\n";
+  return text + "   B2 = <V_ex>/2                     " + number(reference->b2) + "\n";
+}
 
 // What z says.
 std::string verdict_on(const MeshRun& run) {
-  const Tally& tally = run.record.tally;
+  const Tally& tally = run.result.record.tally;
   const double undecided = static_cast<double>(tally.n_undecided) / static_cast<double>(tally.n_trials);
   const double half_width = tally.by_class.kind == ClassTally::Kind::none
-                                ? 0.5 * undecided * mean_sampling_volume(tally, run.domain)
+                                ? 0.5 * undecided * mean_sampling_volume(tally, run.result.domain)
                                 : half_width_of_undecided(tally);
-  if (half_width > 0.5 * run.estimate->std_error) {
+  if (half_width > 0.5 * run.result.std_error) {
     return "nothing is compared, for " + short_number(100.0 * undecided, 3) +
            " % of the trials are undecided, and that is most of the error";
   }
-  std::string text = std::fabs(*run.z) <= run.options.max_z
+  std::string text = std::fabs(*run.result.z) <= run.options.max_z
                          ? "they agree"
                          : "THEY DISAGREE (more than --max-z " + short_number(run.options.max_z) + ")";
   const std::uint64_t fewest = std::min(tally.n_hits, tally.n_misses());
-  if (samples_poses(run.estimator) && fewest < kMinHitsAndMisses) {
+  if (samples_poses(run) && fewest < kMinHitsAndMisses) {
     text += ", but " + std::to_string(fewest) + (tally.n_hits == fewest ? " hit" : " miss") +
             (fewest == 1              ? " says"
              : tally.n_hits == fewest ? "s say"
@@ -259,67 +299,36 @@ std::string verdict_on(const MeshRun& run) {
 
 }  // namespace
 
-FormulaResult formula_result(const Measures& a, const Measures& b) {
-  const double volume = average_excluded_volume(a, b);
-  return {volume, reduced_excluded_volume(volume, a, b), second_virial_coefficient(volume)};
-}
-
-void compare(MeshRun& run) {
-  if (!run.no_run_reason.empty()) {
-    run.estimate = VolumeEstimate{};
-    run.z_reason = run.no_run_reason;
-    return;
-  }
-  if (run.record.tally.n_trials == 0) {
-    run.z_reason = "no trial was done";
-    return;
-  }
-  run.estimate = volume_estimate(run.record.tally, run.domain);
-  if (!run.formula && !run.exact_average) {
-    run.z_reason = run.formula_reason;
-  } else if (!std::isfinite(run.estimate->std_error)) {
-    run.z_reason = "fewer than 32 trials tell no error";
-  } else if (run.domain.volume > 0.0 &&
-             hits_by_construction(run.a.shape.body, run.b.shape.body, run.options.law, run.domain)) {
-    run.z_reason = "every trial hits by construction: the domain is the excluded volume itself";
-  } else if (run.estimate->std_error <= run.record.tally.by_class.relative_rounding * run.estimate->excluded_volume) {
-    run.z_reason = "the values are all the same to rounding";
-  } else if (run.formula) {
-    run.z = (run.estimate->excluded_volume - run.formula->excluded_volume) / run.estimate->std_error;
-  } else if (run.exact_average->error > kComparable * run.estimate->std_error) {
-    run.z_reason = "the exact average's own error is not small beside the standard error";
-  } else {
-    run.z = (run.estimate->excluded_volume - run.exact_average->excluded_volume) / run.estimate->std_error;
-  }
-}
-
 std::string report_json(const MeshRun& run) {
-  Json json = document_head(run.command, run.options, run.record.complete, run.record.seconds);
+  Json json = document_head(run.command, run.options, run.result.record.complete, run.result.record.seconds);
   json["bodies"] = {body_json(run.a, run.options.dump_vertices), body_json(run.b, run.options.dump_vertices)};
-  if (run.formula) {
-    json["formula"] = {{"excluded_volume", number_or_null(run.formula->excluded_volume)},
-                       {"reduced", number_or_null(run.formula->reduced)},
-                       {"b2", number_or_null(run.formula->b2)}};
+  const std::optional<Reference>& reference = run.result.reference;
+  const bool is_formula = reference && reference->kind == Reference::Kind::formula;
+  json["formula"] = nullptr;
+  if (is_formula) {
+    json["formula"] = {{"excluded_volume", number_or_null(reference->value)},
+                       {"reduced", number_or_null(reference->reduced)},
+                       {"b2", number_or_null(reference->b2)}};
   } else {
-    json["formula"] = nullptr;
-    json["formula_reason"] = run.formula_reason;
+    json["formula_reason"] = run.result.reference_reason;
     json["exact_average"] = nullptr;
-    if (run.exact_average) {
-      json["exact_average"] = {{"excluded_volume", run.exact_average->excluded_volume},
-                               {"error", run.exact_average->error}};
-    }
+    if (reference) json["exact_average"] = {{"excluded_volume", reference->value}, {"error", reference->std_error}};
   }
+  json["reference"] = reference ? reference_json(*reference) : Json(nullptr);
+  if (!reference) json["reference_reason"] = run.result.reference_reason;
+  const std::optional<double> order_parameter = run.options.settings.law.order_parameter();
+  json["order_parameter"] = order_parameter ? Json(*order_parameter) : Json(nullptr);
   json["estimate"] = estimate_json(run);
-  if (!run.candidates.empty()) json["pilot"] = pilot_json(run);
-  if (run.z) {
-    json["z"] = *run.z;
+  if (!run.result.candidates.empty()) json["pilot"] = pilot_json(run);
+  if (run.result.z) {
+    json["z"] = *run.result.z;
   } else {
     json["z"] = nullptr;
-    json["z_reason"] = run.z_reason;
+    json["z_reason"] = run.result.z_reason;
   }
-  if (run.options.verify) json["verification"] = verification_json(run);
+  if (run.options.settings.verify) json["verification"] = verification_json(run);
   if (run.options.is_cross_check) {
-    json["n_disagreements"] = run.record.disagreements.n_all;
+    json["n_disagreements"] = run.result.record.disagreements.n_all;
     json["disagreements"] = disagreements_json(run);
     json["cross_check"] = backend_names(run);
     json["cross_check_left_out"] = run.left_out;
@@ -331,45 +340,37 @@ std::string report_text(const MeshRun& run) {
   std::string text = body_text(run.a, "A", run.options.dump_vertices);
   text += are_copies(run.a, run.b) ? "B  the same body\n" : body_text(run.b, "B", run.options.dump_vertices);
 
-  text += "\nFormula  V_A + V_B + (M_A S_B + M_B S_A)/4pi, random orientations\n";
-  if (run.formula) {
-    text += "   <V_ex>                            " + short_number(run.formula->excluded_volume, 12) + "\n";
-    text += "   <V_ex> / sqrt(V_A V_B)            " +
-            (std::isnan(run.formula->reduced) ? "none: a flat body has no volume"
-                                              : short_number(run.formula->reduced, 12)) +
-            "\n";
-    text += "   B2 = <V_ex>/2                     " + short_number(run.formula->b2, 12) + "\n";
-  } else {
-    text += "   none: " + run.formula_reason + "\n";
-    if (run.exact_average) {
-      text += run.options.law.dimension() == 0 ? "Exact value  at this one orientation"
-                                               : "Exact average  over these orientations";
-      text += ", from mixed volumes\n";
-      text += "   <V_ex>                            " + exact_average_text(*run.exact_average) + "\n";
-    }
-  }
+  text += reference_text(run);
 
-  if (!run.no_run_reason.empty()) return text + "\nMonte Carlo  no run: " + run.no_run_reason + "\n";
+  if (!run.result.no_run_reason.empty()) return text + "\nMonte Carlo  no run: " + run.result.no_run_reason + "\n";
 
-  const Tally& tally = run.record.tally;
-  const bool has_hits = samples_poses(run.estimator);
-  text += "\nMonte Carlo  " + std::string(name_of(run.estimator)) +
-          (run.sequence == Sequence::sobol ? ", Sobol' points, " : ", ") + run.options.law.name() + " orientations, ";
+  const Tally& tally = run.result.record.tally;
+  const bool has_hits = samples_poses(run);
+  text += "\nMonte Carlo  " + std::string(run.result.estimator->name) +
+          (run.result.sequence == Sequence::sobol ? ", Sobol' points, " : ", ") + run.options.settings.law.name() +
+          " orientations, ";
   if (has_hits) {
-    text += std::string(run.estimator == Estimator::stratified ? "shells" : name_of(run.domain.kind)) +
-            (run.estimator == Estimator::hit_or_miss  ? " domain of volume "
-             : run.estimator == Estimator::stratified ? " of volume "
-                                                      : " domains of mean volume ") +
+    text += std::string(run.result.stratified ? "shells" : name_of(run.result.domain.kind)) +
+            (run.result.stratified                            ? " of volume "
+             : run.result.domain.kind != Domain::Kind::fitted ? " domain of volume "
+                                                              : " domains of mean volume ") +
             short_number(sampling_volume(run), 6) + ", ";
   }
-  text += (is_independent_of_formula(run.estimator) ? run.options.backend.name : "no GJK") + ", seed " +
+  text += (runs_gjk(run) ? run.options.settings.backend.name : "no GJK") + ", seed " +
           std::to_string(run.options.seed) + "\n";
-  if (run.estimate) {
-    const VolumeEstimate& estimate = *run.estimate;
-    text += "   <V_ex>                            " + with_error(estimate.excluded_volume, estimate.std_error);
-    text += std::isfinite(estimate.std_error) ? "   95 %: " + short_number(estimate.ci95.lower, 8) + " ... " +
-                                                    short_number(estimate.ci95.upper, 8) + "\n"
-                                              : "   (fewer than 32 trials: no error is known)\n";
+  if (has_trials(run)) {
+    const double error = run.result.std_error;
+    text += "   <V_ex>, Monte Carlo               " + with_error(run.result.value, error);
+    text += std::isfinite(error) ? "   95 %: " + short_number(run.result.ci95.lower, 8) + " ... " +
+                                       short_number(run.result.ci95.upper, 8) + "\n"
+                                 : "   (fewer than 32 trials: no error is known)\n";
+    if (run.result.value > 0.0) {
+      if (!std::isnan(run.result.reduced)) {
+        text += "   <V_ex> / sqrt(V_A V_B)            " +
+                with_error(run.result.reduced, error * (run.result.reduced / run.result.value)) + "\n";
+      }
+      text += "   B2 = <V_ex>/2                     " + with_error(run.result.b2, 0.5 * error) + "\n";
+    }
     text += has_hits ? "   hits / trials                     " + std::to_string(tally.n_hits) + " / "
                      : "   values                            ";
     text += std::to_string(tally.n_trials);
@@ -378,30 +379,31 @@ std::string report_text(const MeshRun& run) {
     if (has_hits && tally.n_undecided < tally.n_trials)
       text += "   decided by                        " + decided_by_text(tally) + "\n";
   }
-  text += "   " + short_number(run.record.seconds, 3) + " s on " + std::to_string(run.options.n_threads) +
+  text += "   " + short_number(run.result.record.seconds, 3) + " s on " + std::to_string(run.options.n_threads) +
           (run.options.n_threads == 1 ? " thread, " : " threads, ") +
-          short_count(static_cast<double>(tally.n_trials) / run.record.seconds) +
+          short_count(static_cast<double>(tally.n_trials) / run.result.record.seconds) +
           (has_hits ? " trials/s" : " values/s");
-  if (run.record.stopped_by == StopReason::interrupted) text += " - interrupted: this is what was done until then";
-  if (run.record.stopped_by == StopReason::undecided) {
+  if (run.result.record.stopped_by == StopReason::interrupted)
+    text += " - interrupted: this is what was done until then";
+  if (run.result.record.stopped_by == StopReason::undecided) {
     text += " - incomplete: undecided trials alone keep the error above what was asked for";
   }
-  if (run.record.stopped_by == StopReason::rounding) {
+  if (run.result.record.stopped_by == StopReason::rounding) {
     text += " - incomplete: rounding alone keeps the error above what was asked for";
   }
-  if (run.record.stopped_by == StopReason::max_trials) text += " - incomplete: --max-trials was reached first";
+  if (run.result.record.stopped_by == StopReason::max_trials) text += " - incomplete: --max-trials was reached first";
   text += "\n";
   if (!run.control_bodies.empty()) text += control_text(run);
-  if (run.estimate && !run.candidates.empty()) text += pilot_text(run);
+  if (has_trials(run) && !run.result.candidates.empty()) text += pilot_text(run);
   if (run.options.is_cross_check) text += cross_check_text(run);
-  if (run.options.verify) text += verification_text(run);
+  if (run.options.settings.verify) text += verification_text(run);
 
-  if (run.z) {
-    text += "\nz = " + short_number(*run.z, 3) + " standard errors between Monte Carlo and " +
-            (run.formula ? "formula: " : "exact average: ");
+  if (run.result.z) {
+    text += "\nz = " + short_number(*run.result.z, 3) + " standard errors between Monte Carlo and " +
+            (run.result.reference->kind == Reference::Kind::formula ? "formula: " : "exact average: ");
     text += verdict_on(run) + "\n";
   } else {
-    text += "\nz: none - " + run.z_reason + "\n";
+    text += "\nz: none - " + run.result.z_reason + "\n";
   }
   return text;
 }

@@ -22,7 +22,6 @@ class Runner {
     sampling_.n_trials = run.options.trials;
     sampling_.n_threads = run.options.n_threads;
     sampling_.interrupt = &interrupting_signal();
-    stop_.trials = run.options.trials;
   }
 
   void expect(std::size_t n_cases) { n_cases_ += n_cases; }
@@ -33,7 +32,7 @@ class Runner {
     for (const Case& what : cases) {
       if (!run_.complete) return;
       ++n_begun_;
-      ProgressBar bar(!run_.options.quiet, stop_,
+      ProgressBar bar(!run_.options.quiet,
                       "row " + std::to_string(n_begun_) + " of " + std::to_string(n_cases_) + "  ");
       sampling_.on_progress = [&bar](const Progress& progress) { bar.show(progress); };
       run_.complete = measure_one(what, sampling_) && interrupting_signal().load() == 0;
@@ -43,7 +42,6 @@ class Runner {
  private:
   PaperRun& run_;
   Sampling sampling_;
-  StopRule stop_;
   std::size_t n_cases_ = 0, n_begun_ = 0;
 };
 

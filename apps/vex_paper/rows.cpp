@@ -6,12 +6,12 @@
 #include "apps/common/bodies.h"
 #include "apps/common/numbers.h"
 #include "apps/common/orientations.h"
-#include "apps/referees/exact_average.h"
 #include "apps/referees/exact_referee.h"
 #include "apps/referees/specialised_backend.h"
 #include "apps/referees/wrong_tests.h"
 #include "engine/sampling/fitted_domain.h"
-#include "shapes/excluded_volume.h"
+#include "shapes/estimators/exact_average.h"
+#include "shapes/formula.h"
 
 namespace vex {
 namespace {

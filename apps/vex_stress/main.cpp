@@ -30,11 +30,12 @@ void measure_all(StressRun& run) {
   for (const Stratum& stratum : run.options.strata)
     *stop.trials += std::min<std::uint64_t>(run.options.pairs, stratum.most_poses);
   for (const Stratum& stratum : run.options.strata) {
-    ProgressBar bar(!run.options.quiet, stop, stratum.name + "  ");
+    ProgressBar bar(!run.options.quiet, stratum.name + "  ");
     settings.on_progress = [&](std::uint64_t n_of_stratum) {
       Progress progress;
       progress.tally.n_trials = n_done + n_of_stratum;
       progress.seconds = seconds();
+      progress.stop = stop;
       bar.show(progress);
     };
     run.rows.push_back(measure(stratum, settings));

@@ -6,8 +6,8 @@
 namespace vex {
 
 /// The root of every error that a caller's input can cause.
-class Error : public std::runtime_error {
-  using std::runtime_error::runtime_error;
+class Error : public std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
 };
 
 /// The call itself is wrong: a malformed text, an option out of its range, something that is not built yet.

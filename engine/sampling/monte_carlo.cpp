@@ -217,7 +217,8 @@ class Run {
       if (stopped_) break;
       if (interrupted()) stop(StopReason::interrupted);
       if (settings_.on_progress) {
-        Progress progress{record_.tally, std::numeric_limits<double>::infinity(), seconds_since(start_)};
+        Progress progress{record_.tally, std::numeric_limits<double>::infinity(), seconds_since(start_),
+                          settings_.stop};
         if (record_.tally.n_trials > 0) {
           progress.relative_error = volume_estimate(record_.tally, settings_.domain).relative_error();
         }

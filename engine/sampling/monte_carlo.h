@@ -23,6 +23,7 @@ struct Progress {
   Tally tally;                  // of all blocks finished so far
   double relative_error = 0.0;  // infinite as long as there is no hit
   double seconds = 0.0;
+  StopRule stop;  // of the run
 };
 
 struct MonteCarloSettings {

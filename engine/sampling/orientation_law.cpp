@@ -76,6 +76,27 @@ std::string OrientationLaw::name() const {
   return "onsager:" + shortest_number(parameter_);
 }
 
+std::optional<double> OrientationLaw::order_parameter() const {
+  switch (kind_) {
+    case Kind::isotropic: return 0.0;
+    case Kind::aligned: return 1.0;
+    case Kind::fixed: return std::nullopt;
+    case Kind::cone: {
+      // cos(theta) is uniform on [c, 1], and height_ is 1 - c: the mean of its square is (1 + c + c^2) / 3.
+      const double c = 1.0 - height_;
+      return 0.5 * c * (1.0 + c);
+    }
+    case Kind::onsager: break;
+  }
+  // 1 - 3 coth(alpha) / alpha + 3 / alpha^2 (L. Onsager, 1949). Below 1/8 its terms cancel: there it is the series
+  // alpha^2 / 15 - 2 alpha^4 / 315 + alpha^6 / 1575 - 2 alpha^8 / 31185, good to 1e-11.
+  const double alpha = parameter_, square = alpha * alpha;
+  if (alpha < 0.125) {
+    return square * (1.0 / 15.0 - square * (2.0 / 315.0 - square * (1.0 / 1575.0 - square * (2.0 / 31185.0))));
+  }
+  return 1.0 - 3.0 / (alpha * std::tanh(alpha)) + 3.0 / square;
+}
+
 int OrientationLaw::dimension() const {
   switch (kind_) {
     case Kind::isotropic: return 3;

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -66,6 +67,10 @@ class OrientationLaw {
   double parameter() const { return parameter_; }
   /// isotropic, aligned, fixed:1,0,0,0, cone:30, onsager:5.
   std::string name() const;
+
+  /// The mean of P_2(cos theta) = (3 cos^2 theta - 1) / 2 of each body's z axis about the common one: 0 of isotropic, 1
+  /// where all are parallel. Nothing for `fixed`, which has no common axis.
+  std::optional<double> order_parameter() const;
 
   friend bool operator==(const OrientationLaw& x, const OrientationLaw& y) {
     return x.kind_ == y.kind_ && x.parameter_ == y.parameter_ && x.quaternion_ == y.quaternion_;

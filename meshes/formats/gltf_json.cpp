@@ -9,6 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "meshes/formats/text_scanner.h"
+
 namespace vex {
 namespace {
 
@@ -76,8 +78,8 @@ class Walker {
     if (has_old_buffers_ && summary_.version.empty()) summary_.version = "1.0";
     const auto misread = std::ranges::find_if(uses_, [this](const Use& use) { return !is_readable(use); });
     if (misread != uses_.end()) {
-      summary_.misread_accessor = std::string(misread->is_positions ? "POSITION" : "indices") + ", accessor " +
-                                  std::string(misread->accessor.substr(0, 20));
+      summary_.misread_accessor =
+          std::string(misread->is_positions ? "POSITION" : "indices") + ", accessor " + quoted(misread->accessor);
     }
     return std::move(summary_);
   }

@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
 
 #include "engine/numeric/elementary.h"
 #include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
+#include "shapes/estimators/estimator.h"
 
 namespace vex {
 namespace {
@@ -85,7 +89,7 @@ MeanWidthEstimator::MeanWidthEstimator(const ConvexBody& a, const VolumeAndSurfa
   relative_rounding_ = gamma(64) + (least > 0.0 ? of_heights / least : 0.0);
 }
 
-MeanWidthEstimator::MeanWidthEstimator(const MeasuredBody& a, const MeasuredBody& b, const OrientationLaw& law)
+MeanWidthEstimator::MeanWidthEstimator(const Body& a, const Body& b, const OrientationLaw& law)
     : MeanWidthEstimator(a.body, {a.measures.volume, a.measures.surface_area}, b.body,
                          {b.measures.volume, b.measures.surface_area}, law) {}
 
@@ -106,5 +110,30 @@ Doubts MeanWidthEstimator::evaluate(std::span<const double> points, std::span<do
   }
   return {};
 }
+
+namespace {
+
+std::optional<std::string> only_isotropic(const Body& a, const Body& b, const OrientationLaw& law) {
+  if (law.kind() != OrientationLaw::Kind::isotropic) {
+    return "mean widths are of random orientations, not of " + law.name() + " ones";
+  }
+  if (!a.measures.are_known() || !b.measures.are_known()) return "V and S of a body are not known";
+  return std::nullopt;
+}
+
+void by_mean_widths(MonteCarloSettings& settings, const Body& a, const Body& b, std::optional<Domain::Kind>) {
+  settings.integrand = [&a, &b] { return std::make_unique<MeanWidthEstimator>(a, b); };
+}
+
+}  // namespace
+
+extern const Estimator kMeanWidth;
+constinit const Estimator kMeanWidth{.name = "mean-width",
+                                     .meaning = "by the formula, M from support values",
+                                     .usual_sequence = Sequence::sobol,
+                                     .pilot_sequence = Sequence::sobol,
+                                     .usual_relative_error = 1e-4,
+                                     .why_not = only_isotropic,
+                                     .prepare = by_mean_widths};
 
 }  // namespace vex

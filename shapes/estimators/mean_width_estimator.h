@@ -33,7 +33,7 @@ class MeanWidthEstimator final : public Integrand {
   MeanWidthEstimator(const ConvexBody& a, const VolumeAndSurface& of_a, const ConvexBody& b,
                      const VolumeAndSurface& of_b, const OrientationLaw& law = {});
   /// M of `measures` is not looked at.
-  MeanWidthEstimator(const MeasuredBody& a, const MeasuredBody& b, const OrientationLaw& law = {});
+  MeanWidthEstimator(const Body& a, const Body& b, const OrientationLaw& law = {});
 
   int dimension() const override { return 2; }
   /// V_A + V_B + S_B R_A + S_A R_B, R the circumradius: an upper bound of every value.

@@ -14,7 +14,8 @@
 #include "shapes/ellipsoid.h"
 #include "shapes/estimators/core_heights.h"
 #include "shapes/estimators/ellipsoid_excluded_volume.h"
-#include "shapes/excluded_volume.h"
+#include "shapes/estimators/estimator.h"
+#include "shapes/formula.h"
 #include "shapes/sphere.h"
 
 namespace vex {
@@ -23,7 +24,7 @@ namespace {
 // What the measures of a mesh are good to (meshes/convex_mesh.h), and the masses of its faces.
 constexpr double kMeasuresError = 1e-12;
 
-void require_normals(const MeasuredBody& body) {
+void require_normals(const Body& body) {
   if (!body.normals.area) {
     throw UsageError("a body without its measures on normals (" + body.kind +
                      ") - its excluded volume at a fixed orientation needs them");
@@ -45,7 +46,7 @@ struct Axes {
   Vec3d a, b;
 };
 
-std::optional<Axes> axes_of(const MeasuredBody& a, const MeasuredBody& b) {
+std::optional<Axes> axes_of(const Body& a, const Body& b) {
   const std::optional<Vec3d> axes_a = semi_axes_of(a.body), axes_b = semi_axes_of(b.body);
   if (!axes_a || !axes_b) return std::nullopt;
   return Axes{*axes_a, *axes_b};
@@ -87,7 +88,7 @@ Transformd rotation_of_angles(std::span<const double> point, std::size_t axis_a,
   return axis_a == 2 ? Transformd{x, y, z, {}} : (axis_a == 1 ? Transformd{y, z, x, {}} : Transformd{z, x, y, {}});
 }
 
-NormalNodes nodes_of(const MeasuredBody& body, const OrientationLaw& law, bool none) {
+NormalNodes nodes_of(const Body& body, const OrientationLaw& law, bool none) {
   return {none ? NormalMeasure{} : body.normals.area(), spins_about_z(law)};
 }
 
@@ -104,7 +105,7 @@ struct MixedVolumeEstimator::Plan {
   double scale = 0.0, least_mean = 0.0, support_rounding = 0.0;
   int n_components = 0;
 
-  Plan(const MeasuredBody& a, const MeasuredBody& b, const OrientationLaw& orientations)
+  Plan(const Body& a, const Body& b, const OrientationLaw& orientations)
       : law(orientations),
         ellipsoids(axes_of(a, b)),
         nodes_a(nodes_of(a, law, ellipsoids.has_value())),
@@ -167,7 +168,7 @@ struct MixedVolumeEstimator::Plan {
   }
 };
 
-MixedVolumeEstimator::MixedVolumeEstimator(const MeasuredBody& a, const MeasuredBody& b, const OrientationLaw& law) {
+MixedVolumeEstimator::MixedVolumeEstimator(const Body& a, const Body& b, const OrientationLaw& law) {
   require_normals(a);
   require_normals(b);
   auto plan = std::make_shared<Plan>(a, b, law);
@@ -253,5 +254,31 @@ Doubts MixedVolumeEstimator::evaluate(std::span<const double> points, std::span<
   }
   return {};
 }
+
+namespace {
+
+std::optional<std::string> only_with_normals(const Body& a, const Body& b, const OrientationLaw& /*law*/) {
+  if (!a.normals.area || !b.normals.area) return "a body is without its measures on normals";
+  if (!a.measures.are_known() || !b.measures.are_known()) return "V, S and M of a body are not known";
+  return std::nullopt;
+}
+
+void by_mixed_volumes(MonteCarloSettings& settings, const Body& a, const Body& b, std::optional<Domain::Kind>) {
+  // What the faces were sorted into is shared by the threads' copies.
+  settings.integrand = [whole = std::make_shared<const MixedVolumeEstimator>(a, b, settings.law)] {
+    return std::make_unique<MixedVolumeEstimator>(*whole);
+  };
+}
+
+}  // namespace
+
+extern const Estimator kMixedVolume;
+constinit const Estimator kMixedVolume{.name = "mixed-volume",
+                                       .meaning = "by the formula's own geometry, at each orientation",
+                                       .usual_sequence = Sequence::sobol,
+                                       .pilot_sequence = Sequence::sobol,
+                                       .usual_relative_error = 1e-4,
+                                       .why_not = only_with_normals,
+                                       .prepare = by_mixed_volumes};
 
 }  // namespace vex

@@ -21,7 +21,7 @@ namespace vex {
 class MixedVolumeEstimator final : public Integrand {
  public:
   /// Throws UsageError where a body comes without its measures on normals.
-  MixedVolumeEstimator(const MeasuredBody& a, const MeasuredBody& b, const OrientationLaw& law);
+  MixedVolumeEstimator(const Body& a, const Body& b, const OrientationLaw& law);
 
   /// Those of the law, and then for each body one that picks where it has too many faces, and up to two for the normals
   /// of its curved parts; 1 where there is none. What a law or a body makes superfluous is not among them: laws that

@@ -20,7 +20,7 @@
 #include "apps/referees/exact_overlap.h"
 #include "engine/numeric/errors.h"
 #include "engine/sampling/monte_carlo.h"
-#include "shapes/excluded_volume.h"
+#include "shapes/formula.h"
 
 namespace vex {
 namespace {
@@ -48,7 +48,7 @@ const std::vector<std::string> kKinds = {"sphere:0.6",
 
 struct Kind {
   std::string name;  // as it is printed: without a mesh's folder
-  MeasuredBody shape;
+  Body shape;
 };
 
 std::vector<Kind> all_kinds() {

@@ -1,11 +1,9 @@
-// A body of one's own: |x/a|^p + |y/b|^p + |z/c|^p <= 1, and its excluded volume with itself by vex's driver.
+// A body of one's own: |x/a|^p + |y/b|^p + |z/c|^p <= 1, and its excluded volume with itself.
 //
 //   superellipsoid A B C P SEED      prints <V_ex>, its standard error and the number of undecided trials
 #include <vex/engine/numeric/rounding.h>
-#include <vex/engine/sampling/domain.h>
-#include <vex/engine/sampling/estimate.h>
-#include <vex/engine/sampling/monte_carlo.h>
 #include <vex/engine/support/support_mapping.h>
+#include <vex/shapes/estimators/excluded_volume.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,15 +41,8 @@ static_assert(vex::SupportMapping<Superellipsoid>);
 
 int main(int argc, char** argv) {
   if (argc != 6) return 2;
-  const vex::ConvexBody body =
-      Superellipsoid{std::atof(argv[1]), std::atof(argv[2]), std::atof(argv[3]), std::atof(argv[4])};
-  vex::MonteCarloSettings settings;
-  settings.seed = std::strtoull(argv[5], nullptr, 10);
-  settings.n_threads = 2;
-  settings.domain = vex::best_domain(body, body);
-  settings.stop.trials = 400000;  // not an error alone: of equal balls, p = 2, every trial hits
-  const vex::RunRecord run = vex::run_monte_carlo(body, body, settings);
-  const vex::VolumeEstimate estimate = vex::hit_or_miss_estimate(run.tally, settings.domain.volume);
-  std::printf("%.9g %.3g %llu\n", estimate.excluded_volume, estimate.std_error,
-              static_cast<unsigned long long>(run.tally.n_undecided));
+  const Superellipsoid body{std::atof(argv[1]), std::atof(argv[2]), std::atof(argv[3]), std::atof(argv[4])};
+  const vex::ExcludedVolume r =
+      vex::excluded_volume(body, body, {.rel_error = 1e-3, .seed = std::strtoull(argv[5], nullptr, 10)});
+  std::printf("%.9g %.3g %llu\n", r.value, r.std_error, static_cast<unsigned long long>(r.record.tally.n_undecided));
 }

@@ -62,7 +62,7 @@ void expect_body(const ConvexMesh& mesh, const Row& row) {
   near(mesh.measures.volume, exact.volume);
   near(mesh.measures.surface_area, exact.surface_area);
   near(mesh.measures.integrated_mean_curvature, exact.integrated_mean_curvature);
-  expect_vertices(mesh.body.vertices(), row);
+  expect_vertices(mesh.polytope().vertices(), row);
   for (const std::string& part : row.notes) {
     EXPECT_TRUE(std::ranges::any_of(mesh.report.notes,
                                     [&](const std::string& note) { return note.find(part) != std::string::npos; }))
@@ -131,9 +131,9 @@ TEST_P(Corpus, HasTheAnswerThatTheTableGives) {
   }
   std::string message;
   try {
-    const ConvexMesh mesh = load_convex_mesh(path, row.options);
+    const ConvexMesh mesh = load(path, row.options);
     if (row.body) return expect_body(mesh, row);
-    FAIL() << "a body of volume " << mesh.measures.volume << " and " << mesh.body.n_vertices()
+    FAIL() << "a body of volume " << mesh.measures.volume << " and " << mesh.polytope().n_vertices()
            << " vertices was made of what is to be refused" << all_of(mesh.report.notes);
   } catch (const InputError& error) {
     message = error.what();

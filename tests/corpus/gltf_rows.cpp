@@ -108,12 +108,12 @@ void add_refusals(Rows* rows) {
   // assimp would take the bytes for floats, of 16-bit positions and of pairs, and for what is no index.
   const std::string no_floats = "positions are no 32-bit floats in threes";
   rows->refused("positions of 16 bits", replaced(text, "\"componentType\": 5126", "\"componentType\": 5123"),
-                {no_floats, "POSITION, accessor 0"});
+                {no_floats, "POSITION, accessor '0'"});
   rows->refused("positions in pairs", replaced(text, "\"VEC3\"", "\"VEC2\""), {no_floats});
   rows->refused("indices that are floats", replaced(text, "\"componentType\": 5125", "\"componentType\": 5126"),
-                {no_floats, "indices, accessor 1"});
+                {no_floats, "indices, accessor '1'"});
   rows->refused("positions of an accessor that is not there", replaced(text, "\"POSITION\": 0", "\"POSITION\": 7"),
-                {no_floats, "POSITION, accessor 7"});
+                {no_floats, "POSITION, accessor '7'"});
   // Escapes in names are what they mean.
   rows->refused("positions of 16 bits behind an escape",
                 replaced(replaced(text, "\"componentType\": 5126", "\"componentType\": 5123"), "\"POSITION\"",

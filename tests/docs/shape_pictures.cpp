@@ -41,7 +41,7 @@ Subject regular(const std::string& text, double right, double up) {
 }
 
 Subject mesh(const std::filesystem::path& path) {
-  return {path.filename().string(), ConvexBody(load_convex_mesh(path).body)};
+  return {path.filename().string(), ConvexBody(load(path).body)};
 }
 
 Subject rounded_box() {

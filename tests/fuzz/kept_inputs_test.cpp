@@ -41,6 +41,10 @@ TEST(FoundInputs, KeepTheReadersPromises) {
       // A tag's name in a message, with control characters of the file.
       {"amf", "<amf><constellation><instance><deltax\x01\x7f>1,5</deltax\x01\x7f></instance></constellation></amf>"},
       {"amf", "<amf><object><mesh><vertices><vertex><coordinates\x02 /></vertex></vertices></mesh></object></amf>"},
+      // A number that is none.
+      {"gltf", R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":0)"
+               "\x01\xab - "
+               R"(}}]}]})"},
       // The name of an archive's part, likewise.
       {"3mf", zipped({{"_rels/.rels", "<Relationships/>"},
                       {"3D/a\x03.model", "<model unit=\"millimeter\"><resources/><resources/></model>"},

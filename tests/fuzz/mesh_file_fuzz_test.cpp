@@ -120,7 +120,7 @@ TEST_P(MeshFileFuzz, EndsInABodyOrAnInputErrorWithinTime) {
     try {
       MeshOptions options;
       options.hull = i % 2 == 0;  // a moved point leaves few surfaces convex, but a hull is a body all the same
-      const ConvexMesh mesh = load_convex_mesh(path, options);
+      const ConvexMesh mesh = load(path, options);
       ++n_bodies;
       fine = mesh.measures.volume > 0.0 && std::isfinite(mesh.measures.volume) && mesh.measures.surface_area > 0.0 &&
              mesh.measures.integrated_mean_curvature > 0.0 && mesh.body.inradius() >= 0.0 &&

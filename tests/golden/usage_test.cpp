@@ -161,7 +161,7 @@ TEST_F(Usage, OnlyHitOrMissHasAChoiceOfDomains) {
     for (const char* domain : {"ball", "box", "best"}) {
       expect_wrong(
           {"box:1,1,1", "--estimator", estimator, "--domain", domain},
-          std::string("only hit-or-miss has a choice of domains (\"") + domain + "\" for --domain with " + estimator);
+          std::string("only hit-or-miss has a choice of domains (\"") + domain + "\" for domain with " + estimator);
     }
   }
   expect_wrong({"box:1,1,1", "--domain", "fitted"}, "there are ball, box, best");

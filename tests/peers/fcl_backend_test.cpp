@@ -18,7 +18,7 @@ TEST(FclBackend, TakesItsOwnShapesAndPolytopes) {
   const std::set<std::string> own = {"sphere", "box", "ellipsoid", "capsule", "cylinder", "cone", "plate"};
   std::size_t n_taken = 0;
   for (const char* text : kTestBodies) {
-    const MeasuredBody shape = parse_shape(text);
+    const Body shape = parse_shape(text);
     const bool is_solid_polytope = !vertices_of(shape.body).empty() && shape.measures.volume > 0.0;
     EXPECT_EQ(fcl_backend().takes(shape.body, shape.body), own.contains(shape.kind) || is_solid_polytope) << text;
     n_taken += fcl_backend().takes(shape.body, shape.body) ? 1U : 0U;

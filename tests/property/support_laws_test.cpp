@@ -13,7 +13,7 @@ namespace {
 
 class SupportLaws : public testing::TestWithParam<const char*> {
  protected:
-  const MeasuredBody shape_ = parse_shape(GetParam());
+  const Body shape_ = parse_shape(GetParam());
   const ConvexBody& body_ = shape_.body;
   std::mt19937_64 random_{17};
 };

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "shapes/any_shape.h"
-#include "shapes/excluded_volume.h"
+#include "shapes/formula.h"
 
 namespace vex {
 

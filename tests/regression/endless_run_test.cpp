@@ -7,12 +7,12 @@
 
 #include "engine/sampling/monte_carlo.h"
 #include "shapes/any_shape.h"
-#include "shapes/excluded_volume.h"
+#include "shapes/formula.h"
 
 namespace vex {
 namespace {
 
-RunRecord run_to_a_thousandth(const MeasuredBody& a, const MeasuredBody& b, MonteCarloSettings settings) {
+RunRecord run_to_a_thousandth(const Body& a, const Body& b, MonteCarloSettings settings) {
   settings.stop.relative_error = 1e-3;
   settings.stop.max_trials = 100'000'000;  // so that a failure ends too
   return run_monte_carlo(a.body, b.body, settings);
@@ -22,7 +22,7 @@ const Domain kUnit{Domain::Kind::box, {}, 0.0, {}, 1.0};
 
 TEST(EndlessRun, OfNearBallsEndsInTheBox) {
   for (const char* text : {"ellipsoid:1,1,1.0000001", "rounded:1e9,box:1,1,1", "rounded:1e6,needle:1"}) {
-    const MeasuredBody body = parse_shape(text);
+    const Body body = parse_shape(text);
     MonteCarloSettings settings;
     settings.domain = best_domain(body.body, body.body);
     const RunRecord record = run_to_a_thousandth(body, body, settings);
@@ -31,12 +31,12 @@ TEST(EndlessRun, OfNearBallsEndsInTheBox) {
     const double truth = average_excluded_volume(body.measures, body.measures);
     EXPECT_LE(std::fabs(found.excluded_volume - truth), 4.0 * found.std_error) << text;
   }
-  const MeasuredBody sphere = parse_shape("rounded:0.5,sphere:1");
+  const Body sphere = parse_shape("rounded:0.5,sphere:1");
   EXPECT_EQ(best_domain(sphere.body, sphere.body).kind, Domain::Kind::ball) << "a ball, to rounding: every trial hits";
 }
 
 TEST(EndlessRun, WhereUndecidedTrialsAreTheErrorIsGivenUp) {
-  const MeasuredBody needle = parse_shape("needle:1"), dot = parse_shape("sphere:1e-9");
+  const Body needle = parse_shape("needle:1"), dot = parse_shape("sphere:1e-9");
   MonteCarloSettings settings;
   settings.domain = best_domain(needle.body, dot.body);
   const RunRecord record = run_to_a_thousandth(needle, dot, settings);

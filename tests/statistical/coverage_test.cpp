@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <string_view>
 #include <tuple>
 
-#include "apps/common/estimators.h"
-#include "shapes/excluded_volume.h"
+#include "shapes/any_shape.h"
+#include "shapes/estimators/estimator.h"
+#include "shapes/formula.h"
 
 namespace vex {
 namespace {
@@ -18,36 +21,36 @@ const char* const kBodies[] = {"box:1,1,1",      "box:64,1,1",    "box:0.01,1,1"
                                "capsule:1,0.25", "tetrahedron:1", "cone:1,0.5",   "disc:1"};
 
 struct Way {
-  Estimator estimator;
+  std::string_view estimator;
   Sequence sequence;
   std::uint64_t n_trials;
 };
 
 // Hits must be many enough for an interval of any width to mean something.
-const Way kWays[] = {{Estimator::hit_or_miss, Sequence::random, 20000},
-                     {Estimator::hit_or_miss, Sequence::sobol, 1u << 15},
-                     {Estimator::hit_or_miss_fitted, Sequence::random, 5000},
-                     {Estimator::hit_or_miss_fitted, Sequence::sobol, 1u << 13},
-                     {Estimator::stratified, Sequence::random, 20000},
-                     {Estimator::stratified, Sequence::sobol, 1u << 15},
-                     {Estimator::radial, Sequence::random, 4096},
-                     {Estimator::radial, Sequence::sobol, 1u << 12},
-                     {Estimator::mixed_volume, Sequence::random, 2048},
-                     {Estimator::mixed_volume, Sequence::sobol, 1u << 11},
-                     {Estimator::mean_width, Sequence::random, 2048},
-                     {Estimator::mean_width, Sequence::sobol, 1u << 11}};
+const Way kWays[] = {{"hit-or-miss", Sequence::random, 20000},
+                     {"hit-or-miss", Sequence::sobol, 1u << 15},
+                     {"hit-or-miss-fitted", Sequence::random, 5000},
+                     {"hit-or-miss-fitted", Sequence::sobol, 1u << 13},
+                     {"stratified", Sequence::random, 20000},
+                     {"stratified", Sequence::sobol, 1u << 15},
+                     {"radial", Sequence::random, 4096},
+                     {"radial", Sequence::sobol, 1u << 12},
+                     {"mixed-volume", Sequence::random, 2048},
+                     {"mixed-volume", Sequence::sobol, 1u << 11},
+                     {"mean-width", Sequence::random, 2048},
+                     {"mean-width", Sequence::sobol, 1u << 11}};
 
 int most_misses(int n) { return static_cast<int>(n / 20.0 + 4.0 * std::sqrt(19.0 * n) / 20.0); }
 int least_misses(int n) { return static_cast<int>(std::ceil(n / 20.0 - 4.0 * std::sqrt(19.0 * n) / 20.0)); }
 
 // Of all seeds the intervals, `stretch` times as wide, that miss.
 int misses(const Way& way, const char* name, double stretch) {
-  const MeasuredBody body = parse_shape(name);
+  const Body body = parse_shape(name);
   const double truth = average_excluded_volume(body.measures, body.measures);
   MonteCarloSettings settings;
   settings.sequence = way.sequence;
   settings.stop.trials = way.n_trials;
-  set_estimator(settings, way.estimator, body, body);
+  set_estimator(settings, estimator_named(way.estimator), body, body);
   int n = 0;
   for (int k = 0; k < kSeeds; ++k) {
     settings.seed = static_cast<std::uint64_t>(k) + 1;
@@ -76,7 +79,7 @@ TEST_P(Coverage, IsNinetyFivePercent) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Estimators, Coverage, testing::ValuesIn(kWays), [](const auto& way) {
-  std::string name = std::string(name_of(way.param.estimator)) + "_" + std::string(name_of(way.param.sequence));
+  std::string name = std::string(way.param.estimator) + "_" + std::string(name_of(way.param.sequence));
   for (char& c : name) c = c == '-' ? '_' : c;
   return name;
 });
@@ -88,7 +91,7 @@ TEST(Coverage, OfBallsAndLikeEllipsoidsByRaysIsNinetyFivePercent) {
        {std::tuple{"sphere:1", "sphere:1", OrientationLaw()}, std::tuple{"sphere:1", "needle:1e-6", OrientationLaw()},
         std::tuple{"sphere:1", "ellipsoid:1,1,1.001", OrientationLaw()},
         std::tuple{"ellipsoid:1,2,3", "ellipsoid:1,2,3", OrientationLaw::aligned()}}) {
-    const MeasuredBody a = parse_shape(name_a), b = parse_shape(name_b);
+    const Body a = parse_shape(name_a), b = parse_shape(name_b);
     // Aligned with itself a body's difference is twice the body.
     const double truth =
         law == OrientationLaw() ? average_excluded_volume(a.measures, b.measures) : 8.0 * a.measures.volume;
@@ -97,7 +100,7 @@ TEST(Coverage, OfBallsAndLikeEllipsoidsByRaysIsNinetyFivePercent) {
       settings.law = law;
       settings.sequence = Sequence::sobol;
       settings.stop.trials = n_trials;
-      set_estimator(settings, Estimator::radial, a, b);
+      set_estimator(settings, estimator_named("radial"), a, b);
       int n_misses = 0;
       for (int k = 0; k < kSeeds; ++k) {
         settings.seed = static_cast<std::uint64_t>(k) + 1;
@@ -114,12 +117,12 @@ TEST(Coverage, OfBallsAndLikeEllipsoidsByRaysIsNinetyFivePercent) {
 TEST(Coverage, OfThinBodiesAtTheErrorAskedForIsNinetyFivePercent) {
   int n_misses = 0, n_all = 0;
   for (const char* const name : {"capsule:1,1e-7", "cylinder:1,1e-6", "capsule:1,1e-6"}) {
-    const MeasuredBody body = parse_shape(name);
+    const Body body = parse_shape(name);
     const double truth = average_excluded_volume(body.measures, body.measures);
     MonteCarloSettings settings;
     settings.sequence = Sequence::sobol;
     settings.stop.relative_error = 1e-4;
-    set_estimator(settings, Estimator::hit_or_miss_fitted, body, body);
+    set_estimator(settings, estimator_named("hit-or-miss-fitted"), body, body);
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
       settings.seed = seed;
       settings.n_threads = 2;
@@ -134,8 +137,7 @@ TEST(Coverage, OfThinBodiesAtTheErrorAskedForIsNinetyFivePercent) {
 }
 
 TEST(Coverage, OfIntervalsHalfAsWideIsNot) {
-  for (const Way& way :
-       {Way{Estimator::radial, Sequence::sobol, 1u << 11}, Way{Estimator::hit_or_miss, Sequence::random, 20000}}) {
+  for (const Way& way : {Way{"radial", Sequence::sobol, 1u << 11}, Way{"hit-or-miss", Sequence::random, 20000}}) {
     EXPECT_GT(misses(way, "box:1,1,1", 0.5), most_misses(kSeeds));
   }
 }

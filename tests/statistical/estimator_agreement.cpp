@@ -10,16 +10,17 @@
 #include <thread>
 #include <vector>
 
-#include "apps/common/estimators.h"
 #include "meshes/convex_mesh.h"
-#include "shapes/excluded_volume.h"
+#include "shapes/any_shape.h"
+#include "shapes/estimators/estimator.h"
+#include "shapes/formula.h"
 
 namespace vex {
 namespace {
 
 struct NamedBody {
   std::string name;
-  MeasuredBody shape;
+  Body shape;
 };
 
 std::string shape_text(const char* kind, std::initializer_list<double> sizes) {
@@ -57,20 +58,15 @@ NamedBody random_body(std::mt19937_64& random) {
     case 13: text = shape_text("icosahedron", {x}); break;
     case 14: text = "rounded:0.3," + shape_text("box", {x, y, z}); break;
     default: {
-      PolygonSoup soup;
+      std::vector<Vec3d> points;
       std::normal_distribution<float> normal;
       for (int k = 0; k < 60; ++k) {
         const float u = normal(random), v = normal(random), w = normal(random),
                     length = std::sqrt(u * u + v * v + w * w);
-        soup.points.push_back({double{static_cast<float>(x) * u / length}, double{static_cast<float>(y) * v / length},
-                               double{static_cast<float>(z) * w / length}});
+        points.push_back({double{static_cast<float>(x) * u / length}, double{static_cast<float>(y) * v / length},
+                          double{static_cast<float>(z) * w / length}});
       }
-      MeshOptions options;
-      options.hull = true;
-      ConvexMesh mesh = convex_mesh_from(soup, options);
-      return {shape_text("hull", {x, y, z}),
-              {"polyhedron", ConvexBody(std::move(mesh.body)), mesh.measures, mesh.report.n_triangles,
-               std::move(mesh.normals)}};
+      return {shape_text("hull", {x, y, z}), hull_of(points)};
     }
   }
   return {text, parse_shape(text)};
@@ -83,21 +79,24 @@ double largest_difference(const NamedBody& a, const NamedBody& b, double error, 
     VolumeEstimate estimate;
   };
   std::vector<Found> all;
-  for (const Estimator estimator : kEstimators) {
-    if (why_not(estimator, a.shape, b.shape, {})) continue;
+  std::uint64_t seed = 0;
+  for (const Estimator* const one : estimators()) {
+    const Estimator& estimator = *one;
+    ++seed;  // independent of each other
+    if (estimator.why_not(a.shape, b.shape, {})) continue;
     MonteCarloSettings settings;
-    settings.seed = 1 + static_cast<std::uint64_t>(estimator);  // independent of each other
+    settings.seed = seed;
     settings.n_threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    settings.sequence = estimator == Estimator::hit_or_miss_fitted ? Sequence::sobol : usual_sequence(estimator);
-    settings.stop.relative_error = samples_poses(estimator) ? error_of_hits : error;
+    settings.sequence = estimator.pilot_sequence;
+    settings.stop.relative_error = estimator.samples_poses ? error_of_hits : error;
     set_estimator(settings, estimator, a.shape, b.shape);
     const RunRecord record = run_monte_carlo(a.shape.body, b.shape.body, settings);
     if (!record.complete) {
-      std::printf("   %s ended by %s\n", std::string(name_of(estimator)).c_str(),
+      std::printf("   %s ended by %s\n", std::string(estimator.name).c_str(),
                   std::string(name_of(record.stopped_by)).c_str());
       return 1e300;
     }
-    all.push_back({name_of(estimator), volume_estimate(record.tally, settings.domain)});
+    all.push_back({estimator.name, volume_estimate(record.tally, settings.domain)});
   }
   double largest = 0.0;
   std::string_view first, second;

@@ -1,7 +1,7 @@
 // Monte Carlo against true values. Every seed is fixed, so a test either passes always or never; its limit of 4
 // standard errors would fail one of 16 000 right estimators, and the biased ones at the end show that it does fail
 // wrong ones.
-#include "shapes/excluded_volume.h"
+#include "shapes/formula.h"
 
 #include <gtest/gtest.h>
 
@@ -94,7 +94,7 @@ TEST(TrueValuesOfAlignedBodies, CubesAndBoxesAndEllipsoids) {
 class EveryPair : public testing::TestWithParam<BodyPair> {};
 
 TEST_P(EveryPair, AgreesWithTheFormula) {
-  const MeasuredBody a = parse_shape(GetParam().a), b = parse_shape(GetParam().b);
+  const Body a = parse_shape(GetParam().a), b = parse_shape(GetParam().b);
   const VolumeEstimate found = estimate(a.body, b.body, to_relative_error(box_domain(a.body, b.body), 5e-3));
   EXPECT_LE(std::fabs(z_of(found, average_excluded_volume(a.measures, b.measures))), 4.5);
 }

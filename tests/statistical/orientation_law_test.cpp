@@ -11,7 +11,7 @@
 #include "engine/sampling/fitted_domain.h"
 #include "engine/sampling/monte_carlo.h"
 #include "shapes/any_shape.h"
-#include "shapes/excluded_volume.h"
+#include "shapes/formula.h"
 #include "tests/referees/bodies.h"
 
 namespace vex {
@@ -136,7 +136,7 @@ TEST(OrientationLaws, ThatRestrictNothingFollowTheFormula) {
 class EveryUnorderedPair : public testing::TestWithParam<BodyPair> {};
 
 TEST_P(EveryUnorderedPair, AgreesWithTheFormulaInTheFittedDomain) {
-  const MeasuredBody a = parse_shape(GetParam().a), b = parse_shape(GetParam().b);
+  const Body a = parse_shape(GetParam().a), b = parse_shape(GetParam().b);
   const Found found = run(a.body, b.body, OrientationLaw::isotropic(), fitted_domain(a.body, b.body), 20000);
   EXPECT_LE(std::fabs(found.z(average_excluded_volume(a.measures, b.measures))), 4.5);
 }
@@ -151,7 +151,7 @@ TEST(ThinBodies, AgreeWithTheFormulaInTheFittedDomain) {
   for (const char* a_text : thin) {
     for (const char* b_text : {a_text, "box:1,1,1e-6", "needle:1e6", "box:1,1,1"}) {
       SCOPED_TRACE(std::string(a_text) + " and " + b_text);
-      const MeasuredBody a = parse_shape(a_text), b = parse_shape(b_text);
+      const Body a = parse_shape(a_text), b = parse_shape(b_text);
       // Of a needle a million long and a thin plate two trials in 1000 are undecided; they are part of the error.
       const std::uint64_t most_undecided = std::string(b_text) == "needle:1e6" ? 80 : 0;
       const Found found =
@@ -189,7 +189,7 @@ TEST(WrongLaws, AreCaught) {
 }
 
 TEST(FittedCoverage, OverManySeedsTheIntervalsHoldTheTruth) {
-  const MeasuredBody plate = parse_shape("box:1,1,0.001");
+  const Body plate = parse_shape("box:1,1,0.001");
   const double truth = average_excluded_volume(plate.measures, plate.measures);
   MonteCarloSettings settings;
   settings.n_threads = 2;

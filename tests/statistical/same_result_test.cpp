@@ -15,18 +15,18 @@
 #include <utility>
 #include <vector>
 
-#include "apps/common/estimators.h"
 #include "engine/sampling/pilot.h"
 #include "meshes/convex_mesh.h"
 #include "shapes/any_shape.h"
-#include "shapes/excluded_volume.h"
+#include "shapes/estimators/choice.h"
+#include "shapes/formula.h"
 #include "shapes/rounded.h"
 
 namespace vex {
 namespace {
 
 /// Makes the body anew, cold, each time.
-using MakeBody = std::function<MeasuredBody()>;
+using MakeBody = std::function<Body()>;
 
 MakeBody named(const std::string& text) {
   return [text] { return parse_shape(text); };
@@ -35,20 +35,17 @@ MakeBody named(const std::string& text) {
 MakeBody hull_of_random_points(std::size_t n, double ball_radius = 0.0) {
   std::mt19937_64 random(n);
   std::normal_distribution<double> normal;
-  PolygonSoup soup;
+  std::vector<Vec3d> points;
   for (std::size_t k = 0; k < n; ++k) {
     const Vec3d p{normal(random), normal(random), normal(random)};
     const double scale = 1.0 / norm(p);
-    soup.points.push_back({scale * p.x, 0.8 * scale * p.y, 0.6 * scale * p.z});
+    points.push_back({scale * p.x, 0.8 * scale * p.y, 0.6 * scale * p.z});
   }
-  MeshOptions options;
-  options.hull = true;
-  const ConvexMesh mesh = convex_mesh_from(soup, options);
-  const std::vector<Vec3d> vertices = mesh.body.vertices();
+  const Body whole = hull_of(points);
+  const std::vector<Vec3d> vertices = vertices_of(whole);
   EXPECT_EQ(vertices.size(), n);
-  const MeasuredBody whole{"polyhedron", ConvexBody(mesh.body), mesh.measures, mesh.report.n_triangles, mesh.normals};
   return [=] {
-    MeasuredBody body = whole;
+    Body body = whole;
     body.body = ConvexBody(Polytope(vertices, whole.body.centre(), whole.body.inradius()));
     return ball_radius > 0.0 ? rounded(body, ball_radius, "a rounded hull", kMeasuredSizes) : body;
   };
@@ -111,8 +108,8 @@ constexpr std::uint64_t kTrials = 1031;  // there a trial takes ten times as lon
 constexpr std::uint64_t kTrials = 6007;
 #endif
 
-Result run_with(const Pair& pair, Estimator estimator, Sequence sequence, const Setting& setting) {
-  const MeasuredBody a = pair.a(), b = pair.b();
+Result run_with(const Pair& pair, const Estimator& estimator, Sequence sequence, const Setting& setting) {
+  const Body a = pair.a(), b = pair.b();
   MonteCarloSettings settings;
   settings.law = pair.law;
   settings.n_threads = setting.n_threads;
@@ -140,7 +137,7 @@ Result run_with(const Pair& pair, Estimator estimator, Sequence sequence, const 
   return run;
 }
 
-bool is_for(const Pair& pair, Estimator estimator) { return !why_not(estimator, pair.a(), pair.b(), pair.law); }
+bool is_for(const Pair& pair, const Estimator& estimator) { return !estimator.why_not(pair.a(), pair.b(), pair.law); }
 
 void expect_same(const Result& run, const Result& first, bool is_same_set) {
   const Tally &x = run.record.tally, &y = first.record.tally;
@@ -162,7 +159,8 @@ class SameResult : public ::testing::TestWithParam<std::size_t> {};
 TEST_P(SameResult, ForAnyNumberOfThreadsAndSetAndWhateverWasAskedBefore) {
   const Pair& pair = pairs()[GetParam()];
   std::size_t turn = GetParam();  // which of the sets and numbers of threads go with what happens before
-  for (const Estimator estimator : kEstimators) {
+  for (const Estimator* const one : estimators()) {
+    const Estimator& estimator = *one;
     if (!is_for(pair, estimator)) continue;
     for (const Sequence sequence : {Sequence::random, Sequence::sobol}) {
       const Setting alone;
@@ -177,7 +175,7 @@ TEST_P(SameResult, ForAnyNumberOfThreadsAndSetAndWhateverWasAskedBefore) {
         ++turn;
       }
       for (const Setting& other : others) {
-        SCOPED_TRACE(std::string(name_of(estimator)) + ", " + std::string(name_of(sequence)) + ", " +
+        SCOPED_TRACE(std::string(estimator.name) + ", " + std::string(name_of(sequence)) + ", " +
                      std::to_string(other.n_threads) + " threads, " + std::string(name_of(other.set)) + ", before " +
                      std::to_string(static_cast<int>(other.before)));
         expect_same(run_with(pair, estimator, sequence, other), first, other.set == alone.set);
@@ -185,7 +183,7 @@ TEST_P(SameResult, ForAnyNumberOfThreadsAndSetAndWhateverWasAskedBefore) {
       if (pair.law.kind() != OrientationLaw::Kind::isotropic) continue;
       const double truth = average_excluded_volume(pair.a().measures, pair.b().measures);
       EXPECT_LT(std::fabs(first.estimate.excluded_volume - truth), 5.0 * first.estimate.std_error)
-          << name_of(estimator) << ", " << name_of(sequence);
+          << estimator.name << ", " << name_of(sequence);
     }
   }
 }
@@ -199,7 +197,7 @@ TEST(SameChoice, OfThePilotEachTime) {
                                        std::pair{"needle:1", "plate:1,1e-5"}}) {
     std::optional<std::vector<Candidate>> first;
     for (const int n_threads : {1, 2, 8, 1, 1}) {
-      const MeasuredBody a = parse_shape(text_a), b = parse_shape(text_b);
+      const Body a = parse_shape(text_a), b = parse_shape(text_b);
       MonteCarloSettings settings;
       settings.n_threads = n_threads;
       const std::vector<Candidate> candidates = measure_candidates(a, b, settings);

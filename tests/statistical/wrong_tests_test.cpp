@@ -11,7 +11,7 @@
 #include "engine/sampling/fitted_domain.h"
 #include "engine/sampling/monte_carlo.h"
 #include "shapes/any_shape.h"
-#include "shapes/excluded_volume.h"
+#include "shapes/formula.h"
 
 namespace vex {
 namespace {

@@ -32,10 +32,10 @@ TEST(ConvexMesh, ReportsWhatItFound) {
 
 TEST(ConvexMesh, HasTheWeldedVerticesInOrder) {
   const ConvexMesh mesh = convex_mesh_from(shuffled(box_soup({0, 0, 0}, {1, 2, 3}), 3));
-  ASSERT_EQ(mesh.body.n_vertices(), 8U);
-  EXPECT_EQ(norm(mesh.body.vertex(0) - Vec3d{0, 0, 0}), 0.0);
-  EXPECT_EQ(norm(mesh.body.vertex(1) - Vec3d{0, 0, 3}), 0.0);
-  EXPECT_EQ(norm(mesh.body.vertex(7) - Vec3d{1, 2, 3}), 0.0);
+  ASSERT_EQ(mesh.polytope().n_vertices(), 8U);
+  EXPECT_EQ(norm(mesh.polytope().vertex(0) - Vec3d{0, 0, 0}), 0.0);
+  EXPECT_EQ(norm(mesh.polytope().vertex(1) - Vec3d{0, 0, 3}), 0.0);
+  EXPECT_EQ(norm(mesh.polytope().vertex(7) - Vec3d{1, 2, 3}), 0.0);
 }
 
 TEST(ConvexMesh, TurnsABodyThatIsInsideOutIntoTheSameBody) {
@@ -71,7 +71,7 @@ TEST(ConvexMesh, ReadsAFaceWithACornerOnAStraightSide) {
   EXPECT_EQ(mesh.measures.volume, 1.0);
   EXPECT_NEAR(mesh.measures.surface_area, 6.0, 1e-15 * 6);
   EXPECT_NEAR(mesh.measures.integrated_mean_curvature, 3.0 * 3.14159265358979323846, 1e-14);
-  EXPECT_EQ(mesh.body.n_vertices(), 8U);
+  EXPECT_EQ(mesh.polytope().n_vertices(), 8U);
   EXPECT_EQ(mesh.report.n_dropped_vertices, 1U);
 }
 
@@ -108,7 +108,7 @@ TEST(ConvexMesh, HullOfAConvexMeshIsTheMesh) {
                                   turned(icosahedron_soup()), with_own_corners(icosahedron_soup())}) {
     const ConvexMesh mesh = convex_mesh_from(soup);
     const ConvexMesh hull = hull_of(soup);
-    expect_same_body(hull.body, mesh.body);
+    expect_same_body(hull.polytope(), mesh.polytope());
     EXPECT_NEAR(hull.measures.volume, mesh.measures.volume, 1e-15 * mesh.measures.volume);
     EXPECT_NEAR(hull.measures.surface_area, mesh.measures.surface_area, 1e-15 * mesh.measures.surface_area);
     EXPECT_EQ(hull.report.hull_added_volume, 0.0);
@@ -159,7 +159,7 @@ TEST(ConvexMesh, HullOfASurfaceThatEnclosesNothingSaysWhyNothingWasCompared) {
       {cloud, "is not defined: there are no faces"}};
   for (const auto& [soup, reason] : cases) {
     const ConvexMesh mesh = hull_of(soup);
-    expect_same_body(mesh.body, whole.body);
+    expect_same_body(mesh.polytope(), whole.polytope());
     EXPECT_EQ(mesh.measures.volume, 1.0);
     EXPECT_EQ(mesh.report.hull_added_volume, std::nullopt);
     EXPECT_EQ(mesh.report.reflex_depth, std::nullopt);
@@ -201,9 +201,9 @@ TEST(ConvexMesh, ScaledByAPowerOfTwoChangesNoBitButExponents) {
       const ConvexMesh mesh = convex_mesh_from(soup, {.hull = hull});
       for (const double s : {1.0, 0x1p-40, 0x1p+60}) {
         const ConvexMesh scaled = convex_mesh_from(soup, scaled_by(s, hull));
-        ASSERT_EQ(scaled.body.n_vertices(), mesh.body.n_vertices());
-        for (std::size_t i = 0; i < mesh.body.n_vertices(); ++i) {
-          EXPECT_EQ(norm(scaled.body.vertex(i) - s * mesh.body.vertex(i)), 0.0);
+        ASSERT_EQ(scaled.polytope().n_vertices(), mesh.polytope().n_vertices());
+        for (std::size_t i = 0; i < mesh.polytope().n_vertices(); ++i) {
+          EXPECT_EQ(norm(scaled.polytope().vertex(i) - s * mesh.polytope().vertex(i)), 0.0);
         }
         EXPECT_EQ(scaled.measures.volume, s * s * s * mesh.measures.volume);
         EXPECT_EQ(scaled.measures.surface_area, s * s * mesh.measures.surface_area);
@@ -226,12 +226,12 @@ TEST(ConvexMesh, ScaledVerticesAreTheBodyAndAreMeasuredAnew) {
     for (const double s : {1.0 / 3.0, 0.1, 1e30 / 7.0, 1e-30 / 7.0}) {
       const ConvexMesh mesh = convex_mesh_from(soup);
       const ConvexMesh scaled = convex_mesh_from(soup, scaled_by(s));
-      ASSERT_EQ(scaled.body.n_vertices(), mesh.body.n_vertices());
-      for (std::size_t i = 0; i < mesh.body.n_vertices(); ++i) {
-        EXPECT_EQ(norm(scaled.body.vertex(i) - s * mesh.body.vertex(i)), 0.0);
+      ASSERT_EQ(scaled.polytope().n_vertices(), mesh.polytope().n_vertices());
+      for (std::size_t i = 0; i < mesh.polytope().n_vertices(); ++i) {
+        EXPECT_EQ(norm(scaled.polytope().vertex(i) - s * mesh.polytope().vertex(i)), 0.0);
       }
       // The exact measures of the hull of just these doubles.
-      const std::vector<Vec3d> vertices = scaled.body.vertices();
+      const std::vector<Vec3d> vertices = scaled.polytope().vertices();
       const Measures exact = exact_measures(*exact_hull(vertices));
       EXPECT_NEAR(scaled.measures.volume, exact.volume, 1e-13 * exact.volume);
       EXPECT_NEAR(scaled.measures.surface_area, exact.surface_area, 1e-13 * exact.surface_area);

@@ -110,7 +110,7 @@ TEST(CoordinateRounding, AnIcosahedronFarAwayHasItsVolumeInDoubles) {
     EXPECT_LT(std::fabs(mesh.measures.volume / icosahedron_volume() - 1.0), mesh.report.volume_rounding);
     EXPECT_LT(mesh.report.volume_rounding, 4.0 * error);
     EXPECT_TRUE(mesh.report.notes.empty());
-    EXPECT_EQ(mesh.body.n_vertices(), 12U);
+    EXPECT_EQ(mesh.polytope().n_vertices(), 12U);
   }
 }
 

@@ -74,7 +74,7 @@ double farthest_above(const std::vector<Vec3d>& points, const Triangles& hull) {
 
 TEST(ExtremeVertices, OfACutCubeAreItsEightCorners) {
   const ConvexMesh mesh = convex_mesh_from(cut_cube(16, [](const Vec3d& p) { return p; }));
-  EXPECT_EQ(mesh.body.n_vertices(), 8U);
+  EXPECT_EQ(mesh.polytope().n_vertices(), 8U);
   EXPECT_EQ(mesh.report.n_points, 6U * 16 * 16 + 2);
   EXPECT_EQ(mesh.report.n_dropped_vertices, 6U * 16 * 16 + 2 - 8);
   EXPECT_EQ(mesh.report.n_faces, 6U * 16 * 16);
@@ -92,12 +92,12 @@ TEST(ExtremeVertices, OfATurnedCutCubeAreItsCornersToRounding) {
       soup.digits = float_digits(1.5);
     }
     const ConvexMesh mesh = convex_mesh_from(soup);
-    EXPECT_EQ(mesh.body.n_vertices(), 8U);
+    EXPECT_EQ(mesh.polytope().n_vertices(), 8U);
     EXPECT_NEAR(mesh.measures.volume, 8.0, floats ? 8e-6 : 1e-13);
     EXPECT_LT(mesh.report.volume_rounding, floats ? 1e-6 : 1e-14);
     ASSERT_FALSE(mesh.report.notes.empty());
     EXPECT_TRUE(contains(mesh.report.notes.back(), "are no corners of the body to within the rounding"));
-    expect_same_body(convex_mesh_from(soup, {.hull = true}).body, mesh.body);
+    expect_same_body(convex_mesh_from(soup, {.hull = true}).polytope(), mesh.polytope());
   }
 }
 
@@ -113,10 +113,10 @@ TEST(ExtremeVertices, OfFloatsDoNotDependOnFacesOrOrderOrHull) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     PolygonSoup other = shuffled(soup, seed);
     other.digits = soup.digits;
-    expect_same_body(convex_mesh_from(other, {.hull = true}).body, mesh.body);
+    expect_same_body(convex_mesh_from(other, {.hull = true}).polytope(), mesh.polytope());
     PolygonSoup cut_twice = shuffled(with_own_corners(soup), seed);
     cut_twice.digits = soup.digits;
-    expect_same_body(convex_mesh_from(cut_twice, {.hull = true}).body, mesh.body);
+    expect_same_body(convex_mesh_from(cut_twice, {.hull = true}).polytope(), mesh.polytope());
   }
 }
 
@@ -125,7 +125,7 @@ TEST(ExtremeVertices, OfASphereAreAllAndTheSurfaceIsItsOwn) {
     PolygonSoup soup = sphere_soup(24, [](const Vec3d& v) { return Vec3d{3 * v.x, 2 * v.y, 1.5 * v.z}; });
     soup.digits = digits;
     const ConvexMesh mesh = convex_mesh_from(soup);
-    EXPECT_EQ(mesh.body.n_vertices(), soup.points.size());
+    EXPECT_EQ(mesh.polytope().n_vertices(), soup.points.size());
     EXPECT_EQ(mesh.report.n_dropped_vertices, 0U);
     EXPECT_EQ(mesh.report.n_triangles, soup.face_sizes.size());
   }
@@ -164,7 +164,7 @@ TEST(ExtremeVertices, OfThinBodiesAreNotMergedAway) {
     PolygonSoup soup = box_soup({0, 0, 0}, {1, 1, thin});
     soup.digits = float_digits(1.0);
     const ConvexMesh mesh = convex_mesh_from(soup);
-    EXPECT_EQ(mesh.body.n_vertices(), 8U);
+    EXPECT_EQ(mesh.polytope().n_vertices(), 8U);
     EXPECT_NEAR(mesh.measures.volume, thin, 1e-7 * thin);
   }
 }

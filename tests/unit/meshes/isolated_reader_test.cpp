@@ -24,7 +24,7 @@ namespace vex::tests {
 namespace {
 
 std::string file_refusal(const std::filesystem::path& path) {
-  return refusal_of([&] { static_cast<void>(load_convex_mesh(path)); });
+  return refusal_of([&] { static_cast<void>(load(path)); });
 }
 
 std::size_t n_open_files() {
@@ -67,8 +67,8 @@ TEST(IsolatedReader, LeavesNeitherProcessesNorOpenFilesBehind) {
   const auto bad = folder.file("b.x3d", std::string(500, 'x'));
   const std::size_t n_before = n_open_files();
   for (int i = 0; i < 20; ++i) {
-    EXPECT_NO_THROW(static_cast<void>(load_convex_mesh(good)));
-    EXPECT_THROW(static_cast<void>(load_convex_mesh(bad)), InputError);
+    EXPECT_NO_THROW(static_cast<void>(load(good)));
+    EXPECT_THROW(static_cast<void>(load(bad)), InputError);
   }
   EXPECT_EQ(n_open_files(), n_before);
   EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);
@@ -79,7 +79,7 @@ TEST(IsolatedReader, WorksWhereTheCallerIgnoresItsChildren) {
   const TemporaryFolder folder;
   const auto path = folder.file("a.glb", glb(icosahedron_soup()));
   const auto before = std::signal(SIGCHLD, SIG_IGN);
-  EXPECT_NO_THROW(static_cast<void>(load_convex_mesh(path)));
+  EXPECT_NO_THROW(static_cast<void>(load(path)));
   EXPECT_FALSE(file_refusal(folder.file("b.x3d", std::string(500, 'x'))).empty());
   std::signal(SIGCHLD, before);
 }

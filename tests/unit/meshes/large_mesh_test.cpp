@@ -44,7 +44,7 @@ TEST(LargeMesh, OfAMillionTrianglesIsReadCheckedAndMeasured) {
   for (const char* extension : {".ply", ".stl"}) {
     const auto path = folder.file(std::string("large") + extension, mesh_bytes(soup, extension));
     const Stopwatch watch;
-    const ConvexMesh mesh = load_convex_mesh(path);
+    const ConvexMesh mesh = load(path);
     std::printf("%s: %zu triangles in %.2f s; peak %ld MiB here, %ld MiB in the reader\n", extension,
                 mesh.report.n_triangles, watch.seconds(), peak_mebibytes(RUSAGE_SELF), peak_mebibytes(RUSAGE_CHILDREN));
     EXPECT_EQ(mesh.report.n_triangles, soup.face_sizes.size());
@@ -83,7 +83,7 @@ TEST(LargeMesh, OfAMillionPointsHasItsHullTaken) {
     const auto path = folder.file(kind + ".ply", ply_binary(soup_of(points, {})));
     points = {};
     const Stopwatch watch;
-    const ConvexMesh mesh = load_convex_mesh(path, {.hull = true});
+    const ConvexMesh mesh = load(path, {.hull = true});
     std::printf("%s: hull of %zu points has %zu vertices, in %.2f s; peak %ld MiB\n", kind.c_str(),
                 mesh.report.n_points, mesh.report.n_vertices, watch.seconds(), peak_mebibytes(RUSAGE_SELF));
     EXPECT_NEAR(mesh.measures.volume, kind == "cube" ? 8.0 : 4.0 / 3.0 * 3.14159265358979, 0.1);

@@ -136,9 +136,9 @@ TEST(NearPoints, DoNotDependOnOrder) {
   const ConvexMesh mesh = convex_mesh_from(soup, options);
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const ConvexMesh other = convex_mesh_from(shuffled(soup, seed), options);
-    ASSERT_EQ(other.body.n_vertices(), mesh.body.n_vertices());
-    for (std::size_t i = 0; i < mesh.body.n_vertices(); ++i) {
-      EXPECT_EQ(norm(other.body.vertex(i) - mesh.body.vertex(i)), 0.0);
+    ASSERT_EQ(other.polytope().n_vertices(), mesh.polytope().n_vertices());
+    for (std::size_t i = 0; i < mesh.polytope().n_vertices(); ++i) {
+      EXPECT_EQ(norm(other.polytope().vertex(i) - mesh.polytope().vertex(i)), 0.0);
     }
   }
 }

@@ -16,7 +16,7 @@
 #include "meshes/exact_hull.h"
 #include "meshes/hull.h"
 #include "refusal.h"
-#include "shapes/excluded_volume.h"
+#include "shapes/formula.h"
 #include "soups.h"
 #include "tests/referees/normal_integral.h"
 

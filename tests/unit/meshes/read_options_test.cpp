@@ -19,7 +19,7 @@ namespace vex::tests {
 namespace {
 
 std::string file_refusal(const std::filesystem::path& path) {
-  return refusal_of([&] { static_cast<void>(load_convex_mesh(path)); });
+  return refusal_of([&] { static_cast<void>(load(path)); });
 }
 
 PolygonSoup simple_body() { return box_soup({-1, -2, -4}, {1, 2, 4}); }  // V = 64
@@ -28,8 +28,8 @@ TEST(ReadOptions, ReadsItsOwnFormatsPackedByGzip) {
   const TemporaryFolder folder;
   for (const char* extension : {".obj", ".stl", ".ply", ".off"}) {
     const std::string packed = gzip_of(mesh_bytes(simple_body(), extension));
-    EXPECT_EQ(load_convex_mesh(folder.file(std::string("a") + extension + ".gz", packed)).measures.volume, 64.0);
-    EXPECT_EQ(load_convex_mesh(folder.file(std::string("b") + extension + ".Gz", packed)).measures.volume, 64.0);
+    EXPECT_EQ(load(folder.file(std::string("a") + extension + ".gz", packed)).measures.volume, 64.0);
+    EXPECT_EQ(load(folder.file(std::string("b") + extension + ".Gz", packed)).measures.volume, 64.0);
     EXPECT_TRUE(contains(file_refusal(folder.file(std::string("c") + extension, packed)), "packed by gzip"));
     EXPECT_TRUE(
         contains(file_refusal(folder.file(std::string("d") + extension + ".gz", packed.substr(0, 30))), "early"));
@@ -42,11 +42,11 @@ TEST(ReadOptions, ReadsAFileAsTheFormatThatIsNamed) {
   for (const char* extension : {".obj", ".stl", ".ply", ".off", ".gltf", ".glb", ".dae", ".3mf"}) {
     const auto path = folder.file("a.data", mesh_bytes(simple_body(), extension));
     for (const char* format : {extension, extension + 1}) {
-      EXPECT_EQ(load_convex_mesh(path, {.format = format}).measures.volume, 64.0) << format;
+      EXPECT_EQ(load(path, {.format = format}).measures.volume, 64.0) << format;
     }
   }
   const auto path = folder.file("b.data", gzip_of(stl_text(simple_body())));
-  EXPECT_EQ(load_convex_mesh(path, {.format = "STL.gz"}).measures.volume, 64.0);
+  EXPECT_EQ(load(path, {.format = "STL.gz"}).measures.volume, 64.0);
   EXPECT_THROW(static_cast<void>(read_polygon_soup(path, {.format = "doc"})), UsageError);
   EXPECT_THROW(static_cast<void>(read_polygon_soup(path, {.format = "glb.gz"})), UsageError);
 }
@@ -77,10 +77,10 @@ TEST(ReadOptions, ReadsStandardInputAsTheFormatThatIsNamed) {
   for (const char* extension : {".obj", ".stl", ".ply", ".off"}) {
     const std::string bytes = mesh_bytes(simple_body(), extension);
     const StandardInput input(bytes);
-    EXPECT_EQ(load_convex_mesh("-", {.format = extension}).measures.volume, 64.0) << extension;
+    EXPECT_EQ(load("-", {.format = extension}).measures.volume, 64.0) << extension;
   }
   const StandardInput packed(gzip_of(off_text(simple_body())));
-  EXPECT_EQ(load_convex_mesh("-", {.format = "off.gz"}).measures.volume, 64.0);
+  EXPECT_EQ(load("-", {.format = "off.gz"}).measures.volume, 64.0);
 }
 
 TEST(ReadOptions, RefusesStandardInputOfNoFormatOrOneOfAssimps) {

@@ -23,7 +23,7 @@ namespace vex::tests {
 namespace {
 
 std::string file_refusal(const std::filesystem::path& path) {
-  return refusal_of([&] { static_cast<void>(load_convex_mesh(path)); });
+  return refusal_of([&] { static_cast<void>(load(path)); });
 }
 
 /// Binary fractions of few digits: every text reader finds the same floats.
@@ -38,15 +38,15 @@ class EveryFormat : public ::testing::TestWithParam<const char*> {};
 TEST_P(EveryFormat, GivesTheSameBodyToTheLastBit) {
   const TemporaryFolder folder;
   const ConvexMesh expected = convex_mesh_from(triangulated(simple_body()));
-  const ConvexMesh mesh = load_convex_mesh(
+  const ConvexMesh mesh = load(
       folder.file(std::string("body") + GetParam(), mesh_bytes(triangulated(simple_body()), GetParam())));
   EXPECT_EQ(mesh.measures.volume, expected.measures.volume);
   EXPECT_EQ(mesh.measures.surface_area, expected.measures.surface_area);
   EXPECT_EQ(mesh.measures.integrated_mean_curvature, expected.measures.integrated_mean_curvature);
   EXPECT_EQ(mesh.body.inradius(), expected.body.inradius());
-  ASSERT_EQ(mesh.body.n_vertices(), expected.body.n_vertices());
-  for (std::size_t i = 0; i < mesh.body.n_vertices(); ++i) {
-    EXPECT_EQ(norm(mesh.body.vertex(i) - expected.body.vertex(i)), 0.0);
+  ASSERT_EQ(mesh.polytope().n_vertices(), expected.polytope().n_vertices());
+  for (std::size_t i = 0; i < mesh.polytope().n_vertices(); ++i) {
+    EXPECT_EQ(norm(mesh.polytope().vertex(i) - expected.polytope().vertex(i)), 0.0);
   }
 }
 
@@ -66,8 +66,8 @@ TEST(Reader, KeepsPolygonsAsPolygons) {
 
 TEST(Reader, ReadsTextPlyAndTextStl) {
   const TemporaryFolder folder;
-  EXPECT_EQ(load_convex_mesh(folder.file("a.ply", ply_text(simple_body()))).measures.volume, 64.0);
-  EXPECT_EQ(load_convex_mesh(folder.file("a.stl", stl_text(simple_body()))).measures.volume, 64.0);
+  EXPECT_EQ(load(folder.file("a.ply", ply_text(simple_body()))).measures.volume, 64.0);
+  EXPECT_EQ(load(folder.file("a.stl", stl_text(simple_body()))).measures.volume, 64.0);
 }
 
 TEST(Reader, AppliesNodeTransformsOfAllParents) {
@@ -79,7 +79,7 @@ TEST(Reader, AppliesNodeTransformsOfAllParents) {
                             R"( "translation": [0, 5, 0], "children": [2]}, {"mesh": 0}])";
   folder.file("b.bin", gltf_buffer(box));
   const ConvexMesh mesh =
-      load_convex_mesh(folder.file("b.gltf", gltf_text(box, "b.bin", nodes)), {.convex_tolerance = 1e-6});
+      load(folder.file("b.gltf", gltf_text(box, "b.bin", nodes)), {.convex_tolerance = 1e-6});
   EXPECT_NEAR(mesh.measures.volume, 8.0 * 8.0, 1e-4);
   // x: 10 + 2 (2 x); y: 2 (5 - z / 2); z: 2 y
   EXPECT_NEAR(mesh.body.centre().x, 12.0, 1e-2);
@@ -94,7 +94,7 @@ TEST(Reader, WeldsSeveralPartsThatAreOneBody) {
   const std::string nodes =
       R"([{"children": [1, 2]}, {"mesh": 0}, {"mesh": 0, "matrix": [-1,0,0,0, 0,-1,0,0, 0,0,1,0, 0,0,0,1]}])";
   folder.file("h.bin", gltf_buffer(half));
-  const ConvexMesh mesh = load_convex_mesh(folder.file("h.gltf", gltf_text(half, "h.bin", nodes)));
+  const ConvexMesh mesh = load(folder.file("h.gltf", gltf_text(half, "h.bin", nodes)));
   EXPECT_EQ(mesh.report.n_parts, 2U);
   EXPECT_EQ(mesh.measures.volume, 8.0);
   EXPECT_EQ(mesh.report.n_points, 12U);
@@ -157,13 +157,13 @@ TEST(Reader, ReadsPointsWithoutFacesForAHull) {
            {"a.off", off_text(cloud)},
            {"comment.off", "OFF # of\n# 9 points\n" + off_text(cloud).substr(4)}}) {
     const auto path = folder.file(name, bytes);
-    const ConvexMesh mesh = load_convex_mesh(path, {.hull = true});
+    const ConvexMesh mesh = load(path, {.hull = true});
     EXPECT_EQ(mesh.measures.volume, 64.0) << name;
     EXPECT_EQ(mesh.report.n_points, 9U) << name;
     EXPECT_EQ(mesh.report.hull_added_volume, std::nullopt) << name;
-    ASSERT_EQ(mesh.body.n_vertices(), 8U) << name;
+    ASSERT_EQ(mesh.polytope().n_vertices(), 8U) << name;
     for (std::size_t i = 0; i < 8; ++i) {
-      EXPECT_EQ(norm(mesh.body.vertex(i) - expected.body.vertex(i)), 0.0) << name;
+      EXPECT_EQ(norm(mesh.polytope().vertex(i) - expected.polytope().vertex(i)), 0.0) << name;
     }
     EXPECT_EQ(norm(mesh.body.centre() - expected.body.centre()), 0.0) << name;
     EXPECT_TRUE(contains(file_refusal(path), "--hull")) << name;
@@ -176,8 +176,8 @@ TEST(Reader, DeliversPointsThatNoFaceUses) {
   soup.points.push_back({0.5, 0.5, 4.0});
   for (const char* extension : {".ply", ".off", ".obj"}) {
     const auto path = folder.file(std::string("a") + extension, mesh_bytes(soup, extension));
-    EXPECT_EQ(load_convex_mesh(path, {.hull = true}).measures.volume, 2.0) << extension;
-    EXPECT_EQ(load_convex_mesh(path).measures.volume, 1.0) << extension;
+    EXPECT_EQ(load(path, {.hull = true}).measures.volume, 2.0) << extension;
+    EXPECT_EQ(load(path).measures.volume, 1.0) << extension;
   }
 }
 
@@ -188,10 +188,10 @@ TEST_P(EveryFormat, GivesTheSameHullOfSomethingThatIsNotConvex) {
   }));
   const ConvexMesh expected = convex_mesh_from(soup, {.hull = true});
   const ConvexMesh mesh =
-      load_convex_mesh(folder.file(std::string("body") + GetParam(), mesh_bytes(soup, GetParam())), {.hull = true});
-  ASSERT_EQ(mesh.body.n_vertices(), expected.body.n_vertices());
-  for (std::size_t i = 0; i < mesh.body.n_vertices(); ++i) {
-    EXPECT_EQ(norm(mesh.body.vertex(i) - expected.body.vertex(i)), 0.0);
+      load(folder.file(std::string("body") + GetParam(), mesh_bytes(soup, GetParam())), {.hull = true});
+  ASSERT_EQ(mesh.polytope().n_vertices(), expected.polytope().n_vertices());
+  for (std::size_t i = 0; i < mesh.polytope().n_vertices(); ++i) {
+    EXPECT_EQ(norm(mesh.polytope().vertex(i) - expected.polytope().vertex(i)), 0.0);
   }
   EXPECT_EQ(mesh.measures.volume, expected.measures.volume);
   EXPECT_EQ(mesh.measures.surface_area, expected.measures.surface_area);
@@ -203,22 +203,22 @@ TEST(Reader, ReadsTextStlInUpperCase) {
   const TemporaryFolder folder;
   std::string upper = stl_text(simple_body());
   std::ranges::transform(upper, upper.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  EXPECT_EQ(load_convex_mesh(folder.file("a.stl", upper)).measures.volume, 64.0);
-  EXPECT_EQ(load_convex_mesh(folder.file("b.STL", "\n  " + upper)).measures.volume, 64.0);
+  EXPECT_EQ(load(folder.file("a.stl", upper)).measures.volume, 64.0);
+  EXPECT_EQ(load(folder.file("b.STL", "\n  " + upper)).measures.volume, 64.0);
   std::string mixed = stl_text(simple_body());
   mixed.replace(0, 5, "Solid");
-  EXPECT_EQ(load_convex_mesh(folder.file("c.stl", mixed)).measures.volume, 64.0);
+  EXPECT_EQ(load(folder.file("c.stl", mixed)).measures.volume, 64.0);
   // Binary whose heading begins like the text's.
   std::string binary = stl_binary(simple_body());
   binary.replace(0, 10, "SOLID ABC ");
-  EXPECT_EQ(load_convex_mesh(folder.file("d.stl", binary)).measures.volume, 64.0);
+  EXPECT_EQ(load(folder.file("d.stl", binary)).measures.volume, 64.0);
   binary.replace(0, 10, "solid abc ");
-  EXPECT_EQ(load_convex_mesh(folder.file("e.stl", binary)).measures.volume, 64.0);
+  EXPECT_EQ(load(folder.file("e.stl", binary)).measures.volume, 64.0);
 }
 
 TEST(Reader, IgnoresPointsAndLinesBesideFacesWithANote) {
   const TemporaryFolder folder;
-  const ConvexMesh mesh = load_convex_mesh(folder.file("a.obj", obj_text(simple_body()) + "l 1 2\nl 3 4\n"));
+  const ConvexMesh mesh = load(folder.file("a.obj", obj_text(simple_body()) + "l 1 2\nl 3 4\n"));
   EXPECT_EQ(mesh.measures.volume, 64.0);
   ASSERT_EQ(mesh.report.notes.size(), 1U);
   EXPECT_TRUE(contains(mesh.report.notes[0], "points or lines of the file were ignored"));
@@ -233,11 +233,11 @@ TEST(Reader, ReadsCoordinatesWithoutALeadingZero) {
         "v -.0 0 0\nv .5 0. 0\nv 0 5.e-1 0\nv 0 0  .5e0\n"}) {
     // The vertex that no face uses would hide a dropped one.
     const std::string text = std::string(vertices) + "v 9 9 9\n" + faces_of_obj;
-    EXPECT_NEAR(load_convex_mesh(folder.file("tetrahedron.obj", text)).measures.volume, 0.125 / 6, 1e-15) << vertices;
+    EXPECT_NEAR(load(folder.file("tetrahedron.obj", text)).measures.volume, 0.125 / 6, 1e-15) << vertices;
   }
   const std::string rows = "0 0 0\n.5 0 0\n0 .5 0\n0 0 .5\n", faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
-  EXPECT_NEAR(load_convex_mesh(folder.file("a.off", "OFF\n4 4 6\n" + rows + faces)).measures.volume, 0.125 / 6, 1e-15);
-  EXPECT_NEAR(load_convex_mesh(folder.file("a.ply",
+  EXPECT_NEAR(load(folder.file("a.off", "OFF\n4 4 6\n" + rows + faces)).measures.volume, 0.125 / 6, 1e-15);
+  EXPECT_NEAR(load(folder.file("a.ply",
                                            "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty "
                                            "float y\nproperty float z\nelement face 4\nproperty list uchar int "
                                            "vertex_indices\nend_header\n" +
@@ -270,7 +270,7 @@ TEST(Reader, NeverOpensWhatAMeshNamesBesideItsGeometry) {
   // A pipe that nobody writes to: opening it would wait for ever.
   ASSERT_EQ(::mkfifo((folder.path() / "a.mtl").c_str(), 0600), 0);
   const auto path = folder.file("a.obj", "mtllib a.mtl\nusemtl red\n" + obj_text(simple_body()));
-  EXPECT_EQ(load_convex_mesh(path).measures.volume, 64.0);
+  EXPECT_EQ(load(path).measures.volume, 64.0);
 }
 
 TEST(Reader, RefusesAGltfWhoseBufferIsMissingOrOutsideItsFolder) {
@@ -286,12 +286,12 @@ TEST(Reader, RefusesAGltfWhoseBufferIsMissingOrOutsideItsFolder) {
 TEST(Reader, ReadsInThisProcessWhenAskedTo) {
   const TemporaryFolder folder;
   const auto path = folder.file("a.stl", stl_binary(simple_body()));
-  EXPECT_EQ(load_convex_mesh(path, {.isolated_reader = false}).measures.volume, 64.0);
+  EXPECT_EQ(load(path, {.isolated_reader = false}).measures.volume, 64.0);
 }
 
 TEST(Reader, TurnsABodyThatIsInsideOutAndSaysSo) {
   const TemporaryFolder folder;
-  const ConvexMesh mesh = load_convex_mesh(folder.file("a.off", off_text(turned(simple_body()))));
+  const ConvexMesh mesh = load(folder.file("a.off", off_text(turned(simple_body()))));
   EXPECT_EQ(mesh.measures.volume, 64.0);
   ASSERT_EQ(mesh.report.notes.size(), 1U);
   EXPECT_TRUE(contains(mesh.report.notes[0], "inside out"));

@@ -14,7 +14,7 @@ namespace {
 
 const std::filesystem::path kFolder = VEX_SAMPLE_BODIES;
 
-ConvexMesh sample(const std::string& name) { return load_convex_mesh(kFolder / name, {.convex_tolerance = 0.0}); }
+ConvexMesh sample(const std::string& name) { return load(kFolder / name, {.convex_tolerance = 0.0}); }
 
 double reduced_excluded_volume(const Measures& m) {
   return 2.0 * (1.0 + m.integrated_mean_curvature * m.surface_area / (4.0 * std::numbers::pi * m.volume));
@@ -60,9 +60,9 @@ TEST(SampleBodies, TheIcosahedronIsTheSameBodyInEveryFormat) {
     EXPECT_EQ(other.body.inradius(), obj.body.inradius()) << name;
     EXPECT_EQ(other.body.circumradius(), obj.body.circumradius()) << name;
     EXPECT_EQ(norm(other.body.centre() - obj.body.centre()), 0.0) << name;
-    ASSERT_EQ(other.body.n_vertices(), obj.body.n_vertices()) << name;
-    for (std::size_t i = 0; i < obj.body.n_vertices(); ++i) {
-      EXPECT_EQ(norm(other.body.vertex(i) - obj.body.vertex(i)), 0.0) << name << " vertex " << i;
+    ASSERT_EQ(other.polytope().n_vertices(), obj.polytope().n_vertices()) << name;
+    for (std::size_t i = 0; i < obj.polytope().n_vertices(); ++i) {
+      EXPECT_EQ(norm(other.polytope().vertex(i) - obj.polytope().vertex(i)), 0.0) << name << " vertex " << i;
     }
   }
 }

@@ -8,7 +8,7 @@
 #include "engine/sampling/monte_carlo.h"
 #include "engine/sampling/radial_estimator.h"
 #include "shapes/any_shape.h"
-#include "shapes/excluded_volume.h"
+#include "shapes/formula.h"
 
 namespace vex {
 namespace {
@@ -66,10 +66,10 @@ TEST(ControlVariate, ThatDoesNotVaryHasNoWeight) {
 }
 
 TEST(ControlVariate, OfARoundedBoxIsTheBox) {
-  const MeasuredBody rounded = parse_shape("rounded:0.1,box:1,1,1"), box = parse_shape("box:1,1,1");
+  const Body rounded = parse_shape("rounded:0.1,box:1,1,1"), box = parse_shape("box:1,1,1");
   const double truth = average_excluded_volume(rounded.measures, rounded.measures);
   const OrientationLaw law;
-  const auto make = [&law](const MeasuredBody& body) {
+  const auto make = [&law](const Body& body) {
     return std::make_unique<RadialEstimator>(body.body, body.body, law);
   };
   MonteCarloSettings settings;

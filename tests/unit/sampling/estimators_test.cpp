@@ -11,7 +11,7 @@
 #include "engine/sampling/monte_carlo.h"
 #include "engine/sampling/radial_estimator.h"
 #include "shapes/any_shape.h"
-#include "shapes/excluded_volume.h"
+#include "shapes/formula.h"
 
 namespace vex {
 namespace {
@@ -138,7 +138,7 @@ TEST(EstimatorsOfTheDriver, AgreeWithTheFormula) {
                                        {"ellipsoid:4,1,1", "capsule:1,0.25"},
                                        {"box:0.01,1,1", "box:8,1,1"},
                                        {"disc:1", "needle:2"}}) {
-    const MeasuredBody a = parse_shape(name_a), b = parse_shape(name_b);
+    const Body a = parse_shape(name_a), b = parse_shape(name_b);
     const double truth = average_excluded_volume(a.measures, b.measures);
     for (const Way way : kWays) {
       const MonteCarloSettings settings = settings_of(way, a.body, b.body, 200000);

@@ -13,7 +13,7 @@
 #include "engine/query/radial_steps.h"
 #include "shapes/any_shape.h"
 #include "shapes/ellipsoid.h"
-#include "shapes/excluded_volume.h"
+#include "shapes/formula.h"
 #include "shapes/polytope.h"
 #include "tests/referees/bodies.h"
 #include "tests/referees/randomised_mean.h"
@@ -25,7 +25,7 @@ class RadialEstimatorOfPairs : public testing::TestWithParam<BodyPair> {};
 
 // Student's t with 31 degrees of freedom exceeds 5 once in 50 000 times; seeds are fixed.
 TEST_P(RadialEstimatorOfPairs, AgreesWithTheFormula) {
-  const MeasuredBody a = parse_shape(GetParam().a), b = parse_shape(GetParam().b);
+  const Body a = parse_shape(GetParam().a), b = parse_shape(GetParam().b);
   const double truth = average_excluded_volume(a.measures, b.measures);
   RadialEstimator estimator(a.body, b.body, {});
   const RandomisedMean found = mean_of(estimator, 7, 11);
@@ -37,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(Pairs, RadialEstimatorOfPairs, testing::ValuesIn(unorde
                          [](const auto& pair) { return test_name(pair.param); });
 
 TEST(RadialEstimator, SeesABiasOfATwoHundredth) {
-  const MeasuredBody cube = parse_shape("box:1,1,1");
+  const Body cube = parse_shape("box:1,1,1");
   RadialEstimator estimator(cube.body, cube.body, {});
   const RandomisedMean found = mean_of(estimator, 10, 1);
   EXPECT_LE(std::fabs(found.value - 11.0), 5.0 * found.std_error);
@@ -45,7 +45,7 @@ TEST(RadialEstimator, SeesABiasOfATwoHundredth) {
 }
 
 TEST(RadialEstimator, GainsOnRandomPointsAsTheNetGrows) {
-  const MeasuredBody body = parse_shape("ellipsoid:1,2,3");
+  const Body body = parse_shape("ellipsoid:1,2,3");
   RadialEstimator estimator(body.body, body.body, {});
   // Random points would need 256 times as many for a sixteenth of the error.
   EXPECT_LT(mean_of(estimator, 12, 1).std_error, mean_of(estimator, 4, 1).std_error / 32.0);
@@ -53,7 +53,7 @@ TEST(RadialEstimator, GainsOnRandomPointsAsTheNetGrows) {
 
 // Corners off the axes by symmetry: with the frame's axes for the body's own a net was no better than random points.
 TEST(RadialEstimator, GainsForTetrahedra) {
-  const MeasuredBody body = parse_shape("tetrahedron:1");
+  const Body body = parse_shape("tetrahedron:1");
   RadialEstimator estimator(body.body, body.body, {});
   const RandomisedMean found = mean_of(estimator, 12, 1);
   const double truth = average_excluded_volume(body.measures, body.measures);
@@ -65,7 +65,7 @@ TEST(RadialEstimator, GainsForTetrahedra) {
 // coordinates.
 TEST(RadialEstimator, GainsForLongBodies) {
   for (const auto& [shape, bound] : {std::pair{"capsule:64,0.5", 5e-5}, std::pair{"box:64,1,1", 1.5e-4}}) {
-    const MeasuredBody body = parse_shape(shape);
+    const Body body = parse_shape(shape);
     RadialEstimator estimator(body.body, body.body, {});
     const RandomisedMean found = mean_of(estimator, 12, 1);
     const double truth = average_excluded_volume(body.measures, body.measures);
@@ -97,7 +97,7 @@ TEST(RadialEstimator, OfAlignedBodiesIsTheirSum) {
 
 // Off by 3e-4, 37 standard errors, while rays that the packets lost were given their own cube for any pick.
 TEST(RadialEstimator, OfALongThinBodyHasNoBias) {
-  const MeasuredBody a = parse_shape("ellipsoid:1,1e-5,1e-5"), b = parse_shape("sphere:1e-6");
+  const Body a = parse_shape("ellipsoid:1,1e-5,1e-5"), b = parse_shape("sphere:1e-6");
   const double truth = average_excluded_volume(a.measures, b.measures);
   RadialEstimator estimator(a.body, b.body, {});
   const RandomisedMean found = mean_of(estimator, 9, 1);

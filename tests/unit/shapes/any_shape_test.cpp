@@ -40,8 +40,8 @@ TEST(ParseShape, MakesEveryBodyOfTheList) {
 }
 
 TEST(ParseShape, RoundsAnyBodyAndAddsRadiiUp) {
-  const MeasuredBody once = parse_shape("rounded:0.75,box:1,2,3");
-  const MeasuredBody twice = parse_shape("rounded:0.5,rounded:0.25,box:1,2,3");
+  const Body once = parse_shape("rounded:0.75,box:1,2,3");
+  const Body twice = parse_shape("rounded:0.5,rounded:0.25,box:1,2,3");
   EXPECT_EQ(once.measures.volume, twice.measures.volume);
   EXPECT_EQ(once.body.support(Vec3d{1, 2, 3}).y, twice.body.support(Vec3d{1, 2, 3}).y);
   std::string deep = "sphere:1";
@@ -51,7 +51,7 @@ TEST(ParseShape, RoundsAnyBodyAndAddsRadiiUp) {
 
 TEST(ParseShape, ScalesEverySize) {
   for (const char* text : kTestBodies) {
-    const MeasuredBody one = parse_shape(text), four = parse_shape(text, 4.0);
+    const Body one = parse_shape(text), four = parse_shape(text, 4.0);
     EXPECT_NEAR(four.measures.volume, 64.0 * one.measures.volume, 1e-13 * four.measures.volume) << text;
     EXPECT_NEAR(four.measures.surface_area, 16.0 * one.measures.surface_area, 1e-13 * four.measures.surface_area);
     const Vec3d dir{0.3, -0.5, 0.7};
@@ -65,7 +65,7 @@ TEST(VerticesOf, AreThePolytopeExactly) {
   std::mt19937_64 random(51);
   std::size_t n_polytopes = 0;
   for (const char* text : kTestBodies) {
-    const MeasuredBody shape = parse_shape(text);
+    const Body shape = parse_shape(text);
     const std::vector<Vec3d> vertices = vertices_of(shape.body);
     if (vertices.empty()) {
       EXPECT_EQ(shape.n_faces, 0u) << text;

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "shapes/any_shape.h"
-#include "shapes/excluded_volume.h"
+#include "shapes/formula.h"
 
 namespace vex {
 namespace {

@@ -15,7 +15,7 @@ namespace {
 
 class NormalsOfBodies : public testing::TestWithParam<const char*> {
  protected:
-  const MeasuredBody shape_ = parse_shape(GetParam());
+  const Body shape_ = parse_shape(GetParam());
   const NormalMeasure area_ = shape_.normals.area();
   const NormalMeasure curvature_ = shape_.normals.mean_curvature();
   const Measures m_ = shape_.measures;
@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(RoundedOnes, NormalsOfBodies,
                          });
 
 TEST(NormalMeasure, OfARoundedNeedleIsThatOfACapsule) {
-  const MeasuredBody capsule = parse_shape("capsule:2,0.5"), rounded = parse_shape("rounded:0.5,needle:2");
+  const Body capsule = parse_shape("capsule:2,0.5"), rounded = parse_shape("rounded:0.5,needle:2");
   const auto square_of_z = [](const Vec3d& n) { return n.z * n.z; };
   EXPECT_NEAR(integral_over(capsule.normals.area(), square_of_z), std::numbers::pi / 3.0, 1e-13);
   EXPECT_NEAR(integral_over(rounded.normals.area(), square_of_z), std::numbers::pi / 3.0, 1e-13);
@@ -101,8 +101,8 @@ TEST(NormalMeasure, OfACylinderIsTheSumOfADiscsAndANeedlesInMeanCurvature) {
 
 TEST(NormalMeasure, IsSymmetricInWhatIsWeighedAndWhatWeighs) {
   // 3 V(K, B, L) = 3 V(L, B, K): the heights of one over the other's mean curvature.
-  const MeasuredBody k = parse_shape("ellipsoid:1,2,3"), l = parse_shape("rounded:0.5,cylinder:1,0.7");
-  const auto heights = [](const MeasuredBody& shape) {
+  const Body k = parse_shape("ellipsoid:1,2,3"), l = parse_shape("rounded:0.5,cylinder:1,0.7");
+  const auto heights = [](const Body& shape) {
     return [&shape](const Vec3d& n) { return dot(n, shape.body.support(n)); };
   };
   const double one = integral_over(k.normals.mean_curvature(), heights(l));

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/numeric/errors.h"
-#include "shapes/excluded_volume.h"
+#include "shapes/formula.h"
 #include "tests/referees/bodies.h"
 #include "tests/referees/randomised_mean.h"
 
@@ -21,7 +21,7 @@ constexpr double kMostErrors = 5.0;
 class MeanWidthEstimatorOfPairs : public testing::TestWithParam<BodyPair> {};
 
 TEST_P(MeanWidthEstimatorOfPairs, AgreesWithTheFormula) {
-  const MeasuredBody a = parse_shape(GetParam().a), b = parse_shape(GetParam().b);
+  const Body a = parse_shape(GetParam().a), b = parse_shape(GetParam().b);
   const double truth = average_excluded_volume(a.measures, b.measures);
   MeanWidthEstimator estimator(a, b);
   const RandomisedMean found = mean_of(estimator, 7, 11);
@@ -38,7 +38,7 @@ INSTANTIATE_TEST_SUITE_P(Pairs, MeanWidthEstimatorOfPairs, testing::ValuesIn(uno
 
 TEST(MeanWidthEstimator, SeesABiasOfAThousandth) {
   for (const char* text : {"box:1,1,1", "ellipsoid:1,2,3", "box:1000,1,1", "box:1,1,0.001", "tetrahedron:1.3"}) {
-    const MeasuredBody body = parse_shape(text);
+    const Body body = parse_shape(text);
     const double truth = average_excluded_volume(body.measures, body.measures);
     MeanWidthEstimator estimator(body, body);
     const RandomisedMean found = mean_of(estimator, 8, 1);
@@ -50,7 +50,7 @@ TEST(MeanWidthEstimator, SeesABiasOfAThousandth) {
 
 TEST(MeanWidthEstimator, GainsOnRandomPointsAsTheNetGrows) {
   for (const char* text : {"box:1,1,1", "box:64,1,1", "box:1,1,0.01", "ellipsoid:1,2,3", "cone:1,0.5", "needle:2"}) {
-    const MeasuredBody body = parse_shape(text), box = parse_shape("box:1,2,3");
+    const Body body = parse_shape(text), box = parse_shape("box:1,2,3");
     MeanWidthEstimator estimator(body, box);
     // A slope of -1 or steeper. Random points would give a sixteenth.
     EXPECT_LT(mean_of(estimator, 12, 1).std_error, mean_of(estimator, 4, 1).std_error / 256.0) << text;
@@ -58,7 +58,7 @@ TEST(MeanWidthEstimator, GainsOnRandomPointsAsTheNetGrows) {
 }
 
 TEST(MeanWidthEstimator, OfBallsIsTheirsAtEveryPoint) {
-  const MeasuredBody a = parse_shape("sphere:0.6"), b = parse_shape("sphere:1.7");
+  const Body a = parse_shape("sphere:0.6"), b = parse_shape("sphere:1.7");
   const double truth = average_excluded_volume(a.measures, b.measures);
   MeanWidthEstimator estimator(a, b);
   const RandomisedMean found = mean_of(estimator, 5, 1);
@@ -67,7 +67,7 @@ TEST(MeanWidthEstimator, OfBallsIsTheirsAtEveryPoint) {
 }
 
 TEST(MeanWidthEstimator, DoesNotLookAtM) {
-  MeasuredBody box = parse_shape("box:1,2,3"), capsule = parse_shape("rounded:0.2,capsule:1,0.25");
+  Body box = parse_shape("box:1,2,3"), capsule = parse_shape("rounded:0.2,capsule:1,0.25");
   MeanWidthEstimator estimator(box, capsule);
   const RandomisedMean found = mean_of(estimator, 5, 1);
   box.measures.integrated_mean_curvature = capsule.measures.integrated_mean_curvature =
@@ -83,7 +83,7 @@ TEST(MeanWidthEstimator, DoesNotLookAtM) {
 
 TEST(MeanWidthEstimator, GivesTheSameBitsInAnyBatchAndForOneBodyTwice) {
   for (const char* text : kTestBodies) {
-    const MeasuredBody one = parse_shape(text), other = parse_shape(text);
+    const Body one = parse_shape(text), other = parse_shape(text);
     MeanWidthEstimator twice(one, one), both(one, other);
     constexpr std::size_t kPoints = 64;
     const std::vector<double> points = scrambled_net(2, 6, 5, 0);
@@ -99,7 +99,7 @@ TEST(MeanWidthEstimator, GivesTheSameBitsInAnyBatchAndForOneBodyTwice) {
 }
 
 TEST(MeanWidthEstimator, IsForUniformRotationsAlone) {
-  const MeasuredBody box = parse_shape("box:1,2,3");
+  const Body box = parse_shape("box:1,2,3");
   for (const OrientationLaw& law : {OrientationLaw::aligned(), OrientationLaw::cone(30.0), OrientationLaw::onsager(1.0),
                                     OrientationLaw::fixed(1.0, 2.0, 3.0, 4.0)}) {
     try {

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "apps/referees/legendre_average.h"
 #include "engine/numeric/errors.h"
 #include "meshes/convex_mesh.h"
 #include "meshes/nearest_float.h"
-#include "shapes/excluded_volume.h"
+#include "shapes/estimators/legendre_average.h"
+#include "shapes/formula.h"
 #include "tests/referees/bodies.h"
 #include "tests/referees/randomised_mean.h"
 
@@ -27,23 +27,19 @@ constexpr double kPi = std::numbers::pi;
 // Student's t with 31 degrees of freedom exceeds it once in 50 000 times; seeds are fixed.
 constexpr double kMostErrors = 5.0;
 
-MeasuredBody hull_on_an_ellipsoid(int n_points) {
+Body hull_on_an_ellipsoid(int n_points) {
   std::mt19937_64 random(1);
   std::normal_distribution<double> normal;
-  PolygonSoup soup;
+  std::vector<Vec3d> points;
   for (int i = 0; i < n_points; ++i) {
     const Vec3d p{normal(random), normal(random), normal(random)};
     const double scale = 1.0 / norm(p);
-    soup.points.push_back(
-        {nearest_float(3.0 * scale * p.x), nearest_float(2.0 * scale * p.y), nearest_float(scale * p.z)});
+    points.push_back({nearest_float(3.0 * scale * p.x), nearest_float(2.0 * scale * p.y), nearest_float(scale * p.z)});
   }
-  MeshOptions options;
-  options.hull = true;
-  const ConvexMesh mesh = convex_mesh_from(soup, options);
-  return {"polyhedron", ConvexBody(mesh.body), mesh.measures, mesh.report.n_triangles, mesh.normals};
+  return hull_of(points);
 }
 
-double formula(const MeasuredBody& a, const MeasuredBody& b) { return average_excluded_volume(a.measures, b.measures); }
+double formula(const Body& a, const Body& b) { return average_excluded_volume(a.measures, b.measures); }
 
 // Of a law that has but one.
 Transformd rotation_of(const OrientationLaw& law) {
@@ -54,7 +50,7 @@ Transformd rotation_of(const OrientationLaw& law) {
 class MixedVolumeEstimatorOfPairs : public testing::TestWithParam<BodyPair> {};
 
 TEST_P(MixedVolumeEstimatorOfPairs, AgreesWithTheFormula) {
-  const MeasuredBody a = parse_shape(GetParam().a), b = parse_shape(GetParam().b);
+  const Body a = parse_shape(GetParam().a), b = parse_shape(GetParam().b);
   const double truth = formula(a, b);
   MixedVolumeEstimator estimator(a, b, {});
   const RandomisedMean found = mean_of(estimator, 7, 11);
@@ -72,7 +68,7 @@ INSTANTIATE_TEST_SUITE_P(Pairs, MixedVolumeEstimatorOfPairs, testing::ValuesIn(u
 
 TEST(MixedVolumeEstimator, SeesABiasOfAThousandth) {
   for (const char* text : {"box:1,1,1", "ellipsoid:1,2,3", "cone:1,0.5", "tetrahedron:1.3", "hemisphere:0.8"}) {
-    const MeasuredBody body = parse_shape(text);
+    const Body body = parse_shape(text);
     const double truth = formula(body, body);
     MixedVolumeEstimator estimator(body, body, {});
     const RandomisedMean found = mean_of(estimator, 12, 1);
@@ -85,12 +81,12 @@ TEST(MixedVolumeEstimator, SeesABiasOfAThousandth) {
 TEST(MixedVolumeEstimator, GainsOnRandomPointsAsTheNetGrows) {
   // Random points would give a sixteenth of the error, a slope of -1/2. These fall with a slope of -0.7 or steeper, in
   // the root mean square over seeds (of vex_bench, over more decades, -0.9 and steeper).
-  std::vector<MeasuredBody> bodies{hull_on_an_ellipsoid(100)};
+  std::vector<Body> bodies{hull_on_an_ellipsoid(100)};
   for (const char* text :
        {"box:1,1,1", "box:64,1,1", "ellipsoid:1,2,3", "ellipsoid:4,1,1", "capsule:1,0.25", "cylinder:1,0.5"}) {
     bodies.push_back(parse_shape(text));
   }
-  for (const MeasuredBody& body : bodies) {
+  for (const Body& body : bodies) {
     MixedVolumeEstimator estimator(body, body, {});
     const auto error = [&estimator](int log2_n_points) {
       double squares = 0.0;
@@ -118,7 +114,7 @@ TEST(MixedVolumeEstimator, DrawsNothingButTheOrientationOfPolytopesEllipsoidsAnd
 }
 
 TEST(MixedVolumeEstimator, OfTwoBoxesIsExactAtEachOrientation) {
-  const MeasuredBody a = parse_shape("box:0.7,1.1,2.3"), b = parse_shape("box:3,0.2,1.3");
+  const Body a = parse_shape("box:0.7,1.1,2.3"), b = parse_shape("box:3,0.2,1.3");
   const double edge_a[3] = {0.7, 1.1, 2.3}, edge_b[3] = {3.0, 0.2, 1.3};
   std::mt19937_64 random(12);
   std::normal_distribution<double> normal;
@@ -146,7 +142,7 @@ TEST(MixedVolumeEstimator, OfTwoBoxesIsExactAtEachOrientation) {
 }
 
 TEST(MixedVolumeEstimator, OfTwoCylindersIsOnsagersAtEachOrientation) {
-  const MeasuredBody a = parse_shape("cylinder:2,0.5"), b = parse_shape("cylinder:0.7,0.8");
+  const Body a = parse_shape("cylinder:2,0.5"), b = parse_shape("cylinder:0.7,0.8");
   const double l1 = 2.0, d1 = 1.0, l2 = 0.7, d2 = 1.6;
   const OrientationLaw law = OrientationLaw::fixed(0.3, 0.5, -0.2, 0.7);
   const double cos = std::fabs(rotation_of(law).row_z.z), sin = std::sqrt(1.0 - cos * cos);
@@ -161,12 +157,12 @@ TEST(MixedVolumeEstimator, OfTwoCylindersIsOnsagersAtEachOrientation) {
 }
 
 TEST(MixedVolumeEstimator, OfALawThatSpinsTheBodiesIsTheSeriesOfLegendrePolynomials) {
-  const MeasuredBody hull = hull_on_an_ellipsoid(100);
+  const Body hull = hull_on_an_ellipsoid(100);
   for (const OrientationLaw& law : {OrientationLaw::cone(60.0), OrientationLaw::onsager(5.0)}) {
     for (const BodyPair& pair :
          {BodyPair{"cylinder:1,0.5", "box:0.2,1,3"}, BodyPair{"cone:0.2,1", "rounded:0.1,tetrahedron:1"},
           BodyPair{"hemisphere:0.8", "ellipsoid:1,2,3"}, BodyPair{"plate:1,1.3", "needle:2"}}) {
-      const MeasuredBody a = parse_shape(pair.a), b = parse_shape(pair.b);
+      const Body a = parse_shape(pair.a), b = parse_shape(pair.b);
       const std::optional<SeriesAverage> series = legendre_average(a, b, law);
       ASSERT_TRUE(series.has_value());
       MixedVolumeEstimator estimator(a, b, law);
@@ -185,10 +181,10 @@ TEST(MixedVolumeEstimator, OfALawThatSpinsTheBodiesIsTheSeriesOfLegendrePolynomi
 }
 
 TEST(MixedVolumeEstimator, PicksAmongManyFacesAndEdgesWithoutBias) {
-  const MeasuredBody hull = hull_on_an_ellipsoid(1000);
-  const MeasuredBody round_hull = rounded(hull, 0.1, "hull"), other = parse_shape("box:1,1,1");
-  for (const MeasuredBody* a : {&hull, &round_hull}) {
-    for (const MeasuredBody* b : {&hull, &round_hull, &other}) {
+  const Body hull = hull_on_an_ellipsoid(1000);
+  const Body round_hull = rounded(hull, 0.1, "hull"), other = parse_shape("box:1,1,1");
+  for (const Body* a : {&hull, &round_hull}) {
+    for (const Body* b : {&hull, &round_hull, &other}) {
       const double truth = formula(*a, *b);
       MixedVolumeEstimator estimator(*a, *b, {});
       const RandomisedMean found = mean_of(estimator, 9, 2);
@@ -199,7 +195,7 @@ TEST(MixedVolumeEstimator, PicksAmongManyFacesAndEdgesWithoutBias) {
 }
 
 TEST(MixedVolumeEstimator, OfOneOrientationSumsAllFacesOfAMesh) {
-  const MeasuredBody hull = hull_on_an_ellipsoid(300);
+  const Body hull = hull_on_an_ellipsoid(300);
   MixedVolumeEstimator estimator(hull, hull, OrientationLaw::fixed(0.0, 0.0, 0.0, 1.0));
   EXPECT_TRUE(estimator.is_one_sum());
   double values[2];
@@ -212,11 +208,11 @@ TEST(MixedVolumeEstimator, OfOneOrientationSumsAllFacesOfAMesh) {
 }
 
 TEST(MixedVolumeEstimator, GivesTheSameBitsInAnyBatchAndFromACopy) {
-  const MeasuredBody hull = rounded(hull_on_an_ellipsoid(100), 0.1, "hull");
-  std::vector<MeasuredBody> bodies{hull};
+  const Body hull = rounded(hull_on_an_ellipsoid(100), 0.1, "hull");
+  std::vector<Body> bodies{hull};
   for (const char* text : {"box:1,2,3", "ellipsoid:1,2,3", "cone:1,0.5"}) bodies.push_back(parse_shape(text));
-  for (const MeasuredBody& a : bodies) {
-    for (const MeasuredBody& b : bodies) {
+  for (const Body& a : bodies) {
+    for (const Body& b : bodies) {
       MixedVolumeEstimator estimator(a, b, OrientationLaw::onsager(1.0));
       MixedVolumeEstimator copy = estimator;
       const auto dimension = static_cast<std::size_t>(estimator.dimension());
@@ -235,7 +231,7 @@ TEST(MixedVolumeEstimator, GivesTheSameBitsInAnyBatchAndFromACopy) {
 }
 
 TEST(MixedVolumeEstimator, OfTwoNeedlesIsNothing) {
-  const MeasuredBody needle = parse_shape("needle:2");
+  const Body needle = parse_shape("needle:2");
   MixedVolumeEstimator estimator(needle, needle, {});
   EXPECT_EQ(mean_of(estimator, 4, 1).largest, 0.0);
   EXPECT_GT(estimator.scale(), 0.0);
@@ -243,7 +239,7 @@ TEST(MixedVolumeEstimator, OfTwoNeedlesIsNothing) {
 }
 
 TEST(MixedVolumeEstimator, RefusesABodyWithoutItsNormals) {
-  MeasuredBody box = parse_shape("box:1,1,1");
+  Body box = parse_shape("box:1,1,1");
   box.normals = {};
   EXPECT_THROW(MixedVolumeEstimator(box, parse_shape("box:1,1,1"), {}), UsageError);
 }

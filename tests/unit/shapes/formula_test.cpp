@@ -1,4 +1,4 @@
-#include "shapes/excluded_volume.h"
+#include "shapes/formula.h"
 
 #include <gtest/gtest.h>
 

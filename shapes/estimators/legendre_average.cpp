@@ -1,4 +1,4 @@
-#include "apps/referees/legendre_average.h"
+#include "shapes/estimators/legendre_average.h"
 
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
@@ -214,7 +214,7 @@ AxisMoments onsager_moments(double alpha) {
 
 }  // namespace
 
-std::optional<SeriesAverage> legendre_average(const MeasuredBody& a, const MeasuredBody& b, const OrientationLaw& law) {
+std::optional<SeriesAverage> legendre_average(const Body& a, const Body& b, const OrientationLaw& law) {
   if (!a.normals.area || !b.normals.area || !a.normals.mean_curvature || !b.normals.mean_curvature) {
     throw UsageError("a body without its measures on normals (" + a.kind + ", " + b.kind + ") - the series needs them");
   }

@@ -1,6 +1,6 @@
 // The excluded volume at a fixed orientation against closed forms (docs and REFERENCE: boxes, capsules, cylinders,
 // simplices, ellipsoids, parallel bodies), and its mean over each law.
-#include "apps/referees/exact_average.h"
+#include "shapes/estimators/exact_average.h"
 
 #include <gtest/gtest.h>
 
@@ -14,11 +14,11 @@
 #include <random>
 #include <string>
 
-#include "apps/referees/legendre_average.h"
 #include "engine/numeric/errors.h"
 #include "meshes/convex_mesh.h"
 #include "shapes/estimators/ellipsoid_excluded_volume.h"
-#include "shapes/excluded_volume.h"
+#include "shapes/estimators/legendre_average.h"
+#include "shapes/formula.h"
 #include "shapes/rounded.h"
 #include "tests/referees/bodies.h"
 #include "tests/referees/normal_integral.h"
@@ -109,7 +109,7 @@ TEST(ExcludedVolumeAtAFixedOrientation, OfTwoCylindersIsOnsagers) {
 }
 
 TEST(ExcludedVolumeAtAFixedOrientation, OfASimplexWithItselfIsTwentyVolumes) {
-  const MeasuredBody simplex = parse_shape("tetrahedron:1.3");
+  const Body simplex = parse_shape("tetrahedron:1.3");
   const ExactAverage found = exact_average(simplex, simplex, OrientationLaw::aligned());
   EXPECT_NEAR(found.excluded_volume / simplex.measures.volume, 20.0, 1e-12);
   EXPECT_LE(found.error, 1e-10);
@@ -118,13 +118,13 @@ TEST(ExcludedVolumeAtAFixedOrientation, OfASimplexWithItselfIsTwentyVolumes) {
 TEST(ExcludedVolumeAtAFixedOrientation, OfBodiesThatAreSymmetricAboutTheirCentreIsEightVolumesWhereAligned) {
   for (const char* text : {"box:0.2,1,3", "ellipsoid:1,2,3", "capsule:1,0.25", "cylinder:1,0.5", "octahedron:1",
                            "dodecahedron:0.5", "icosahedron:0.7", "sphere:0.6", "rounded:0.2,plate:1,0.8"}) {
-    const MeasuredBody body = parse_shape(text);
+    const Body body = parse_shape(text);
     expect_average(exact_average(body, body, OrientationLaw::aligned(), quick()), 8.0 * body.measures.volume, 1e-6);
   }
 }
 
 TEST(ExcludedVolumeAtAFixedOrientation, OfTwoEllipsoidsIsTheIntegralOfTheirHeights) {
-  const MeasuredBody a = parse_shape("ellipsoid:0.8,1,1.7"), b = parse_shape("ellipsoid:1.5,0.9,1.2");
+  const Body a = parse_shape("ellipsoid:0.8,1,1.7"), b = parse_shape("ellipsoid:1.5,0.9,1.2");
   for (const OrientationLaw& law : random_orientations(5)) {
     const Transformd r = law.rotation<double>({});
     const double truth =
@@ -150,7 +150,7 @@ TEST(ExcludedVolumeAtAFixedOrientation, OfEllipsoidsThinAsADiscOrANeedleIsTheirs
 TEST(ExcludedVolumeAtAFixedOrientation, OfABodyAndABallIsItsParallelBodysVolume) {
   const OrientationLaw law = OrientationLaw::fixed(0.3, 0.5, -0.2, 0.7);
   for (const char* text : kTestBodies) {
-    const MeasuredBody body = parse_shape(text), ball = parse_shape("sphere:0.6");
+    const Body body = parse_shape(text), ball = parse_shape("sphere:0.6");
     const double truth = parallel_body_measures(body.measures, 0.6).volume;
     expect_average(exact_average(body, ball, law, quick()), truth, 2e-5);
     expect_average(exact_average(ball, body, law, quick()), truth, 2e-5);
@@ -191,7 +191,7 @@ TEST(AverageOverUniformRotations, IsKiharasFormulaForEveryPair) {
   ExactAverageSettings settings = quick();
   settings.log2_n_points = 9;  // under sanitizers a pair takes a second
   for (const BodyPair& pair : unordered_pairs()) {
-    const MeasuredBody a = parse_shape(pair.a), b = parse_shape(pair.b);
+    const Body a = parse_shape(pair.a), b = parse_shape(pair.b);
     const double truth = average_excluded_volume(a.measures, b.measures);
     SCOPED_TRACE(test_name(pair));
     expect_average(exact_average(a, b, OrientationLaw::isotropic(), settings), truth, 1e-3);
@@ -205,7 +205,7 @@ TEST(AverageOverUniformRotations, IsThatOfOnsagersLawWithoutOrder) {
   settings.series = false;
   double largest_off = 0.0;
   for (const BodyPair& pair : unordered_pairs()) {
-    const MeasuredBody a = parse_shape(pair.a), b = parse_shape(pair.b);
+    const Body a = parse_shape(pair.a), b = parse_shape(pair.b);
     const double truth = average_excluded_volume(a.measures, b.measures);
     SCOPED_TRACE(test_name(pair));
     const ExactAverage found = exact_average(a, b, OrientationLaw::onsager(0.0), settings);
@@ -246,7 +246,7 @@ TEST(AverageOverALaw, IsTheSameFromTheSeriesAndFromRandomPoints) {
   settings.log2_n_points = 8;
   settings.series = false;
   for (const BodyPair& pair : unordered_pairs()) {
-    const MeasuredBody a = parse_shape(pair.a), b = parse_shape(pair.b);
+    const Body a = parse_shape(pair.a), b = parse_shape(pair.b);
     const std::optional<SeriesAverage> series = legendre_average(a, b, OrientationLaw::onsager(5.0));
     ASSERT_TRUE(series.has_value());
     SCOPED_TRACE(test_name(pair));
@@ -256,7 +256,7 @@ TEST(AverageOverALaw, IsTheSameFromTheSeriesAndFromRandomPoints) {
 }
 
 TEST(AverageOverALaw, OfEveryWidthOfTheConeIsTheSameFromTheSeries) {
-  const MeasuredBody box = parse_shape("box:0.2,1,3"), cylinder = parse_shape("cylinder:1,0.5");
+  const Body box = parse_shape("box:0.2,1,3"), cylinder = parse_shape("cylinder:1,0.5");
   ExactAverageSettings settings = quick();
   settings.series = false;
   for (const double degrees : {15.0, 30.0, 60.0, 89.0}) {
@@ -276,9 +276,9 @@ TEST(LegendreAverage, WithoutOrderIsTheFormulaToElevenDigits) {
   // Its first term alone: what its quadrature makes of S and M.
   std::vector<std::string> bodies(kTestBodies.begin(), kTestBodies.end());
   bodies.insert(bodies.end(), {"ellipsoid:0.02,0.5,1.9", "ellipsoid:1,1,0.011", "rounded:0.1,ellipsoid:1,2,3"});
-  const MeasuredBody other = parse_shape("cone:1,0.5");
+  const Body other = parse_shape("cone:1,0.5");
   for (const std::string& text : bodies) {
-    const MeasuredBody body = parse_shape(text);
+    const Body body = parse_shape(text);
     const std::optional<SeriesAverage> series = legendre_average(body, other, OrientationLaw::onsager(0.0));
     ASSERT_TRUE(series.has_value()) << text;
     const double truth = average_excluded_volume(body.measures, other.measures);
@@ -288,7 +288,7 @@ TEST(LegendreAverage, WithoutOrderIsTheFormulaToElevenDigits) {
 }
 
 TEST(LegendreAverage, IsNothingForLawsAndBodiesItIsNotMadeFor) {
-  const MeasuredBody box = parse_shape("box:1,1,1"), ellipsoid = parse_shape("ellipsoid:1,2,300");
+  const Body box = parse_shape("box:1,1,1"), ellipsoid = parse_shape("ellipsoid:1,2,300");
   EXPECT_FALSE(legendre_average(box, box, OrientationLaw::isotropic()).has_value());
   EXPECT_FALSE(legendre_average(box, box, OrientationLaw::aligned()).has_value());
   EXPECT_FALSE(legendre_average(box, box, OrientationLaw::cone(0)).has_value());
@@ -305,12 +305,10 @@ TEST(AverageOverALaw, OfANeedleAndADiscFollowsFromTheMeanCosine) {
 }
 
 TEST(AverageOverALaw, OfAMeshIsThatOfTheNamedBody) {
-  const ConvexMesh mesh = load_convex_mesh(std::string(VEX_SAMPLE_BODIES) + "/icosahedron.obj");
-  MeasuredBody polyhedron{"polyhedron", ConvexBody(mesh.body), mesh.measures};
-  polyhedron.normals = mesh.normals;
+  const Body polyhedron = load(std::string(VEX_SAMPLE_BODIES) + "/icosahedron.obj");
   // The same size; its floats are good to 1e-7.
-  const double edge = std::cbrt(mesh.measures.volume / (5.0 / 12.0 * (3.0 + std::sqrt(5.0))));
-  const MeasuredBody named = parse_shape("icosahedron:1", edge), other = parse_shape("rounded:0.1,box:1,2,3");
+  const double edge = std::cbrt(polyhedron.measures.volume / (5.0 / 12.0 * (3.0 + std::sqrt(5.0))));
+  const Body named = parse_shape("icosahedron:1", edge), other = parse_shape("rounded:0.1,box:1,2,3");
   for (const OrientationLaw& law : {OrientationLaw::isotropic(), OrientationLaw::onsager(5.0)}) {
     const ExactAverage of_mesh = exact_average(polyhedron, other, law, quick()),
                        of_named = exact_average(named, other, law, quick());
@@ -343,7 +341,7 @@ TEST(AverageOverALaw, EndsWhereInterrupted) {
 }
 
 TEST(AverageOverALaw, RefusesABodyWithoutItsNormals) {
-  MeasuredBody box = parse_shape("box:1,1,1");
+  Body box = parse_shape("box:1,1,1");
   box.normals = {};
   EXPECT_THROW(exact_average(box, parse_shape("box:1,1,1"), OrientationLaw::aligned()), UsageError);
 }

@@ -1,4 +1,4 @@
-#include "apps/referees/exact_average.h"
+#include "shapes/estimators/exact_average.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "apps/referees/legendre_average.h"
+#include "shapes/estimators/legendre_average.h"
 #include "engine/numeric/double_double.h"
 #include "engine/numeric/expect.h"
 #include "engine/sampling/sobol.h"
@@ -61,7 +61,7 @@ ExactAverage quasi_monte_carlo(MixedVolumeEstimator& estimator, const ExactAvera
 
 }  // namespace
 
-ExactAverage exact_average(const MeasuredBody& a, const MeasuredBody& b, const OrientationLaw& law,
+ExactAverage exact_average(const Body& a, const Body& b, const OrientationLaw& law,
                            const ExactAverageSettings& settings) {
   VEX_EXPECT(settings.n_randomisations >= 2);
   if (settings.series) {

@@ -42,7 +42,7 @@ struct ExactAverageSettings {
 /// the independent randomisations, and a bound on rounding. Where nothing is random (one orientation; flat faces or two
 /// ellipsoids) it is one sum, and the error its rounding bound alone. Throws UsageError where a body comes without its
 /// measures on normals.
-ExactAverage exact_average(const MeasuredBody& a, const MeasuredBody& b, const OrientationLaw& law,
+ExactAverage exact_average(const Body& a, const Body& b, const OrientationLaw& law,
                            const ExactAverageSettings& settings = {});
 
 }  // namespace vex

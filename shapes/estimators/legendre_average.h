@@ -25,6 +25,6 @@ struct SeriesAverage {
 /// above some 10^-6, as for narrow cones; or where it would take more than some tenths of a second, as for meshes of
 /// many edges and for ellipsoids more than a hundred times as long as thin. UsageError where a body has no measures on
 /// normals. Takes milliseconds for onsager.
-std::optional<SeriesAverage> legendre_average(const MeasuredBody& a, const MeasuredBody& b, const OrientationLaw& law);
+std::optional<SeriesAverage> legendre_average(const Body& a, const Body& b, const OrientationLaw& law);
 
 }  // namespace vex

@@ -1,0 +1,59 @@
+// A convex body and, beside it, its measures.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "engine/support/convex_body.h"
+#include "shapes/measures.h"
+#include "shapes/normal_measure.h"
+#include "shapes/polytope.h"
+
+namespace vex {
+
+/// A body as the sampler sees it and, never mixed with it, its measures as the formula sees them. Every query takes it
+/// where it takes a ConvexBody.
+struct Body {
+  std::string kind = "body";  // sphere, box, ...; polyhedron for a mesh
+  ConvexBody body;
+  Measures measures = Measures::unknown();
+  std::size_t n_faces = 0;   // of a polytope, sides of a plate; 0 for what has curved parts
+  NormalMeasures normals{};  // none of a body that somebody made without
+
+  /// Of a class that computes its measures these, and its measures on normals; of another support mapping, as a user's
+  /// own, no measures are known. Throws InputError as ConvexBody does.
+  template <SupportMapping Shape>
+    requires(!std::same_as<Shape, ConvexBody>)
+  Body(const Shape& shape) : body(convex(shape)) {  // NOLINT(google-explicit-constructor): every shape is a body
+    if constexpr (requires { Measures(shape.measures()); }) measures = shape.measures();
+    if constexpr (requires { shape.n_faces(); }) n_faces = shape.n_faces();
+    if constexpr (requires { shape.area_measure(), shape.mean_curvature_measure(); }) {
+      normals = normal_measures_of(shape);
+    }
+  }
+  Body(ConvexBody convex) : body(std::move(convex)) {}  // NOLINT(google-explicit-constructor): likewise
+  Body(std::string kind_of_body, ConvexBody convex, const Measures& of_body, std::size_t n_of_faces = 0,
+       NormalMeasures on_normals = {})
+      : kind(std::move(kind_of_body)),
+        body(std::move(convex)),
+        measures(of_body),
+        n_faces(n_of_faces),
+        normals(std::move(on_normals)) {}
+
+  operator const ConvexBody&() const { return body; }  // NOLINT(google-explicit-constructor): it is one
+
+ private:
+  // A regular polyhedron is its vertices; as what it was made does not matter any more.
+  template <class Shape>
+  static ConvexBody convex(const Shape& shape) {
+    if constexpr (std::derived_from<Shape, Polytope>) {
+      return ConvexBody(Polytope(shape));
+    } else {
+      return ConvexBody(shape);
+    }
+  }
+};
+
+}  // namespace vex

@@ -1,0 +1,235 @@
+#include "shapes/estimators/excluded_volume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+#include "engine/numeric/errors.h"
+#include "engine/numeric/number_text.h"
+#include "shapes/estimators/exact_average.h"
+#include "shapes/formula.h"
+
+namespace vex {
+namespace {
+
+using Settings = ExcludedVolumeSettings;
+
+void require_finite(double value, const char* what) {
+  if (!std::isfinite(value)) {
+    throw InputError(std::string("a result would overflow (") + what + ") - choose another unit of length");
+  }
+  if (value == 0.0) {
+    throw InputError(std::string("a result would underflow (") + what + ") - choose another unit of length");
+  }
+}
+
+bool is_stopped_by_rule(const Settings& settings) { return settings.trials || settings.rel_error || settings.seconds; }
+
+/// Of poses, of which estimators without them have none; null where nothing is said of poses.
+const char* option_of_poses(const Settings& settings) {
+  if (settings.backend.is_peer || settings.backend.name != gjk_backend().name) return "backend";
+  if (!settings.cross_check.empty()) return "cross-check";
+  if (settings.verify) return "verify";
+  return settings.quick_verdicts ? nullptr : "no-quick-verdicts";
+}
+
+std::optional<Domain::Kind> domain_of(const Settings& settings) {
+  if (settings.domain == "ball") return Domain::Kind::ball;
+  if (settings.domain == "box") return Domain::Kind::box;
+  return std::nullopt;
+}
+
+/// Why B can lie nowhere inside A, whatever the orientations; empty where it can.
+std::string why_no_volume(const Body& a, const Body& b, const OrientationLaw& law) {
+  if (average_excluded_volume(a.measures, b.measures) == 0.0) {
+    return "two needles exclude no volume, in no orientation: <V_ex> = 0";
+  }
+  if (difference_is_flat(a, b, law)) return "flat bodies in parallel planes exclude no volume: <V_ex> = 0";
+  return "";
+}
+
+MonteCarloSettings driver_settings(const Settings& settings) {
+  MonteCarloSettings driver;
+  driver.seed = settings.seed;
+  driver.n_threads =
+      settings.threads > 0 ? settings.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  driver.law = settings.law;
+  driver.stop = {settings.trials, settings.rel_error, settings.seconds, settings.max_trials};
+  driver.instruction_set = settings.instruction_set;
+  driver.quick_verdicts = settings.quick_verdicts;
+  driver.backend = settings.backend;
+  driver.cross_check = settings.cross_check;
+  driver.verify = settings.verify;
+  driver.interrupt = settings.interrupt;
+  driver.on_progress = settings.on_progress;
+  return driver;
+}
+
+/// By the seed and the bodies alone.
+void choose(const Body& a, const Body& b, const Settings& settings, MonteCarloSettings* driver,
+            ExcludedVolume* result) {
+  result->candidates = measure_candidates(a, b, *driver);
+  const double error = settings.rel_error.value_or(estimator_named("radial").usual_relative_error);
+  const Candidate chosen = chosen_of(result->candidates, error);
+  result->estimator = chosen.estimator;
+  result->sequence = settings.sequence.value_or(chosen.sequence);
+  result->chosen_because = "a pilot found it the fastest to a relative error of " + shortest_number(error);
+  // Where no pilot had an error, nothing but a limit would end a run without a rule.
+  constexpr std::uint64_t kMostInVain = 10'000'000;
+  if (!std::isfinite(chosen.cost.relative_error) && !is_stopped_by_rule(settings)) {
+    driver->stop.max_trials = std::min(driver->stop.max_trials, kMostInVain);
+  }
+}
+
+void sample(const Body& a, const Body& b, const Settings& settings, const Estimator* asked, ExcludedVolume* result) {
+  MonteCarloSettings driver = driver_settings(settings);
+  if (asked != nullptr) {
+    result->estimator = asked;
+    result->sequence = settings.sequence.value_or(asked->usual_sequence);
+    result->chosen_because = settings.estimator.empty() ? "another setting asked for it" : "it was asked for";
+  } else {
+    choose(a, b, settings, &driver, result);
+  }
+  driver.sequence = result->sequence;
+  set_estimator(driver, *result->estimator, a, b, domain_of(settings));
+  if (const std::vector<Body>& control = settings.control_variate; !control.empty()) {
+    result->control_weight = set_control_variate(driver, *result->estimator, control.front(), control.back());
+  }
+  if (!is_stopped_by_rule(settings)) {
+    const Estimator& told = asked != nullptr ? *asked : estimator_named("radial");
+    driver.stop.relative_error = told.usual_relative_error;
+  }
+  result->domain = driver.domain;
+  result->stratified = driver.stratified;
+  if (!driver.integrand) require_finite(result->domain.volume, "the sampling volume");
+  result->record = run_monte_carlo(a, b, driver);
+  result->complete = result->record.complete;
+}
+
+/// The formula, or what takes its place for other laws.
+void find_reference(const Body& a, const Body& b, const Settings& settings, ExcludedVolume* result) {
+  if (settings.law.kind() == OrientationLaw::Kind::isotropic) {
+    const Reference formula = formula_reference(a.measures, b.measures);
+    if (std::isnan(formula.value)) {
+      result->reference_reason = "V, S and M of a body are not known";
+    } else {
+      result->reference = formula;
+    }
+    return;
+  }
+  result->reference_reason = "the formula holds for isotropic orientations, not for " + settings.law.name() + " ones";
+  if (!settings.exact_average) return;
+  if (!a.normals.area || !b.normals.area || !a.measures.are_known() || !b.measures.are_known()) {
+    result->reference_reason += ", and a body is without its measures on normals";
+    return;
+  }
+  ExactAverageSettings exact;
+  exact.interrupt = settings.interrupt;
+  const ExactAverage average = exact_average(a, b, settings.law, exact);
+  if (!std::isfinite(average.error)) return;  // interrupted before it was known at all
+  result->reference = {Reference::Kind::exact, average.excluded_volume, average.error,
+                       reduced_excluded_volume(average.excluded_volume, a.measures, b.measures),
+                       second_virial_coefficient(average.excluded_volume)};
+}
+
+/// Why the two say nothing of each other; empty where they do.
+std::string why_no_comparison(const ExcludedVolume& result, const Body& a, const Body& b, const OrientationLaw& law) {
+  /// z is in standard errors of the run alone; a reference with half as large an error would make it larger by 12 %.
+  constexpr double kComparable = 0.5;
+  if (!result.no_run_reason.empty()) return result.no_run_reason;
+  if (result.record.tally.n_trials == 0) return "no trial was done";
+  if (!result.reference) return result.reference_reason;
+  if (!std::isfinite(result.std_error)) return "fewer than 32 trials tell no error";
+  if (result.domain.volume > 0.0 && hits_by_construction(a, b, law, result.domain)) {
+    return "every trial hits by construction: the domain is the excluded volume itself";
+  }
+  if (result.std_error <= result.record.tally.by_class.relative_rounding * result.value) {
+    return "the values are all the same to rounding";
+  }
+  if (result.reference->std_error > kComparable * result.std_error) {
+    return "the exact average's own error is not small beside the standard error";
+  }
+  return "";
+}
+
+void conclude(const Body& a, const Body& b, const OrientationLaw& law, ExcludedVolume* result) {
+  VolumeEstimate estimate;
+  if (result->record.tally.n_trials > 0) {
+    estimate = volume_estimate(result->record.tally, result->domain);
+  } else if (result->no_run_reason.empty()) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    estimate = {kNone, std::numeric_limits<double>::infinity(), {kNone, kNone}};
+  }
+  result->value = estimate.excluded_volume;
+  result->std_error = estimate.std_error;
+  result->ci95 = estimate.ci95;
+  result->reduced = reduced_excluded_volume(result->value, a.measures, b.measures);
+  result->b2 = second_virial_coefficient(result->value);
+  result->z_reason = why_no_comparison(*result, a, b, law);
+  if (result->z_reason.empty()) result->z = (result->value - result->reference->value) / result->std_error;
+}
+
+}  // namespace
+
+const Estimator* estimator_asked_for(const ExcludedVolumeSettings& settings) {
+  if (settings.threads < 0) {
+    throw UsageError("a negative number of threads (" + std::to_string(settings.threads) + ") - give 0 for all cores");
+  }
+  if (settings.control_variate.size() > 2) {
+    throw UsageError("too many bodies (" + std::to_string(settings.control_variate.size()) +
+                     " for control-variate) - at most two");
+  }
+  const Estimator* const asked = settings.estimator.empty() ? nullptr : &estimator_named(settings.estimator);
+  if (const char* const option = option_of_poses(settings)) {
+    if (asked == nullptr) return &estimator_named("hit-or-miss");
+    if (!asked->samples_poses) {
+      throw UsageError(std::string(option) + " is about overlap verdicts, of which this estimator asks none (\"" +
+                       settings.estimator + "\" for estimator) - use hit-or-miss, hit-or-miss-fitted or stratified");
+    }
+  }
+  if (!settings.domain.empty()) {
+    if (settings.domain != "best" && !domain_of(settings)) {
+      throw UsageError("no domain of this name (" + settings.domain + ") - there are ball, box and best");
+    }
+    if (asked == nullptr) return &estimator_named("hit-or-miss");
+    if (!asked->has_domains) {
+      throw UsageError("only hit-or-miss has a choice of domains (\"" + settings.domain + "\" for domain with " +
+                       settings.estimator + ") - leave out the domain");
+    }
+  }
+  if (!settings.control_variate.empty() && asked == nullptr) return &estimator_named("radial");
+  return asked;
+}
+
+Reference formula_reference(const Measures& a, const Measures& b) {
+  const double volume = average_excluded_volume(a, b);
+  return {Reference::Kind::formula, volume, 0.0, reduced_excluded_volume(volume, a, b),
+          second_virial_coefficient(volume)};
+}
+
+ExcludedVolume excluded_volume(const Body& a, const Body& b, const ExcludedVolumeSettings& settings) {
+  const Estimator* const asked = estimator_asked_for(settings);
+  ExcludedVolume result;
+  if (const double formula = average_excluded_volume(a.measures, b.measures); formula != 0.0 && !std::isnan(formula)) {
+    require_finite(formula, "the excluded volume");
+  }
+  require_finite(ball_domain(a, b).volume, "the sampling volume");
+  result.no_run_reason = why_no_volume(a, b, settings.law);
+  if (result.no_run_reason.empty()) {
+    find_reference(a, b, settings, &result);
+    sample(a, b, settings, asked, &result);
+  } else {
+    if (settings.law.kind() == OrientationLaw::Kind::isotropic) {
+      result.reference = formula_reference(a.measures, b.measures);
+    } else {
+      result.reference_reason =
+          "the formula holds for isotropic orientations, not for " + settings.law.name() + " ones";
+    }
+    result.record.complete = true;
+  }
+  conclude(a, b, settings.law, &result);
+  return result;
+}
+
+}  // namespace vex
