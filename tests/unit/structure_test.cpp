@@ -1,5 +1,5 @@
-// The direction of includes (README, "Where things live"): a room sees only the rooms below it, and each third party
-// has one place.
+// The direction of includes (CONTRIBUTING, "Where things live"): a room sees only the rooms below it, and each third
+// party has one place.
 #include <gtest/gtest.h>
 
 #include <filesystem>
