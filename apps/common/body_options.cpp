@@ -102,7 +102,7 @@ BodyOptions interpret_bodies(const BodyWords& words, std::span<const std::string
     options.convex_tolerance = fraction_of_size(words.convex_tolerance, "--convex-tolerance");
   }
   if (!words.weld.empty()) options.weld = fraction_of_size(words.weld, "--weld");
-  if (!words.unit.empty()) require_one_of(words.unit, "--unit", {"m", "cm", "mm", "um", "nm", "in"}, {});
+  if (!words.unit.empty()) require_one_of(words.unit, "--unit", {"m", "cm", "mm", "um", "nm", "in"});
   options.unit = words.unit;
   options.format = words.format;
   options.hull = words.hull;

@@ -1,15 +1,13 @@
 // Words that must be one of a list.
 #pragma once
 
-#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace vex {
 
-/// Throws UsageError unless the word is one of `built`; the message says whether it is planned or unknown. What follows
-/// a colon in the word does not count for `planned`.
-void require_one_of(const std::string& word, const char* option, std::initializer_list<std::string_view> built,
-                    std::initializer_list<std::string_view> planned);
+/// Throws UsageError, which lists the choices, unless the word is one of them.
+void require_one_of(const std::string& word, const char* option, const std::vector<std::string_view>& choices);
 
 }  // namespace vex

@@ -42,7 +42,7 @@ BackendKind backend_named(const std::string& word) {
 
 InstructionSet instruction_set_named(const std::string& name) {
   if (name == "best") return best_instruction_set();
-  require_one_of(name, "--isa", {"best", "scalar", "sse2", "avx2", "avx512"}, {});
+  require_one_of(name, "--isa", {"best", "scalar", "sse2", "avx2", "avx512"});
   for (const InstructionSet set : instruction_sets()) {
     if (name_of(set) == name) return set;
   }
@@ -157,8 +157,13 @@ Options interpret(const CommandLine& words) {
   const auto or_default = [](const std::string& word, const char* value) { return word.empty() ? value : word; };
   const std::string backend = or_default(words.backend, "gjk");
   const std::string orientations = or_default(words.orientations, "isotropic");
-  if (!words.sequence.empty()) require_one_of(words.sequence, "--sequence", {"random", "sobol"}, {});
-  if (!words.domain.empty()) require_one_of(words.domain, "--domain", {"ball", "box", "best"}, {});
+  if (!words.estimator.empty()) {
+    std::vector<std::string_view> names;
+    for (const Estimator* const one : estimators()) names.push_back(one->name);
+    require_one_of(words.estimator, "--estimator", names);
+  }
+  if (!words.sequence.empty()) require_one_of(words.sequence, "--sequence", {"random", "sobol"});
+  if (!words.domain.empty()) require_one_of(words.domain, "--domain", {"ball", "box", "best"});
 
   Options options;
   static_cast<CommonOptions&>(options) = interpret_common(words);

@@ -1,7 +1,7 @@
 // The support mappings of cores, over packets (packet.h): no more than kernels need, and nothing that is not theirs.
 #pragma once
 
-#include "engine/numeric/packet.h"
+#include "engine/numeric/packet_memory.h"
 #include "engine/query/core_form.h"
 
 // Kernels that may fuse operations and those that may not take their functions from here, and the linker would keep one

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engine/numeric/packet.h"
+#include "engine/numeric/packet_memory.h"
 #include "engine/numeric/rounding.h"
 #include "engine/query/packet_core.h"
 #include "engine/query/radial_packets.h"

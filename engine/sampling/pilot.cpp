@@ -62,7 +62,7 @@ PilotCost pilot(const ConvexBody& a, const ConvexBody& b, MonteCarloSettings set
     const double most = length.n_trials == kLeast ? kLong * most_seconds : most_seconds;
     return static_cast<double>(length.n_trials) * cost.seconds_per_trial < most;
   };
-  while (last.n_trials < kMost && costs_little(last)) {
+  while (last.n_trials > 0 && last.n_trials < kMost && costs_little(last)) {
     const Length next = run(a, b, settings, kApart * last.n_trials);
     if (next.n_trials <= last.n_trials) break;  // interrupted
     last = next;

@@ -1,6 +1,6 @@
 // Compiled once for each instruction set, with VEX_ISA its namespace, and never with fused operations: a pose is the
 // same bits everywhere.
-#include "engine/numeric/packet.h"
+#include "engine/numeric/packet_memory.h"
 #include "engine/sampling/fitted_kernel.h"
 #include "engine/sampling/philox_packets.h"
 #include "engine/sampling/pose_columns.h"

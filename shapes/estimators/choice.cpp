@@ -1,9 +1,6 @@
 #include "shapes/estimators/choice.h"
 
-#include <optional>
-
 #include "engine/numeric/errors.h"
-#include "engine/numeric/expect.h"
 
 namespace vex {
 
@@ -27,7 +24,7 @@ std::vector<Candidate> measure_candidates(const Body& a, const Body& b, const Mo
   return candidates;
 }
 
-Candidate chosen_of(const std::vector<Candidate>& candidates, double relative_error) {
+std::optional<Candidate> chosen_of(const std::vector<Candidate>& candidates, double relative_error) {
   std::optional<Candidate> chosen;
   double least = 0.0;
   for (const Candidate& candidate : candidates) {
@@ -37,8 +34,7 @@ Candidate chosen_of(const std::vector<Candidate>& candidates, double relative_er
     least = seconds;
     chosen = candidate;
   }
-  VEX_ENSURE(chosen.has_value());
-  return chosen.value();
+  return chosen;
 }
 
 }  // namespace vex

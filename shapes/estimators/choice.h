@@ -1,6 +1,7 @@
 // Which estimator is the fastest for a pair: found by a pilot, from the seed and the bodies alone.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/sampling/pilot.h"
@@ -20,7 +21,7 @@ struct Candidate {
 std::vector<Candidate> measure_candidates(const Body& a, const Body& b, const MonteCarloSettings& settings);
 
 /// Of those that run GJK the one that takes the least time to the error, each by its handicap: not the radial one where
-/// another takes less than a quarter of its time.
-Candidate chosen_of(const std::vector<Candidate>& candidates, double relative_error);
+/// another takes less than a quarter of its time. Nothing where none is among them.
+std::optional<Candidate> chosen_of(const std::vector<Candidate>& candidates, double relative_error);
 
 }  // namespace vex

@@ -8,10 +8,10 @@
 #include <optional>
 #include <vector>
 
-#include "shapes/estimators/legendre_average.h"
 #include "engine/numeric/double_double.h"
 #include "engine/numeric/expect.h"
 #include "engine/sampling/sobol.h"
+#include "shapes/estimators/legendre_average.h"
 #include "shapes/estimators/mixed_volume_estimator.h"
 
 namespace vex {

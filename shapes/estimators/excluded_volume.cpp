@@ -71,13 +71,16 @@ void choose(const Body& a, const Body& b, const Settings& settings, MonteCarloSe
             ExcludedVolume* result) {
   result->candidates = measure_candidates(a, b, *driver);
   const double error = settings.rel_error.value_or(estimator_named("radial").usual_relative_error);
-  const Candidate chosen = chosen_of(result->candidates, error);
+  // Hit-or-miss is for every pair, also where an interrupt let no pilot tell anything.
+  const Estimator& usual = estimator_named("hit-or-miss");
+  const Candidate chosen =
+      chosen_of(result->candidates, error).value_or(Candidate{&usual, usual.usual_sequence, PilotCost{}});
   result->estimator = chosen.estimator;
   result->sequence = settings.sequence.value_or(chosen.sequence);
   result->chosen_because = "a pilot found it the fastest to a relative error of " + shortest_number(error);
   // Where no pilot had an error, nothing but a limit would end a run without a rule.
   constexpr std::uint64_t kMostInVain = 10'000'000;
-  if (!std::isfinite(chosen.cost.relative_error) && !is_stopped_by_rule(settings)) {
+  if (!(chosen.cost.n_trials > 0 && std::isfinite(chosen.cost.relative_error)) && !is_stopped_by_rule(settings)) {
     driver->stop.max_trials = std::min(driver->stop.max_trials, kMostInVain);
   }
 }

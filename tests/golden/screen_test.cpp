@@ -30,7 +30,7 @@ WithError estimate_in(const std::string& report) {
   const std::string part = report.substr(std::min(report.find("Monte Carlo"), report.size()));
   std::smatch match;
   WithError found;
-  if (!std::regex_search(part, match, std::regex("<V_ex> +([0-9]+(\\.([0-9]+))?)\\(([0-9]+)\\)(e(-?[0-9]+))?"))) {
+  if (!std::regex_search(part, match, std::regex("<V_ex>, Monte Carlo +([0-9]+(\\.([0-9]+))?)\\(([0-9]+)\\)(e(-?[0-9]+))?"))) {
     return found;
   }
   const double scale = match[6].matched ? std::pow(10.0, std::stod(match[6])) : 1.0;

@@ -210,7 +210,7 @@ TEST(SameChoice, OfThePilotEachTime) {
         EXPECT_EQ(candidates[k].cost.relative_error, (*first)[k].cost.relative_error);
         EXPECT_EQ(candidates[k].cost.slope, (*first)[k].cost.slope);
       }
-      EXPECT_EQ(chosen_of(candidates, 1e-4).estimator, chosen_of(*first, 1e-4).estimator);
+      EXPECT_EQ(chosen_of(candidates, 1e-4).value().estimator, chosen_of(*first, 1e-4).value().estimator);
     }
   }
 }
