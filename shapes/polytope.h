@@ -9,7 +9,7 @@
 
 #include "engine/numeric/vec3.h"
 #include "engine/support/exact_form.h"
-#include "shapes/lazy_direction_map.h"
+#include "engine/support/lazy_direction_map.h"
 
 namespace vex {
 

@@ -5,7 +5,7 @@
 
 #include "apps/common/numbers.h"
 #include "apps/common/run_program.h"
-#include "engine/sampling/random_stream.h"
+#include "engine/sampling/points/random_stream.h"
 
 namespace vex {
 

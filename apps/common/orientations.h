@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "engine/sampling/orientation_law.h"
+#include "engine/sampling/poses/orientation_law.h"
 
 namespace vex {
 

@@ -3,7 +3,7 @@
 
 #include "apps/vex_stress/bodies.h"
 #include "apps/vex_stress/strata.h"
-#include "engine/sampling/pose_map.h"
+#include "engine/sampling/poses/pose_map.h"
 
 namespace vex {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "apps/referees/difference_body.h"
 #include "engine/numeric/errors.h"
-#include "engine/sampling/orientation_law.h"
-#include "engine/sampling/pose_map.h"
-#include "engine/sampling/random_stream.h"
+#include "engine/sampling/points/random_stream.h"
+#include "engine/sampling/poses/orientation_law.h"
+#include "engine/sampling/poses/pose_map.h"
 #include "shapes/any_shape.h"
 
 namespace vex {

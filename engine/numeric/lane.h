@@ -1,6 +1,8 @@
-// The lane type: what an algorithm is written over, so that one source serves one trial or a register full of them.
+// The lane type: what the steps of the searches, the support mappings and the maps from points to poses are written
+// over, so that one source serves one trial, in double or double-double, or a register full of them. What goes from step
+// to step is written twice, for one trial and for many (docs/decisions/0002).
 //
-// An algorithm of the engine is a template over a lane type L. `double` is the one-lane case and is defined here; a
+// Such a step is a template over a lane type L. `double` is the one-lane case and is defined here; a
 // packet of W doubles is another, which provides the same names (tests/referees/array_lanes.h is a plain one, and a
 // test demands of it bit for bit what `double` gives). A lane type has
 //   + - * / and unary minus, each one IEEE operation on each lane, never fused;

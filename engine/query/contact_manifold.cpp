@@ -8,7 +8,7 @@
 #include "engine/numeric/directions.h"
 #include "engine/numeric/errors.h"
 #include "engine/numeric/rounding.h"
-#include "engine/query/planar_polygon.h"
+#include "engine/query/search/planar_polygon.h"
 
 namespace vex {
 namespace {

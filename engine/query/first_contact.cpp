@@ -7,9 +7,9 @@
 #include "engine/numeric/errors.h"
 #include "engine/numeric/rounding.h"
 #include "engine/numeric/scaled_bound.h"
-#include "engine/query/exact_cast.h"
+#include "engine/query/exact/exact_cast.h"
 #include "engine/query/overlap.h"
-#include "engine/query/ray_search.h"
+#include "engine/query/search/ray_search.h"
 #include "engine/query/separation.h"
 
 namespace vex {

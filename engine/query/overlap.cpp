@@ -2,10 +2,10 @@
 
 #include <functional>
 
-#include "engine/query/exact_overlap.h"
-#include "engine/query/extended_overlap.h"
-#include "engine/query/overlap_filter.h"
-#include "engine/query/placed_forms.h"
+#include "engine/query/exact/exact_overlap.h"
+#include "engine/query/exact/extended_overlap.h"
+#include "engine/query/exact/placed_forms.h"
+#include "engine/query/search/overlap_filter.h"
 
 namespace vex {
 namespace {

@@ -16,7 +16,7 @@ inline constexpr int kMaxSupportCalls = 512;
 /// witnesses.
 enum class CertificateDetail { full, no_witnesses };
 
-/// Decides whether A and B, placed by `a_from_b`, share a point; never guesses. No quick verdicts before it.
+/// Decides whether A and B, placed by `pose`, share a point; never guesses. No quick verdicts before it.
 ///
 /// R of the pose must be a rotation to within 1e-6. Sizes are from 1e-300 to 1e300, coordinates any doubles, as long as
 /// those of the placed vertices are finite too. Three stages (docs/derivations.md, "What the input is", E1, E14, E15):

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "engine/numeric/transform.h"
-#include "engine/query/packet_overlap.h"
+#include "engine/query/packets/packet_overlap.h"
 #include "engine/query/verdict.h"
 #include "engine/support/convex_body.h"
 

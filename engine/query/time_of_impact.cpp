@@ -8,8 +8,8 @@
 #include "engine/numeric/scaled_bound.h"
 #include "engine/query/first_contact.h"
 #include "engine/query/overlap.h"
-#include "engine/query/ray_search.h"
-#include "engine/query/rigid_sweep.h"
+#include "engine/query/search/ray_search.h"
+#include "engine/query/search/rigid_sweep.h"
 #include "engine/query/separation.h"
 
 namespace vex {

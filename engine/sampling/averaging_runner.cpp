@@ -8,7 +8,7 @@
 
 #include "engine/numeric/errors.h"
 #include "engine/sampling/integrand.h"
-#include "engine/sampling/random_stream.h"
+#include "engine/sampling/points/random_stream.h"
 #include "engine/sampling/trial_runner.h"
 
 namespace vex {

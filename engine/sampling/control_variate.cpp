@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/sampling/random_stream.h"
+#include "engine/sampling/points/random_stream.h"
 
 namespace vex {
 

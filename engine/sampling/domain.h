@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "engine/numeric/vec3.h"
-#include "engine/sampling/orientation_law.h"
+#include "engine/sampling/poses/orientation_law.h"
 #include "engine/support/convex_body.h"
 
 namespace vex {

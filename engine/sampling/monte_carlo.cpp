@@ -17,9 +17,9 @@
 #include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
 #include "engine/query/overlap.h"
-#include "engine/sampling/pose_map.h"
+#include "engine/query/packets/quick_verdict.h"
+#include "engine/sampling/poses/pose_map.h"
 #include "engine/sampling/trial_runner.h"
-#include "engine/scene/quick_verdict.h"
 
 namespace vex {
 namespace {

@@ -11,10 +11,10 @@
 #include "engine/sampling/domain.h"
 #include "engine/sampling/estimate.h"
 #include "engine/sampling/integrand.h"
-#include "engine/sampling/orientation_law.h"
+#include "engine/sampling/points/trial_points.h"
+#include "engine/sampling/poses/orientation_law.h"
 #include "engine/sampling/stop_rule.h"
 #include "engine/sampling/tally.h"
-#include "engine/sampling/trial_points.h"
 
 namespace vex {
 

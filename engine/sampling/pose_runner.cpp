@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "engine/query/overlap.h"
-#include "engine/sampling/pose_columns.h"
-#include "engine/sampling/pose_map.h"
+#include "engine/sampling/poses/pose_columns.h"
+#include "engine/sampling/poses/pose_map.h"
 #include "engine/sampling/trial_runner.h"
 
 namespace vex {

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "engine/sampling/estimate.h"
+#include "engine/sampling/points/trial_points.h"
 #include "engine/sampling/tally.h"
-#include "engine/sampling/trial_points.h"
 
 namespace vex {
 

@@ -4,16 +4,16 @@
 #include <optional>
 #include <vector>
 
-#include "engine/query/core_form.h"
 #include "engine/query/overlap.h"
-#include "engine/query/overlap_filter.h"
-#include "engine/query/packet_pair.h"
-#include "engine/query/radial_function.h"
-#include "engine/query/radial_packets.h"
-#include "engine/sampling/pose_map.h"
-#include "engine/sampling/random_stream.h"
+#include "engine/query/packets/core_form.h"
+#include "engine/query/packets/packet_pair.h"
+#include "engine/query/packets/quick_verdict.h"
+#include "engine/query/search/overlap_filter.h"
+#include "engine/sampling/points/random_stream.h"
+#include "engine/sampling/poses/pose_map.h"
+#include "engine/sampling/radial/radial_function.h"
+#include "engine/sampling/radial/radial_packets.h"
 #include "engine/sampling/trial_runner.h"
-#include "engine/scene/quick_verdict.h"
 
 namespace vex {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/sampling/monte_carlo.h"
-#include "engine/sampling/radial_map.h"
+#include "engine/sampling/radial/radial_map.h"
 
 namespace vex {
 

@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
+#include "engine/query/packets/quick_verdict.h"
 #include "engine/sampling/monte_carlo.h"
-#include "engine/sampling/trial_points.h"
-#include "engine/scene/quick_verdict.h"
+#include "engine/sampling/points/trial_points.h"
 
 namespace vex {
 

@@ -1,4 +1,5 @@
-// The table over the directions of a polytope of many vertices (shapes/direction_map.h), as the kernels read it.
+// The table over the directions of a polytope of many vertices (engine/support/direction_map.h), as the kernels read
+// it.
 #pragma once
 
 #include <cstddef>

@@ -10,7 +10,7 @@
 
 #include "engine/numeric/double_double.h"
 #include "engine/numeric/expect.h"
-#include "engine/sampling/sobol.h"
+#include "engine/sampling/points/sobol.h"
 #include "shapes/estimators/legendre_average.h"
 #include "shapes/estimators/mixed_volume_estimator.h"
 

@@ -7,7 +7,7 @@
 #include <atomic>
 #include <cstdint>
 
-#include "engine/sampling/orientation_law.h"
+#include "engine/sampling/poses/orientation_law.h"
 #include "shapes/any_shape.h"
 
 namespace vex {
@@ -37,11 +37,11 @@ struct ExactAverageSettings {
 /// The mean of V_ex(R) over the law.
 ///
 /// For the laws cone and onsager and most named bodies it is a series (legendre_average.h), its error a bound.
-/// Otherwise: randomised quasi-Monte Carlo, scrambled Sobol' points (engine/sampling/sobol.h), of the estimator that
-/// sums mixed volumes (shapes/estimators/mixed_volume_estimator.h). The error is the standard error of the mean over
-/// the independent randomisations, and a bound on rounding. Where nothing is random (one orientation; flat faces or two
-/// ellipsoids) it is one sum, and the error its rounding bound alone. Throws UsageError where a body comes without its
-/// measures on normals.
+/// Otherwise: randomised quasi-Monte Carlo, scrambled Sobol' points (engine/sampling/points/sobol.h), of the estimator
+/// that sums mixed volumes (shapes/estimators/mixed_volume_estimator.h). The error is the standard error of the mean
+/// over the independent randomisations, and a bound on rounding. Where nothing is random (one orientation; flat faces
+/// or two ellipsoids) it is one sum, and the error its rounding bound alone. Throws UsageError where a body comes
+/// without its measures on normals.
 ExactAverage exact_average(const Body& a, const Body& b, const OrientationLaw& law,
                            const ExactAverageSettings& settings = {});
 

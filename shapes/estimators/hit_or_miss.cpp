@@ -1,5 +1,5 @@
 // The estimators that ask whether A and B overlap at random poses: share of hits times the volume of the domain.
-#include "engine/sampling/fitted_domain.h"
+#include "engine/sampling/poses/fitted_domain.h"
 #include "shapes/estimators/estimator.h"
 
 namespace vex {

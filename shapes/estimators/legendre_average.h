@@ -11,7 +11,7 @@
 
 #include <optional>
 
-#include "engine/sampling/orientation_law.h"
+#include "engine/sampling/poses/orientation_law.h"
 #include "shapes/any_shape.h"
 
 namespace vex {

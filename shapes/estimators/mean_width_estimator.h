@@ -8,7 +8,7 @@
 #include <span>
 
 #include "engine/sampling/integrand.h"
-#include "engine/sampling/orientation_law.h"
+#include "engine/sampling/poses/orientation_law.h"
 #include "shapes/any_shape.h"
 #include "shapes/estimators/core_heights.h"
 

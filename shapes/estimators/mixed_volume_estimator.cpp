@@ -10,7 +10,7 @@
 #include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
-#include "engine/sampling/sobol.h"
+#include "engine/sampling/points/sobol.h"
 #include "shapes/ellipsoid.h"
 #include "shapes/estimators/core_heights.h"
 #include "shapes/estimators/ellipsoid_excluded_volume.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "engine/sampling/integrand.h"
-#include "engine/sampling/orientation_law.h"
+#include "engine/sampling/poses/orientation_law.h"
 #include "shapes/any_shape.h"
 #include "shapes/estimators/normal_nodes.h"
 

@@ -2,7 +2,7 @@
 // orientations.
 #include <memory>
 
-#include "engine/sampling/radial_estimator.h"
+#include "engine/sampling/radial/radial_estimator.h"
 #include "shapes/estimators/estimator.h"
 
 namespace vex {

@@ -1,5 +1,5 @@
 // The support mapping of polytopes with many vertices: the scan over all of them against the table of directions
-// (shapes/direction_map.h). One command: build/release/bin/vex_large_hulls. Markdown, for docs/performance.md.
+// (engine/support/direction_map.h). One command: build/release/bin/vex_large_hulls. Markdown, for docs/performance.md.
 //
 // Directions are random over the whole sphere and poses over the whole ball domain, more of them than fit in a cache,
 // so that large tables are met cold. Every figure is processor time, the least of some passes, in which scan and table
@@ -16,7 +16,7 @@
 #include "apps/common/processor.h"
 #include "engine/query/overlap.h"
 #include "engine/query/overlap_backend.h"
-#include "engine/query/packet_overlap.h"
+#include "engine/query/packets/packet_overlap.h"
 #include "engine/sampling/monte_carlo.h"
 #include "shapes/polytope.h"
 #include "tests/referees/polytopes.h"

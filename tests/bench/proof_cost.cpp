@@ -8,7 +8,7 @@
 
 #include "apps/common/processor.h"
 #include "engine/query/overlap.h"
-#include "engine/query/overlap_filter.h"
+#include "engine/query/search/overlap_filter.h"
 #include "engine/sampling/domain.h"
 #include "shapes/any_shape.h"
 #include "tests/referees/polytopes.h"

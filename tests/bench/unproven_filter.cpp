@@ -2,4 +2,4 @@
 
 #define VEX_FILTER_WITHOUT_PROOFS
 #define filter_overlap filter_overlap_unproven
-#include "engine/query/overlap_filter.cpp"  // NOLINT(bugprone-suspicious-include): the same source once more
+#include "engine/query/search/overlap_filter.cpp"  // NOLINT(bugprone-suspicious-include): the same source once more

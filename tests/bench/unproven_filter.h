@@ -1,8 +1,8 @@
 // The engine's filter, compiled without its proofs: the same source, believing every sign. For measuring only.
 #pragma once
 
-#include "engine/query/overlap_filter.h"
-#include "engine/query/packet_overlap.h"
+#include "engine/query/packets/packet_overlap.h"
+#include "engine/query/search/overlap_filter.h"
 
 namespace vex {
 

@@ -1,7 +1,7 @@
 // The packet kernel without its proofs, for the pairs of vex_overlap_bench alone: a body and its like. All pairs would
 // take as long to compile as a whole instruction set of the engine's.
-#include "engine/query/packet_overlap.h"
-#include "engine/query/packet_search.h"
+#include "engine/query/packets/packet_overlap.h"
+#include "engine/query/packets/packet_search.h"
 
 namespace vex {
 namespace VEX_ISA {

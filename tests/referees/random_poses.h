@@ -4,7 +4,7 @@
 #include <array>
 #include <random>
 
-#include "engine/sampling/pose_map.h"
+#include "engine/sampling/poses/pose_map.h"
 
 namespace vex {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/sampling/integrand.h"
-#include "engine/sampling/sobol.h"
+#include "engine/sampling/points/sobol.h"
 
 namespace vex {
 

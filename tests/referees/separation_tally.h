@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "apps/referees/separation_judge.h"
+#include "tests/referees/separation_judge.h"
 
 namespace vex {
 

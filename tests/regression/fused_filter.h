@@ -2,7 +2,7 @@
 // own that shares no code with the rest.
 #pragma once
 
-#include "engine/query/overlap_filter.h"
+#include "engine/query/search/overlap_filter.h"
 
 #define VEX_FUSED __attribute__((visibility("default")))
 

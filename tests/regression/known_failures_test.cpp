@@ -22,15 +22,15 @@
 #include <string>
 #include <vector>
 
-#include "apps/referees/exact_axes.h"
-#include "apps/referees/exact_distance.h"
 #include "apps/referees/exact_referee.h"
-#include "apps/referees/separation_judge.h"
 #include "engine/query/contact_manifold.h"
 #include "engine/query/first_contact.h"
 #include "engine/query/overlap.h"
 #include "engine/query/separation.h"
 #include "shapes/any_shape.h"
+#include "tests/referees/exact_axes.h"
+#include "tests/referees/exact_distance.h"
+#include "tests/referees/separation_judge.h"
 
 namespace vex {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "engine/query/overlap.h"
-#include "engine/sampling/fitted_domain.h"
 #include "engine/sampling/monte_carlo.h"
+#include "engine/sampling/poses/fitted_domain.h"
 #include "tests/regression/same_hits_bodies.h"
 
 namespace vex {

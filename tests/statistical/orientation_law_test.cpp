@@ -1,6 +1,6 @@
 // Both estimators under every orientation law, against closed forms. Seeds are fixed; the limit of 4 standard errors
 // would fail one of 16 000 right estimators, and a test at the end shows that wrong ones do fail.
-#include "engine/sampling/orientation_law.h"
+#include "engine/sampling/poses/orientation_law.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "engine/numeric/quaternion.h"
-#include "engine/sampling/fitted_domain.h"
 #include "engine/sampling/monte_carlo.h"
+#include "engine/sampling/poses/fitted_domain.h"
 #include "shapes/any_shape.h"
 #include "shapes/formula.h"
 #include "tests/referees/bodies.h"

@@ -1,5 +1,5 @@
-// Distances and depths of millions of poses, each judged in twice the precision (apps/referees/separation_judge.h), for
-// pairs of bodies of all kinds: a table, kind by kind, of the worst that was seen. Ends with 1 where any answer is
+// Distances and depths of millions of poses, each judged in twice the precision (tests/referees/separation_judge.h),
+// for pairs of bodies of all kinds: a table, kind by kind, of the worst that was seen. Ends with 1 where any answer is
 // wrong, and says at which pose the first of them was.
 //   vex_query_truth [--pairs N] [--near N] [--aligned N] [--threads N] [--seed N] [KIND...]
 // Without options: 100000 poses anywhere, 10000 near contact, 1000 with the bodies' axes parallel, of every kind. A

@@ -1,5 +1,5 @@
 // What wrong overlap tests of boxes come to, and that the right ones come to the truth. Fixed seed, 4 standard errors.
-#include "apps/referees/wrong_tests.h"
+#include "apps/vex_paper/wrong_tests.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "apps/referees/specialised_backend.h"
 #include "engine/numeric/quaternion.h"
-#include "engine/sampling/fitted_domain.h"
 #include "engine/sampling/monte_carlo.h"
+#include "engine/sampling/poses/fitted_domain.h"
 #include "shapes/any_shape.h"
 #include "shapes/formula.h"
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/query/packet_overlap.h"
-#include "engine/sampling/pose_columns.h"
+#include "engine/query/packets/packet_overlap.h"
+#include "engine/sampling/poses/pose_columns.h"
 
 namespace vex {
 namespace {

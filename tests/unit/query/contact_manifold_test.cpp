@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "engine/query/planar_polygon.h"
+#include "engine/query/search/planar_polygon.h"
 #include "shapes/any_shape.h"
 #include "shapes/box.h"
 #include "tests/referees/bodies.h"

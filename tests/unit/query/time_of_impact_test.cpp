@@ -6,7 +6,7 @@
 
 #include "engine/query/first_contact.h"
 #include "engine/query/overlap.h"
-#include "engine/query/rigid_sweep.h"
+#include "engine/query/search/rigid_sweep.h"
 #include "engine/query/separation.h"
 #include "shapes/any_shape.h"
 #include "shapes/box.h"

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "engine/sampling/monte_carlo.h"
-#include "engine/sampling/radial_estimator.h"
+#include "engine/sampling/radial/radial_estimator.h"
 #include "shapes/any_shape.h"
 #include "shapes/formula.h"
 
@@ -69,9 +69,7 @@ TEST(ControlVariate, OfARoundedBoxIsTheBox) {
   const Body rounded = parse_shape("rounded:0.1,box:1,1,1"), box = parse_shape("box:1,1,1");
   const double truth = average_excluded_volume(rounded.measures, rounded.measures);
   const OrientationLaw law;
-  const auto make = [&law](const Body& body) {
-    return std::make_unique<RadialEstimator>(body.body, body.body, law);
-  };
+  const auto make = [&law](const Body& body) { return std::make_unique<RadialEstimator>(body.body, body.body, law); };
   MonteCarloSettings settings;
   settings.stop.trials = 1u << 14;
   const auto estimate = [&] {

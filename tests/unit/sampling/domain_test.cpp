@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "engine/query/overlap.h"
-#include "engine/sampling/fitted_domain.h"
+#include "engine/sampling/poses/fitted_domain.h"
 #include "shapes/any_shape.h"
 #include "shapes/box.h"
 #include "shapes/ellipsoid.h"

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "engine/numeric/errors.h"
-#include "engine/sampling/fitted_domain.h"
 #include "engine/sampling/monte_carlo.h"
-#include "engine/sampling/radial_estimator.h"
+#include "engine/sampling/poses/fitted_domain.h"
+#include "engine/sampling/radial/radial_estimator.h"
 #include "shapes/any_shape.h"
 #include "shapes/formula.h"
 

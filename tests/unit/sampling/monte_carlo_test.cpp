@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "engine/query/overlap.h"
-#include "engine/sampling/fitted_domain.h"
-#include "engine/scene/quick_verdict.h"
+#include "engine/query/packets/quick_verdict.h"
+#include "engine/sampling/poses/fitted_domain.h"
 #include "shapes/box.h"
 #include "shapes/cylinder.h"
 #include "shapes/ellipsoid.h"

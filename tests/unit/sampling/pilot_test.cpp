@@ -5,7 +5,7 @@
 #include <cmath>
 #include <memory>
 
-#include "engine/sampling/radial_estimator.h"
+#include "engine/sampling/radial/radial_estimator.h"
 #include "shapes/any_shape.h"
 
 namespace vex {

@@ -18,7 +18,7 @@
 #include "engine/query/separation.h"
 #include "engine/sampling/estimate.h"
 #include "engine/sampling/monte_carlo.h"
-#include "engine/sampling/orientation_law.h"
+#include "engine/sampling/poses/orientation_law.h"
 #include "engine/support/combinators.h"
 #include "shapes/box.h"
 #include "shapes/capsule.h"

@@ -6,7 +6,7 @@
 #include <random>
 #include <utility>
 
-#include "engine/sampling/orientation_law.h"
+#include "engine/sampling/poses/orientation_law.h"
 #include "shapes/ellipsoid.h"
 #include "shapes/rounded.h"
 

@@ -1,0 +1,186 @@
+#include "engine/query/exact/exact_overlap.h"
+
+#include <algorithm>
+
+#include "engine/numeric/expect.h"
+#include "engine/numeric/whole.h"
+
+namespace vex {
+namespace {
+
+using whole::Integer;
+using whole::Vector;
+
+// The points as whole numbers of one unit, made when they are asked for.
+class WholePoints {
+ public:
+  explicit WholePoints(const PlacedForms& forms) : forms_(forms), is_placed_exactly_(!forms.b.is_polytope()) {
+    for (const Vec3d& p : forms.a.points) lower_unit(p);
+    if (is_placed_exactly_) {
+      // Every product r * x and the sum with t is a multiple of the product of their units.
+      int unit_r = whole::lowest_exponent(0.0), unit_x = unit_r;
+      const Transformd& pose = forms.a_from_b;
+      for (const Vec3d& row : {pose.row_x, pose.row_y, pose.row_z}) lower(unit_r, row);
+      for (const Vec3d& p : forms.b.points) lower(unit_x, p);
+      unit_ = std::min(unit_, unit_r + unit_x);
+      lower_unit(pose.translation);
+    } else {
+      for (const Vec3d& p : forms.placed_b) lower_unit(p);
+    }
+    unit_ = std::min({unit_, whole::lowest_exponent(forms.a.ball_radius), whole::lowest_exponent(forms.b.ball_radius)});
+  }
+
+  Vector a(std::size_t i) const { return whole::in_units(forms_.a.points[i], unit_); }
+  Vector b(std::size_t i) const {
+    if (!is_placed_exactly_) return whole::in_units(forms_.placed_b[i], unit_);
+    return whole::in_units(whole::placed(forms_.a_from_b, whole::exactly(forms_.b.points[i])), unit_);
+  }
+  Integer radii() const {
+    return whole::in_units(forms_.a.ball_radius, unit_) + whole::in_units(forms_.b.ball_radius, unit_);
+  }
+
+ private:
+  static void lower(int& unit, const Vec3d& v) {
+    unit = std::min({unit, whole::lowest_exponent(v.x), whole::lowest_exponent(v.y), whole::lowest_exponent(v.z)});
+  }
+  void lower_unit(const Vec3d& v) { lower(unit_, v); }
+
+  const PlacedForms& forms_;
+  bool is_placed_exactly_;
+  int unit_ = whole::lowest_exponent(0.0);
+};
+
+// The vertex that is farthest along `dir`, among those that double precision leaves open.
+template <class PointOf>
+std::size_t farthest(const VertexSet& points, const Vector& dir, const PointOf& point_of) {
+  const std::vector<std::size_t>& open = points.farthest(whole::rounded_direction(dir));
+  std::size_t best = open.front();
+  if (open.size() == 1) return best;
+  Integer largest = whole::dot(point_of(best), dir);
+  for (std::size_t k = 1; k < open.size(); ++k) {
+    const Integer value = whole::dot(point_of(open[k]), dir);
+    if (value > largest) {
+      largest = value;
+      best = open[k];
+    }
+  }
+  return best;
+}
+
+struct Point {
+  Vector at;
+  std::size_t a, b;
+};
+
+// The point of the simplex' hull that is nearest to the origin, as (sum of weight_i point_i) / (sum of weight_i); keeps
+// the points that carry it. Johnson's determinants: of a set X and a point j outside of it
+//   D_j(X + j) = sum over i in X of D_i(X) (y_i . y_k - y_i . y_j), any k in X, and D_i({i}) = 1.
+// X carries the nearest point where D_i(X) > 0 for every i of X and D_j(X + j) <= 0 for every other j. The newest point
+// is always among the carriers, for without it nothing was nearer before.
+class Carrier {
+ public:
+  explicit Carrier(std::vector<Point>& simplex) : simplex_(simplex) {
+    const std::size_t n = simplex.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) inner_[i][j] = inner_[j][i] = whole::dot(simplex[i].at, simplex[j].at);
+    }
+    for (unsigned set = 1; set < (1u << n); ++set) {
+      for (std::size_t j = 0; j < n; ++j) {
+        if (((set >> j) & 1u) == 0) continue;
+        const unsigned rest = set & ~(1u << j);
+        if (rest == 0) {
+          determinant_[set][j] = 1;
+          continue;
+        }
+        const std::size_t k = static_cast<std::size_t>(std::countr_zero(rest));
+        Integer sum = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+          if ((rest >> i) & 1u) sum += determinant_[rest][i] * (inner_[i][k] - inner_[i][j]);
+        }
+        determinant_[set][j] = sum;
+      }
+    }
+    const unsigned newest = 1u << (n - 1);
+    for (unsigned set = 1; set < (1u << n); ++set) {
+      if ((set & newest) != 0 && carries(set, n)) {
+        keep(set);
+        return;
+      }
+    }
+    VEX_EXPECT(false);  // the points are affinely independent, so one set does
+  }
+
+  const Vector& numerator() const { return numerator_; }
+  const Integer& denominator() const { return denominator_; }
+
+ private:
+  bool carries(unsigned set, std::size_t n) const {
+    for (std::size_t j = 0; j < n; ++j) {
+      const bool is_in = ((set >> j) & 1u) != 0;
+      const int sign = whole::sign(determinant_[set | (1u << j)][j]);
+      if (is_in ? sign <= 0 : sign > 0) return false;
+    }
+    return true;
+  }
+
+  void keep(unsigned set) {
+    std::vector<Point> kept;
+    denominator_ = 0;
+    numerator_ = {};
+    for (std::size_t i = 0; i < simplex_.size(); ++i) {
+      if (((set >> i) & 1u) == 0) continue;
+      numerator_ = numerator_ + determinant_[set][i] * simplex_[i].at;
+      denominator_ += determinant_[set][i];
+      kept.push_back(std::move(simplex_[i]));
+    }
+    simplex_ = std::move(kept);
+  }
+
+  std::vector<Point>& simplex_;
+  std::array<std::array<Integer, 4>, 4> inner_;
+  std::array<std::array<Integer, 4>, 16> determinant_;
+  Vector numerator_;
+  Integer denominator_;
+};
+
+}  // namespace
+
+ExactOverlap exact_overlap(const PlacedForms& forms) {
+  VEX_EXPECT(forms.are_rounded_polytopes());
+  const WholePoints points(forms);
+  const auto point_a = [&points](std::size_t i) { return points.a(i); };
+  const auto point_b = [&points](std::size_t i) { return points.b(i); };
+  const Integer radii = points.radii();
+  const Integer radii_sq = radii * radii;
+
+  ExactOverlap result;
+  std::vector<Point> simplex = {{points.a(0) - points.b(0), 0, 0}};
+  while (true) {
+    // The nearest point is p = v / denominator.
+    const Carrier carrier(simplex);
+    const Vector& v = carrier.numerator();
+    const Integer& denominator = carrier.denominator();
+    const Integer v_sq = whole::dot(v, v);
+    if (v_sq <= radii_sq * denominator * denominator) {
+      result.overlap = true;
+      break;
+    }
+    const std::size_t a = farthest(forms.points_a, -v, point_a), b = farthest(forms.points_b, v, point_b);
+    ++result.n_support_calls;
+    const Vector w = points.a(a) - points.b(b);
+    // All of the hull is at least w . v / |v| away along v: disjoint where that exceeds the radii. Where w is no nearer
+    // than p, p is the nearest point of all, and farther than the radii.
+    const Integer along = whole::dot(w, v);
+    if (whole::sign(along) > 0 && along * along > radii_sq * v_sq) break;
+    if (along * denominator >= v_sq) break;
+    simplex.push_back({w, a, b});
+  }
+  for (const Point& point : simplex) {
+    result.carriers_a[static_cast<std::size_t>(result.n_carriers)] = point.a;
+    result.carriers_b[static_cast<std::size_t>(result.n_carriers)] = point.b;
+    ++result.n_carriers;
+  }
+  return result;
+}
+
+}  // namespace vex

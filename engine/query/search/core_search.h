@@ -1,0 +1,134 @@
+// How far a difference K = A - B is from the origin, or how deep the origin is in it: a descent to the nearest point
+// (nearest_descent.h), and where K holds the origin the expanding polytope (expanding_polytope.h), both with bounds.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "engine/query/search/expanding_polytope.h"
+#include "engine/query/search/nearest_descent.h"
+
+namespace vex {
+
+enum class SeparationGoal { signed_distance, distance, depth };
+
+template <class L>
+struct CoreSearchSettings {
+  SeparationGoal goal;
+  L radii;  // of the balls about the cores
+  L size;   // R_A + R_B
+  L relative_gap;
+  int max_support_calls;
+  int max_hull_points;
+
+  /// How near to each other bounds shall be for this signed distance of the cores.
+  L wanted(const L& signed_distance) const { return relative_gap * (absolute(signed_distance - radii) + size); }
+};
+
+/// What was found of the cores. With the default values: that they overlap, and no more.
+template <class L, class Point>
+struct CoreSeparation {
+  Vec3<L> normal;  // unit
+  L distance;      // signed, along it
+  L lower, upper;  // of the signed distance of the cores, rounding included
+  int n_points = 0;
+  std::array<Point, 4> points{};
+  std::array<L, 4> weights{};
+  bool has_normal = false;
+  bool is_capped = false;  // more support calls would bring the bounds nearer
+
+  void add(const L& weight, const Point& point) {
+    points[static_cast<std::size_t>(n_points)] = point;
+    weights[static_cast<std::size_t>(n_points)] = weight;
+    ++n_points;
+  }
+  void take_points(const NearestSimplex<L, Point>& simplex) {
+    n_points = 0;
+    for (int k = 0; k < simplex.size(); ++k) add(simplex.weight(k), simplex.point(k));
+  }
+};
+
+template <class L, class Point, class Difference>
+class CoreSearch {
+ public:
+  /// Descends from the points of a simplex, or along a direction.
+  CoreSearch(const Difference& difference, const QueryError<L>& error, const CoreSearchSettings<L>& settings,
+             const Vec3<L>& first_dir, const NearestSimplex<L, Point>& simplex)
+      : difference_(difference),
+        error_(error),
+        settings_(settings),
+        descent_(descend_to_origin<L, Point>(
+            difference, first_dir, simplex, error, [&](const L& distance) { return settings.wanted(distance); },
+            settings.radii, settings.goal == SeparationGoal::depth ? DescentGoal::separated : DescentGoal::nearest,
+            settings.max_support_calls)),
+        n_support_calls_(descent_.n_support_calls) {
+    found_.lower = descent_.lower;
+    found_.upper = descent_.upper;
+    found_.is_capped = descent_.end == Descent::End::capped;
+    // A descent that ends so near to the origin that no direction separates is one that touches.
+    const bool meets = descent_.end == Descent::End::around_origin || descent_.end == Descent::End::touching ||
+                       descent_.end == Descent::End::stalled;
+    if (!meets || descent_.lower > L(0.0)) {
+      found_.normal = descent_.normal;
+      found_.has_normal = norm_1(found_.normal) > L(0.0);
+      found_.distance = square_root(descent_.simplex.square());
+      found_.take_points(descent_.simplex);
+      return;
+    }
+    // That they overlap may be all that is asked.
+    const bool meets_by_balls = settings.radii > L(0.0) && descent_.upper < settings.radii;
+    wants_depth_ = settings.goal != SeparationGoal::distance || !(meets_by_balls || !(settings.radii > L(0.0)));
+  }
+
+  /// Whether the cores overlap, and how deep is asked.
+  bool wants_depth() const { return wants_depth_; }
+
+  void find_depth() {
+    using Polytope = ExpandingPolytope<L, Point, Difference>;
+    thread_local PolytopeStore<L, Point> store;
+    Polytope polytope(difference_, error_, settings_.max_hull_points, store);
+    const typename Polytope::End end =
+        polytope.run(descent_.simplex, [&](const L& depth) { return settings_.wanted(-depth); });
+    n_support_calls_ += polytope.n_support_calls();
+    found_.is_capped = end == Polytope::End::capped;
+    found_.normal = polytope.normal();
+    found_.has_normal = true;
+    found_.distance = -polytope.height();
+    found_.lower = larger(found_.lower, -polytope.depth_upper());
+    if (end == Polytope::End::separated) {
+      found_.distance = square_root(descent_.simplex.square());
+      found_.take_points(descent_.simplex);
+      return;
+    }
+    Vec3<L> foot;
+    if (end != Polytope::End::flat) {
+      const L depth_lower = polytope.depth_lower();
+      if (-depth_lower < found_.upper) found_.upper = -depth_lower;
+      polytope.visit_foot([&](const L& weight, const Point& point) {
+        found_.add(weight, point);
+        foot = foot + weight * point.w;
+      });
+    }
+    // Of cores that hardly meet, the nearest points are those of the descent.
+    const Vec3<L> out = polytope.height() * polytope.normal();
+    if (found_.n_points == 0 || norm_1(descent_.simplex.at() - out) < norm_1(foot - out)) {
+      found_.take_points(descent_.simplex);
+    }
+  }
+
+  const CoreSeparation<L, Point>& found() const { return found_; }
+  int n_support_calls() const { return n_support_calls_; }
+
+ private:
+  using Descent = NearestDescent<L, Point>;
+
+  const Difference& difference_;
+  const QueryError<L>& error_;
+  const CoreSearchSettings<L>& settings_;
+  Descent descent_;
+  CoreSeparation<L, Point> found_;
+  int n_support_calls_;
+  bool wants_depth_ = false;
+};
+
+}  // namespace vex

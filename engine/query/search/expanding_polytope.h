@@ -1,0 +1,269 @@
+// The hull of points of a body K = A - B, growing where its surface is nearest to the origin: the expanding polytope
+// algorithm (G. van den Bergen, "Proximity queries and penetration depth computation on 3D game objects", 2001), with
+// bounds of the depth on both sides.
+//
+// Every direction that was asked for bounds the depth from above; the hull's surface, as long as it goes around the
+// origin, bounds it from below: both in the presence of rounding (E21). How the hull grows is not proven and need not
+// be.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "engine/numeric/directions.h"
+#include "engine/query/search/growing_hull.h"
+#include "engine/query/search/nearest_simplex.h"
+#include "engine/query/search/portal_refinement.h"
+
+namespace vex {
+
+/// One lane only.
+template <class L, class Point, class Difference>
+class ExpandingPolytope {
+ public:
+  using Corners = std::array<std::uint32_t, 3>;  // indices of points
+
+  enum class End {
+    converged,  // the bounds are as near as asked for
+    stalled,    // rounding allows no larger hull
+    capped,
+    flat,       // K has no volume, to rounding: its depth is 0 along `normal`
+    separated,  // all of K is behind the origin along `normal`, proven
+  };
+
+  ExpandingPolytope(const Difference& difference, const QueryError<L>& error, int max_support_calls,
+                    PolytopeStore<L, Point>& store)
+      : hull_(store, error),
+        difference_(difference),
+        error_(error),
+        slack_(L(2.0) * error.support),
+        max_support_calls_(max_support_calls) {}
+
+  /// From the points of a simplex on. `wanted`: how near the bounds shall be, rounding apart, for a depth.
+  template <class Wanted>
+  End run(const NearestSimplex<L, Point>& simplex, const Wanted& wanted) {
+    const bool has_volume = begin(simplex);
+    while (true) {
+      if (n_support_calls_ > 0 && height_ < -slack_) return End::separated;
+      if (!has_volume) return End::flat;
+      const std::optional<std::uint32_t> found = hull_.nearest_face();
+      if (!found) return End::stalled;
+      nearest_ = *found;
+      const L distance = faces()[nearest_].distance;
+      const Vec3<L> normal = unit_along(faces()[nearest_].normal);
+      const std::uint32_t added = add_support(normal);
+      const L height = dot(normal, at(added));
+      if (height - distance <= wanted(distance)) {
+        is_of_face_ = true;
+        normal_ = normal;
+        answer_height_ = height;
+        return End::converged;
+      }
+      if (height_ - distance <= wanted(distance)) return End::converged;
+      if (static_cast<int>(hull_.points().size()) >= max_support_calls_) return End::capped;
+      if (!hull_.grow(nearest_, added)) return End::stalled;
+    }
+  }
+
+  /// The unit vector along which K reaches least far of all that were asked for, or that of the nearest face if that is
+  /// as near as asked for; and how far it reaches, to rounding. Where K is flat: across it.
+  const Vec3<L>& normal() const { return normal_; }
+  L height() const { return is_of_face_ ? answer_height_ : height_; }
+  /// The depth is not above it, rounding included: the least that K reaches in any direction that was asked for.
+  L depth_upper() const { return height_ + slack_; }
+  /// The depth is not below it, rounding included; negative where nothing is known.
+  L depth_lower() const {
+    if (faces().empty()) return -error_.reach;
+    const L distance = -larger(-faces()[nearest_].distance, -height_) - slack_;
+    return distance > L(0.0) && goes_around_origin() ? distance : -error_.reach;
+  }
+  int n_support_calls() const { return n_support_calls_; }
+
+  /// Where the hull ends along the normal, as a combination of a face's corners: `visit(weight, point)`.
+  template <class Visit>
+  void visit_foot(const Visit& visit) const {
+    std::uint32_t at = nearest_;
+    if (is_of_face_) {
+      // Faces in one plane share a foot: it is in one of them, a few steps away.
+      for (std::size_t step = 0; step < faces().size(); ++step) {
+        const std::array<L, 3> weights = hull_.weights_along(faces()[at], normal_);
+        const std::size_t least = static_cast<std::size_t>(std::ranges::min_element(weights) - weights.begin());
+        const std::uint32_t next = faces()[at].across[(least + 1) % 3].face;  // from that corner
+        const bool is_coplanar =
+            faces()[next].distance - faces()[nearest_].distance <= L(4.0) * hull_.coplanar() + gap();
+        if (!(weights[least] < L(0.0)) || !is_coplanar) break;
+        at = next;
+      }
+    } else {
+      at = hull_.face_along(normal_).value_or(nearest_);
+    }
+    std::array<L, 3> weights = hull_.weights_along(faces()[at], normal_);
+    L sum(0.0);
+    for (L& weight : weights) sum += weight = larger(weight, L(0.0));
+    if (!(sum > L(0.0))) weights = {sum = L(1.0), L(0.0), L(0.0)};  // a sliver
+    for (std::size_t k = 0; k < 3; ++k) visit(weights[k] / sum, hull_.points()[faces()[at].corners[k]]);
+  }
+
+  /// The corners of the face through which the ray from the origin leaves a hull that holds it.
+  std::optional<Corners> corners_along(const Vec3<L>& dir) const {
+    const std::optional<std::uint32_t> face = hull_.face_along(dir);
+    return face ? std::optional(faces()[*face].corners) : std::nullopt;
+  }
+
+ private:
+  using Face = detail::HullFace<L>;
+
+  const std::vector<Face>& faces() const { return hull_.faces(); }
+
+  L gap() const { return larger(answer_height_ - faces()[nearest_].distance, L(0.0)); }
+
+  // Also keeps the least height.
+  std::uint32_t add_support(const Vec3<L>& dir) {
+    ++n_support_calls_;
+    const std::uint32_t added = hull_.add_point(difference_.support(dir));
+    const L height = dot(dir, at(added));
+    if (n_support_calls_ == 1 || height < height_) {
+      height_ = height;
+      normal_ = dir;
+      hull_.set_least_height(height);
+    }
+    return added;
+  }
+  const Vec3<L>& at(std::uint32_t i) const { return hull_.at(i); }
+
+  // --- the first tetrahedron
+
+  // Of the simplex, where it has volume; else of these points and of more in directions that span space.
+  bool begin(const NearestSimplex<L, Point>& simplex) {
+    for (int k = 0; k < simplex.size(); ++k) hull_.add_point(simplex.point(k));
+    if (hull_.points().size() == 4 && has_volume(0, 1, 2, 3)) {
+      hull_.make_tetrahedron(0, 1, 2, 3);
+      return true;
+    }
+    for (const Vec3d& d : {Vec3d{0.6113, 0.4717, 0.6361}, Vec3d{-0.6113, -0.4717, -0.6361}})
+      add_support(unit_along(broadcast<L>(d)));
+    std::uint32_t first = 0, second = 0, third = 0;
+    const auto find_longest = [&] {
+      L largest(0.0);
+      for (std::uint32_t i = 0; i < hull_.points().size(); ++i) {
+        for (std::uint32_t j = 0; j < i; ++j) {
+          const Vec3<L> e = at(i) - at(j);
+          if (dot(e, e) > largest) {
+            largest = dot(e, e);
+            first = i;
+            second = j;
+          }
+        }
+      }
+      return largest;
+    };
+    const L least_length = L(4.0) * slack_;
+    L longest = find_longest();
+    if (!(longest > least_length * least_length)) {
+      for (const Vec3d& d : {Vec3d{1.0, 0.0, 0.0}, Vec3d{-1.0, 0.0, 0.0}, Vec3d{0.0, 1.0, 0.0}, Vec3d{0.0, -1.0, 0.0},
+                             Vec3d{0.0, 0.0, 1.0}, Vec3d{0.0, 0.0, -1.0}}) {
+        add_support(broadcast<L>(d));
+      }
+      longest = find_longest();
+      if (!(longest > least_length * least_length)) return false;  // a point: all directions are as good
+    }
+    const Vec3<L> along = unit_along(at(second) - at(first));
+    const Vec3<L> across = unit_along(cross(along, least_axis(along))), other = cross(along, across);
+    const auto off_line = [&](std::uint32_t i) {
+      const Vec3<L> normal = cross(along, at(i) - at(first));
+      return dot(normal, normal);
+    };
+    const auto find_third = [&] {
+      L largest(0.0);
+      for (std::uint32_t i = 0; i < hull_.points().size(); ++i) {
+        if (off_line(i) > largest) {
+          largest = off_line(i);
+          third = i;
+        }
+      }
+      return largest;
+    };
+    if (!(find_third() > L(0x1p-10) * longest)) {
+      for (const Vec3<L>& d : {across, -across, other, -other}) add_support(d);
+      if (!(find_third() > least_length * least_length)) return false;  // a segment: `normal` is across it
+    }
+    const Vec3<L> normal = unit_along(cross(along, at(third) - at(first)));
+    const std::uint32_t above = add_support(normal), below = add_support(-normal);
+    const L up = dot(normal, at(above) - at(first)), down = -dot(normal, at(below) - at(first));
+    const std::uint32_t apex = up > down ? above : below;
+    if (!(larger(up, down) > least_length)) return false;  // in a plane: one of its normals is `normal`
+    hull_.make_tetrahedron(first, second, third, apex);
+    for (std::uint32_t i = 0; i < apex; ++i) {
+      if (i != first && i != second && i != third) hull_.grow_by_any(i, L(4.0) * slack_);
+    }
+    hull_.grow_by_any(apex == above ? below : above, L(4.0) * slack_);
+    return true;
+  }
+
+  bool has_volume(std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) const {
+    const detail::Face<L> face = detail::face_of(at(i), at(j), at(k));
+    const L volume = absolute(dot(face.normal, at(l) - at(i)));
+    return volume > L(16.0) * slack_ * face.edge_product &&
+           norm_1(face.normal) > L(0x1p33 * unit_roundoff<L>()) * face.edge_product;
+  }
+
+  // --- what the hull proves
+
+  // A closed surface whose faces have the origin behind them goes around it. Else count how often a ray from the origin
+  // through the nearest face passes the surface: once, then it goes around every ball that it does not enter. By proven
+  // signs; another ray where one passes an edge.
+  bool goes_around_origin() const {
+    const auto is_clear = [](const Face& face) { return !face.is_alive || face.has_origin_behind; };
+    if (std::ranges::all_of(faces(), is_clear)) return true;
+    const Corners& corners = faces()[nearest_].corners;
+    for (const auto& [u, v, w] : {std::array{0.41, 0.26, 0.33}, std::array{0.22, 0.47, 0.31}}) {
+      const Vec3<L> ray = (L(u) * at(corners[0]) + L(v) * at(corners[1])) + L(w) * at(corners[2]);
+      int n_passed = 0;
+      const bool is_proven = std::ranges::all_of(faces(), [&](const Face& face) {
+        if (!face.is_alive) return true;
+        const std::optional<int> passed = times_passed(face, ray);
+        n_passed += passed.value_or(0);
+        return passed.has_value();
+      });
+      if (is_proven) return n_passed == 1;
+    }
+    return false;
+  }
+  // 1 where the ray passes the triangle outwards, -1 inwards, 0 where it passes beside it; none where rounding leaves
+  // that open. With s_i the products below, sum s_i p_i = det(p) ray.
+  std::optional<int> times_passed(const Face& face, const Vec3<L>& ray) const {
+    const L rounding = L(16.0 * unit_roundoff<L>());
+    int n_positive = 0, n_negative = 0;
+    bool is_behind = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3<L>&p = at(face.corners[k]), &q = at(face.corners[(k + 1) % 3]);
+      const L turn = dot(cross(p, q), ray), bound = rounding * ((norm_1(p) * norm_1(q)) * norm_1(ray));
+      n_positive += turn > bound ? 1 : 0;
+      n_negative += turn < -bound ? 1 : 0;
+      is_behind = is_behind && dot(p, ray) < -rounding * (norm_1(p) * norm_1(ray));
+    }
+    if (is_behind || (n_positive > 0 && n_negative > 0)) return 0;
+    if (n_positive < 3 && n_negative < 3) return std::nullopt;
+    const Vec3<L>&p = at(face.corners[0]), &q = at(face.corners[1]), &r = at(face.corners[2]);
+    const L volume = dot(cross(p, q), r), bound = rounding * ((norm_1(p) * norm_1(q)) * norm_1(r));
+    if (!(absolute(volume) > bound)) return std::nullopt;
+    const bool is_outwards = volume > L(0.0);
+    return is_outwards == (n_positive == 3) ? std::optional(is_outwards ? 1 : -1) : std::optional(0);
+  }
+
+  GrowingHull<L, Point> hull_;
+  const Difference& difference_;
+  QueryError<L> error_;
+  L slack_;
+  int max_support_calls_;
+  int n_support_calls_ = 0;
+  std::uint32_t nearest_ = 0;
+  bool is_of_face_ = false;
+  Vec3<L> normal_;
+  L height_{0.0}, answer_height_{0.0};
+};
+
+}  // namespace vex

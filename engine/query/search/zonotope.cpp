@@ -1,0 +1,213 @@
+#include "engine/query/search/zonotope.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vex {
+namespace {
+
+constexpr double kU = kUnitRoundoff;
+// Two vectors whose angle's sine is below this are taken for parallel: to turn one into the other's direction moves no
+// point of K by more than this times its length (E24).
+constexpr double kParallel = 64.0 * kU;
+// Normals of pairs turn by no more than this over the sine of the pair's angle: what they are rounded by, and 64 u for
+// each vector of the pair that is turned so (E24).
+constexpr double kTurn = 160.0;
+
+std::size_t index_of(int k) { return static_cast<std::size_t>(k); }
+
+Vec3d turned(const Transformd& a_from_b, const Vec3d& v) {
+  return {dot(a_from_b.row_x, v), dot(a_from_b.row_y, v), dot(a_from_b.row_z, v)};
+}
+
+Vec3d centre_of(const DifferenceZonotope& k) { return k.centre_a - k.centre_b; }
+
+using Factors = std::array<double, DifferenceZonotope::kMostVectors>;
+
+// The points of A and B whose difference has these factors.
+template <std::size_t N>
+void set_points(ZonotopeSeparation& result, const DifferenceZonotope& k, const std::array<double, N>& factors) {
+  result.point_a = k.centre_a;
+  result.point_b = k.centre_b;
+  for (int i = 0; i < k.n_vectors; ++i) {
+    const Vec3d part = factors[index_of(i)] * k.vectors[index_of(i)];
+    if (i < k.n_of_a) {
+      result.point_a = result.point_a + part;
+    } else {
+      result.point_b = result.point_b - part;
+    }
+  }
+}
+
+double clamped(double s) { return std::clamp(s, -1.0, 1.0); }
+
+// The vectors in a plane with the unit normal `normal` whose combination is `target`, which is in their zonotope to
+// rounding: one factor after the other, each in the middle of what leaves the rest within reach of the others.
+void combine_in_plane(const DifferenceZonotope& k, const std::array<int, 6>& members, int n_members,
+                      const Vec3d& normal, Vec3d target, Factors& factors) {
+  for (int m = 0; m < n_members; ++m) {
+    const Vec3d& g = k.vectors[index_of(members[index_of(m)])];
+    double low = -1.0, high = 1.0;
+    // |d . (target - s g)| <= sum over the rest of |d . g_j|, along the rest's vectors and across them.
+    const auto limit = [&](const Vec3d& d) {
+      double reach = 0.0;
+      for (int j = m + 1; j < n_members; ++j) reach += std::fabs(dot(d, k.vectors[index_of(members[index_of(j)])]));
+      const double along = dot(d, g), wanted = dot(d, target);
+      if (!(std::fabs(along) > kParallel * norm(d) * norm(g))) return;
+      const double one = (wanted - reach) / along, other = (wanted + reach) / along;
+      low = std::max(low, std::min(one, other));
+      high = std::min(high, std::max(one, other));
+    };
+    for (int j = m + 1; j < n_members; ++j) {
+      const Vec3d& rest = k.vectors[index_of(members[index_of(j)])];
+      limit(cross(normal, rest));
+      limit(rest);
+    }
+    if (m + 1 == n_members) low = high = dot(target, g) / dot(g, g);
+    const double factor = clamped(0.5 * (low + high));
+    factors[index_of(members[index_of(m)])] = factor;
+    target = target - factor * g;
+  }
+}
+
+}  // namespace
+
+DifferenceZonotope::DifferenceZonotope(const Generators& a, const Generators& b, const Transformd& a_from_b)
+    : centre_a(a.centre), centre_b(a_from_b(b.centre)), n_of_a(a.n_vectors), n_vectors(a.n_vectors + b.n_vectors) {
+  for (int i = 0; i < a.n_vectors; ++i) vectors[index_of(i)] = a.vectors[index_of(i)];
+  for (int i = 0; i < b.n_vectors; ++i) vectors[index_of(n_of_a + i)] = turned(a_from_b, b.vectors[index_of(i)]);
+}
+
+std::optional<ZonotopeSeparation> nearest_of_segments(const DifferenceZonotope& k, const QueryError<double>& error) {
+  if (k.n_vectors > 2) return std::nullopt;
+  const Vec3d centre = centre_of(k), &g = k.vectors[0], &h = k.vectors[1];
+  std::array<double, 2> factors;
+  Vec3d across;
+  bool is_inside = false;  // of a parallelogram
+  if (k.n_vectors == 1) {
+    factors[0] = clamped(-dot(centre, g) / dot(g, g));
+  } else if (k.n_vectors == 2) {
+    // The nearest points of two segments: C. Ericson, Real-Time Collision Detection, section 5.1.9.
+    const double gg = dot(g, g), hh = dot(h, h), gh = dot(g, h), cg = dot(centre, g), ch = dot(centre, h);
+    across = cross(g, h);
+    const double determinant = dot(across, across);
+    double s = determinant > 0x1p-80 * (gg * hh) ? clamped((gh * ch - cg * hh) / determinant) : 0.0;
+    double t = -(ch + s * gh) / hh;
+    if (std::fabs(t) <= 1.0) {
+      is_inside = std::fabs(s) < 1.0 && determinant > 0.0;
+    } else {
+      t = clamped(t);
+      s = clamped(-(cg + t * gh) / gg);
+    }
+    factors = {s, t};
+  }
+  Vec3d nearest = centre;
+  for (int i = 0; i < k.n_vectors; ++i) nearest = nearest + factors[index_of(i)] * k.vectors[index_of(i)];
+  const double slack = 2.0 * error.support, length = norm(nearest);
+  if (!(length > slack)) return std::nullopt;
+  std::optional<ZonotopeSeparation> answer(std::in_place);
+  ZonotopeSeparation& result = *answer;
+  result.lower = -HUGE_VAL;
+  const auto take = [&](const Vec3d& normal) {
+    double lower = -dot(normal, centre);
+    for (int i = 0; i < k.n_vectors; ++i) lower -= std::fabs(dot(normal, k.vectors[index_of(i)]));
+    if (lower > result.lower) {
+      result.lower = lower;
+      result.normal = normal;
+    }
+  };
+  take((-1.0 / length) * nearest);
+  // Of segments that nearly cross the nearest point is all rounding, and what is across them is not.
+  if (is_inside) take(((dot(across, nearest) < 0.0 ? 1.0 : -1.0) / norm(across)) * across);
+  result.distance = length;
+  result.lower -= slack;
+  result.upper = length + slack;
+  set_points(result, k, factors);
+  return answer;
+}
+
+std::optional<ZonotopeSeparation> deepest_of_faces(const DifferenceZonotope& k, const QueryError<double>& error) {
+  if (k.n_vectors < 3) return std::nullopt;
+  constexpr int kMostPairs = 15;
+  std::array<double, kMostPairs> x, y, z, reach, aside, square, product;
+  std::array<std::array<int, 2>, kMostPairs> pairs;
+  std::array<double, 6> squares;
+  for (int i = 0; i < k.n_vectors; ++i) squares[index_of(i)] = dot(k.vectors[index_of(i)], k.vectors[index_of(i)]);
+  int n_pairs = 0;
+  for (int i = 0; i < k.n_vectors; ++i) {
+    for (int j = i + 1; j < k.n_vectors; ++j) {
+      const Vec3d normal = cross(k.vectors[index_of(i)], k.vectors[index_of(j)]);
+      const std::size_t p = index_of(n_pairs++);
+      x[p] = normal.x;
+      y[p] = normal.y;
+      z[p] = normal.z;
+      product[p] = squares[index_of(i)] * squares[index_of(j)];
+      pairs[p] = {i, j};
+    }
+  }
+  const Vec3d centre = centre_of(k);
+  const std::size_t n = index_of(n_pairs);
+  for (std::size_t p = 0; p < n; ++p) {
+    aside[p] = (x[p] * centre.x + y[p] * centre.y) + z[p] * centre.z;
+    square[p] = (x[p] * x[p] + y[p] * y[p]) + z[p] * z[p];
+    reach[p] = -std::fabs(aside[p]);
+  }
+  for (int i = 0; i < k.n_vectors; ++i) {
+    const Vec3d g = k.vectors[index_of(i)];
+    for (std::size_t p = 0; p < n; ++p) reach[p] += std::fabs((x[p] * g.x + y[p] * g.y) + z[p] * g.z);
+  }
+  // Heights over the lengths of the normals, and what the roundings of the normals change in them (E24).
+  std::size_t best = n;
+  double least = HUGE_VAL, least_lower = HUGE_VAL;
+  const double slack = 2.0 * error.support;
+  bool leaves_out = false;
+  for (std::size_t p = 0; p < n; ++p) {
+    if (!(square[p] > (kParallel * kParallel) * product[p])) {
+      leaves_out = true;
+      continue;
+    }
+    const double inverse = 1.0 / std::sqrt(square[p]);
+    const double height = reach[p] * inverse;
+    const double lower = height - (kTurn * kU) * error.reach * (std::sqrt(product[p]) * inverse);
+    if (height < least) {
+      best = p;
+      least = height;
+    }
+    least_lower = std::min(least_lower, lower);
+  }
+  if (best == n) return std::nullopt;
+  std::optional<ZonotopeSeparation> answer(std::in_place);
+  ZonotopeSeparation& result = *answer;
+  const double sign = aside[best] > 0.0 ? -1.0 : 1.0;
+  result.normal = (sign / std::sqrt(square[best])) * Vec3d{x[best], y[best], z[best]};
+  result.distance = -least;
+  result.lower = -least - slack;
+  result.upper = -(least_lower - slack - (leaves_out ? 6.0 * kParallel * error.reach : 0.0));
+  if (result.lower > 0.0) return answer;
+  if (!(result.upper < 0.0)) return std::nullopt;
+
+  Factors factors{};
+  std::array<int, 6> members{};
+  int n_members = 0;
+  Vec3d target = least * result.normal - centre;
+  for (int i = 0; i < k.n_vectors; ++i) {
+    const Vec3d& g = k.vectors[index_of(i)];
+    const double along = dot(result.normal, g);
+    const bool spans = i == pairs[best][0] || i == pairs[best][1];
+    if (spans || std::fabs(along) <= kParallel * std::sqrt(squares[index_of(i)])) {
+      members[index_of(n_members++)] = i;
+      continue;
+    }
+    factors[index_of(i)] = along > 0.0 ? 1.0 : -1.0;
+    target = target - factors[index_of(i)] * g;
+  }
+  combine_in_plane(k, members, n_members, result.normal, target, factors);
+  set_points(result, k, factors);
+  // Vectors that lean out of the face's plane by more than rounding, and hardly more, may have to be cut short, too:
+  // for the search.
+  const Vec3d off = (result.point_b - result.point_a) - result.distance * result.normal;
+  if (!(norm_1(off) <= 4.0 * slack)) return std::nullopt;
+  return answer;
+}
+
+}  // namespace vex

@@ -1,0 +1,18 @@
+// Compiled once for each instruction set, with VEX_ISA its namespace, and never with fused operations: a ray is the
+// same bits everywhere.
+#include "engine/numeric/packet.h"
+#include "engine/sampling/radial/ray_columns.h"
+
+namespace vex {
+namespace VEX_ISA {
+
+__attribute__((flatten)) void make_rays(const RadialMap& map, std::size_t n, RayColumns& columns) {
+  using L = Packet<kRegisterLanes>;
+  const RadialMap of_its_own = map;  // which no store can change
+  make_rays_over<L>(
+      of_its_own, n, columns, [](const double* from) { return L::load(from); },
+      [](double* to, const L& x) { x.store(to); });
+}
+
+}  // namespace VEX_ISA
+}  // namespace vex
