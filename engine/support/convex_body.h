@@ -91,26 +91,10 @@ class ConvexBody {
   ConvexBody(Shape) {  // NOLINT(google-explicit-constructor): as above
     static_assert(SupportMappingOver<Shape, double>,
                   "a convex body needs: Vec3d support(const Vec3d& dir) const, best a template over the lane");
-    static_assert(
-        requires(const Shape& body) {
-          { body.support_error() } -> std::convertible_to<double>;
-        },
-        "a convex body needs: double support_error() const");
-    static_assert(
-        requires(const Shape& body) {
-          { body.centre() } -> std::convertible_to<Vec3d>;
-        },
-        "a convex body needs: Vec3d centre() const");
-    static_assert(
-        requires(const Shape& body) {
-          { body.circumradius() } -> std::convertible_to<double>;
-        },
-        "a convex body needs: double circumradius() const");
-    static_assert(
-        requires(const Shape& body) {
-          { body.inradius() } -> std::convertible_to<double>;
-        },
-        "a convex body needs: double inradius() const");
+    static_assert(HasSupportError<Shape>, "a convex body needs: double support_error() const");
+    static_assert(HasCentre<Shape>, "a convex body needs: Vec3d centre() const");
+    static_assert(HasCircumradius<Shape>, "a convex body needs: double circumradius() const");
+    static_assert(HasInradius<Shape>, "a convex body needs: double inradius() const");
   }
 
   Vec3d support(const Vec3d& dir) const { return model_->support(dir); }

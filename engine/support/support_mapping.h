@@ -24,19 +24,32 @@ concept HasSupportMember = requires {
 }
 || requires { &S::template support<double>; };
 
-/// What every body tells of itself, in its own frame. Lengths in the body's units.
-///
-/// `support_error()`: e >= 0 such that the computed p = s(d) lies within e of the body, and h(d) <= d . p + e |d| for
-/// the
-///   true h. It bounds the body's own roundings; what poses and differences add is counted by the query (E1).
-/// `centre()`: a point of the body, up to e. `circumradius()`: the body lies in the ball of this radius about the
-/// centre. `inradius()`: the ball of this radius about the centre lies in the body; 0 claims nothing.
+// What every body tells of itself, in its own frame. Lengths in the body's units.
+
+/// e >= 0 such that the computed p = s(d) lies within e of the body, and h(d) <= d . p + e |d| for the true h. It
+/// bounds the body's own roundings; what poses and differences add is counted by the query (E1).
 template <class S>
-concept SupportMapping = SupportMappingOver<S, double> && requires(const S& body) {
+concept HasSupportError = requires(const S& body) {
   { body.support_error() } -> std::convertible_to<double>;
+};
+/// A point of the body, up to e.
+template <class S>
+concept HasCentre = requires(const S& body) {
   { body.centre() } -> std::convertible_to<Vec3d>;
+};
+/// The body lies in the ball of this radius about the centre.
+template <class S>
+concept HasCircumradius = requires(const S& body) {
   { body.circumradius() } -> std::convertible_to<double>;
+};
+/// The ball of this radius about the centre lies in the body; 0 claims nothing.
+template <class S>
+concept HasInradius = requires(const S& body) {
   { body.inradius() } -> std::convertible_to<double>;
 };
+
+template <class S>
+concept SupportMapping =
+    SupportMappingOver<S, double> && HasSupportError<S> && HasCentre<S> && HasCircumradius<S> && HasInradius<S>;
 
 }  // namespace vex

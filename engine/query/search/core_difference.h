@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/query/exact/extended_difference.h"
+#include "engine/query/search/difference.h"
 #include "engine/query/search/query_error.h"
 #include "engine/query/separation.h"
 #include "engine/support/convex_body.h"
@@ -19,29 +20,26 @@ class CoreDifference {
   };
 
   CoreDifference(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b)
-      : a_(a), b_(b), a_from_b_(a_from_b), rolling_a_(a.rolling_radius()), rolling_b_(b.rolling_radius()) {}
+      : difference_(a, b, a_from_b), rolling_a_(a.rolling_radius()), rolling_b_(b.rolling_radius()) {}
 
   Point support(const Vec3d& normal) const {
-    const Vec3d of_a = a_.core_support(normal);
-    const Vec3d of_b = b_.core_support(-a_from_b_.direction_to_b(normal));
-    if (has_rolling()) {
-      const Vec3d a = of_a - rolling_a_ * normal, b = a_from_b_(of_b) + rolling_b_ * normal;
-      return {a - b, a, b, of_b};
-    }
-    return at(of_a, of_b);
+    const Difference::CorePoints cores = difference_.core_points(normal);
+    if (!has_rolling()) return {cores.a - cores.b, cores.a, cores.b, cores.own_b};
+    const Vec3d a = cores.a - rolling_a_ * normal, b = cores.b + rolling_b_ * normal;
+    return {a - b, a, b, cores.own_b};
   }
-  Point at(const Vec3d& of_a, const Vec3d& of_b) const {
-    const Vec3d b = a_from_b_(of_b);
-    return {of_a - b, of_a, b, of_b};
+  Point at(const Vec3d& of_a, const Vec3d& own_b) const {
+    const Vec3d b = difference_.a_from_b()(own_b);
+    return {of_a - b, of_a, b, own_b};
   }
   bool is_of(const WarmStart& warm_start) const {
-    return a_.is_same_as(warm_start.body_a) && b_.is_same_as(warm_start.body_b);
+    return difference_.a().is_same_as(warm_start.body_a) && difference_.b().is_same_as(warm_start.body_b);
   }
   /// Without its points.
   void remember(WarmStart& warm_start, const Vec3d& dir) const {
     if (!is_of(warm_start)) {
-      warm_start.body_a = a_.identity();
-      warm_start.body_b = b_.identity();
+      warm_start.body_a = difference_.a().identity();
+      warm_start.body_b = difference_.b().identity();
     }
     warm_start.dir = dir;
     warm_start.n_points = 0;
@@ -49,18 +47,16 @@ class CoreDifference {
   bool has_rolling() const { return rolling_a_ > 0.0 || rolling_b_ > 0.0; }
 
   QueryError<double> error() const {
-    QueryError<double> error = query_error(a_, b_, a_from_b_);
+    QueryError<double> error = query_error(difference_.a(), difference_.b(), difference_.a_from_b());
     error.support += 8.0 * kUnitRoundoff * (rolling_a_ + rolling_b_);
     return error;
   }
-  double radius_a() const { return a_.ball_radius() + rolling_a_; }
-  double radius_b() const { return b_.ball_radius() + rolling_b_; }
-  Vec3d between_centres() const { return a_from_b_(b_.centre()) - a_.centre(); }
+  double radius_a() const { return difference_.a().ball_radius() + rolling_a_; }
+  double radius_b() const { return difference_.b().ball_radius() + rolling_b_; }
+  Vec3d between_centres() const { return difference_.a_from_b()(difference_.b().centre()) - difference_.a().centre(); }
 
  private:
-  const ConvexBody& a_;
-  const ConvexBody& b_;
-  const Transformd& a_from_b_;
+  Difference difference_;
   double rolling_a_, rolling_b_;
 };
 

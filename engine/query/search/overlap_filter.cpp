@@ -3,49 +3,11 @@
 #include <array>
 #include <cmath>
 
+#include "engine/query/search/difference.h"
 #include "engine/query/search/portal_refinement.h"
-#include "engine/support/combinators.h"
 
 namespace vex {
 namespace {
-
-// A body without its ball.
-struct Core {
-  const ConvexBody& body;
-  Vec3d support(const Vec3d& dir) const { return body.core_support(dir); }
-};
-
-// A - B: the difference of the cores, and one ball for both bodies.
-class PosedDifference {
- public:
-  PosedDifference(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b)
-      : a_(a), b_(b), a_from_b_(a_from_b), ball_radius_(a.ball_radius() + b.ball_radius()) {}
-
-  Vec3d support(const Vec3d& dir) const {
-    const Core core_a{a_}, core_b{b_};
-    const Posed placed_b(core_b, a_from_b_);
-    const Vec3d w = MinkowskiDifference(core_a, placed_b).support(dir);
-    return ball_radius_ > 0.0 ? w + ball_support(ball_radius_, dir) : w;
-  }
-
- private:
-  const ConvexBody& a_;
-  const ConvexBody& b_;
-  const Transformd& a_from_b_;
-  double ball_radius_;
-};
-
-// The same times a power of two, for lengths whose products over- or underflow.
-class ScaledDifference {
- public:
-  ScaledDifference(const PosedDifference& difference, double scale) : difference_(difference), scale_(scale) {}
-
-  Vec3d support(const Vec3d& dir) const { return scale_ * difference_.support(dir); }
-
- private:
-  const PosedDifference& difference_;
-  double scale_;
-};
 
 // The searches start inside K, at points that are arbitrary but for having no symmetry: started at the difference of
 // the centres itself, the origin would lie on an edge or a face of the simplex in every symmetric placement (always,
@@ -60,7 +22,6 @@ constexpr std::array<std::array<double, 4>, 2> kWeights = {
     {{0.0411, 0.0829, 0.1171, 0.0587}, {0.1931, 0.0677, 0.0331, 0.1327}}};
 
 // A convex combination of points of K: in K to the rounding that E1 counts for its first point.
-template <class Difference>
 Vec3d inner_point(const Difference& difference, const Vec3d& between_centres, const std::array<double, 4>& weights) {
   Vec3d point = between_centres;
   for (std::size_t k = 0; k < weights.size(); ++k) {
@@ -76,7 +37,6 @@ constexpr bool kProven = false;
 constexpr bool kProven = true;
 #endif
 
-template <class Difference>
 FilterResult filter(const Difference& difference, const Vec3d& between_centres, double inradii,
                     const QueryError<double>& error, int max_support_calls) {
   FilterResult result;
@@ -113,20 +73,15 @@ constexpr double kLeastLength = 0x1p-900, kLargestLength = 0x1p900;
 
 FilterResult filter_overlap(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
                             int max_support_calls) {
-  const PosedDifference difference(a, b, a_from_b);
   QueryError<double> error = query_error(a, b, a_from_b);
-  Vec3d between_centres = a.centre() - a_from_b(b.centre());
-  double inradii = a.inradius() + b.inradius();
-  if (is_usual(error)) {
-    return filter(difference, between_centres, inradii, error, max_support_calls);
-  }
   if (!(error.reach > kLeastLength && error.reach < kLargestLength)) {
     return {Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding), {}, 0};
   }
-  const double scale = std::ldexp(1.0, -std::ilogb(error.reach));
+  const double scale = is_usual(error) ? 1.0 : std::ldexp(1.0, -std::ilogb(error.reach));
   error = {scale * error.reach, scale * error.support};
-  between_centres = scale * between_centres;
-  return filter(ScaledDifference(difference, scale), between_centres, scale * inradii, error, max_support_calls);
+  const Vec3d between_centres = scale * (a.centre() - a_from_b(b.centre()));
+  return filter(Difference(a, b, a_from_b, scale), between_centres, scale * (a.inradius() + b.inradius()), error,
+                max_support_calls);
 }
 
 }  // namespace vex

@@ -1,8 +1,8 @@
 // The step that all searches by portals share, over lanes: which part of a portal a ray passes.
 //
 // A ray comes from a point v0 and passes the origin and the triangle (v1, v2, v3), whose corners turn about it as
-// det(v1, v2, -v0) > 0 says. A support point w in front of the triangle splits it in three, by the planes through the ray and w. The
-// ray passes the part of w and two of the corners; w takes the place of the third.
+// det(v1, v2, -v0) > 0 says. A support point w in front of the triangle splits it in three, by the planes through the
+// ray and w. The ray passes the part of w and two of the corners; w takes the place of the third.
 #pragma once
 
 #include "engine/numeric/vec3.h"

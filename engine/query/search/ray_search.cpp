@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "engine/numeric/directions.h"
+#include "engine/query/search/difference.h"
 #include "engine/query/search/portal_refinement.h"
-#include "engine/support/combinators.h"
 
 namespace vex {
 namespace {
@@ -44,7 +44,6 @@ RaySearch::RaySearch(const ConvexBody& a, const ConvexBody& b, const Transformd&
     : a_(a), b_(b), a_from_b_(a_from_b), dir_(dir), error_(query_error(a, b, a_from_b)) {
   exponent_ = error_.reach > 0.0 ? -std::ilogb(error_.reach) : 0;
   scale_ = std::ldexp(1.0, exponent_);
-  ball_radius_ = a.ball_radius() + b.ball_radius();
   error_ = {scale_ * error_.reach, scale_ * error_.support};
   // E22: the plane across the ray is one to a few u, and so are products with it.
   shadow_error_ = 1.5 * error_.support;
@@ -56,11 +55,9 @@ RaySearch::RaySearch(const ConvexBody& a, const ConvexBody& b, const Transformd&
 
 DifferencePoint RaySearch::support(const Vec3d& dir) {
   ++n_support_calls_;
-  const Vec3d core_a = a_.core_support(dir);
-  const Vec3d core_b = a_from_b_(b_.core_support(-a_from_b_.direction_to_b(dir)));
-  const Vec3d at = core_a - core_b;
-  return {scale_ * (ball_radius_ > 0.0 ? at + ball_support(ball_radius_, dir) : at), scale_ * core_a, scale_ * core_b,
-          dir};
+  const Difference difference(a_, b_, a_from_b_, scale_);
+  const Difference::CorePoints cores = difference.core_points(dir);
+  return {difference.point(cores, dir), scale_ * cores.a, scale_ * cores.b, dir};
 }
 
 // The support point of a normal, and what its plane tells of the ray: n . x <= h of all points of K, so t n . dir <= h.

@@ -83,7 +83,7 @@ class RaySearch {
   Transformd a_from_b_;
   Vec3d dir_;
   int exponent_;
-  double scale_, ball_radius_;
+  double scale_;
   QueryError<double> error_;
   double shadow_error_;
   Vec3d across_x_, across_y_, along_;

@@ -1,0 +1,48 @@
+// K = A - B of two placed bodies, in double precision: the difference of their cores and one ball for both, times a
+// power of two where that is wanted. What every search in one pose asks.
+#pragma once
+
+#include "engine/numeric/transform.h"
+#include "engine/support/combinators.h"
+#include "engine/support/convex_body.h"
+
+namespace vex {
+
+/// Holds references. Support points are off by what query_error.h counts.
+class Difference {
+ public:
+  Difference(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, double scale = 1.0)
+      : a_(a), b_(b), a_from_b_(a_from_b), ball_radius_(a.ball_radius() + b.ball_radius()), scale_(scale) {}
+
+  /// The farthest points of the cores, of A along a direction and of B against it.
+  struct CorePoints {
+    Vec3d a, b;   // in A's frame
+    Vec3d own_b;  // the second in B's
+  };
+  CorePoints core_points(const Vec3d& dir) const { return core_points(dir, -a_from_b_.direction_to_b(dir)); }
+  /// The point of K that they make.
+  Vec3d point(const CorePoints& cores, const Vec3d& dir) const {
+    const Vec3d w = cores.a - cores.b;
+    return scale_ * (ball_radius_ > 0.0 ? w + ball_support(ball_radius_, dir) : w);
+  }
+  /// Negated first, and turned then: where a product is 0 its sign is another one, which chooses among the corners of a
+  /// box that are equally far. The calls that a search for overlap takes hang on it, and are to stay what they are.
+  Vec3d support(const Vec3d& dir) const { return point(core_points(dir, a_from_b_.direction_to_b(-dir)), dir); }
+
+  const ConvexBody& a() const { return a_; }
+  const ConvexBody& b() const { return b_; }
+  const Transformd& a_from_b() const { return a_from_b_; }
+
+ private:
+  CorePoints core_points(const Vec3d& dir, const Vec3d& against_in_b) const {
+    const Vec3d own_b = b_.core_support(against_in_b);
+    return {a_.core_support(dir), a_from_b_(own_b), own_b};
+  }
+
+  const ConvexBody& a_;
+  const ConvexBody& b_;
+  const Transformd& a_from_b_;
+  double ball_radius_, scale_;
+};
+
+}  // namespace vex
