@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "engine/numeric/errors.h"
+#include "engine/sampling/monte_carlo.h"
 
 namespace vex {
 namespace {
@@ -81,12 +82,13 @@ double parse_positive_number(std::string_view text, std::string_view option) {
 }
 
 int parse_threads(std::string_view text) {
-  constexpr std::uint64_t kMaxThreads = 1024;
+  constexpr std::uint64_t kMaxThreads = kMostThreads;
   if (text.empty()) {
     return static_cast<int>(std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, kMaxThreads));
   }
   const std::uint64_t n = parse_positive_count(text, "--threads");
-  if (n > kMaxThreads) throw UsageError("too many threads (" + std::string(text) + ") - at most 1024");
+  if (n > kMaxThreads)
+    throw UsageError("too many threads (" + std::string(text) + ") - at most " + std::to_string(kMaxThreads));
   return static_cast<int>(n);
 }
 

@@ -269,6 +269,10 @@ bool is_good(const Domain& domain) {
 
 RunRecord run_monte_carlo(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings) {
   if (settings.n_threads < 1) throw UsageError("a run has no threads - give one at least");
+  if (settings.n_threads > kMostThreads) {
+    throw UsageError("too many threads (" + std::to_string(settings.n_threads) + ") - at most " +
+                     std::to_string(kMostThreads));
+  }
   if (settings.stop.max_trials < 1 || settings.stop.trials.value_or(1) < 1) {
     throw UsageError("a run has no trials - give one at least");
   }

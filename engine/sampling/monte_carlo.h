@@ -26,6 +26,9 @@ struct Progress {
   StopRule stop;  // of the run
 };
 
+/// More than any machine gains by.
+inline constexpr int kMostThreads = 1024;
+
 struct MonteCarloSettings {
   std::uint64_t seed = 1;
   int n_threads = 1;

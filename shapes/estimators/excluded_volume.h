@@ -43,7 +43,7 @@ struct ExcludedVolumeSettings {
   bool verify = false;
   bool quick_verdicts = true;
 
-  InstructionSet instruction_set = best_instruction_set();
+  InstructionSet instruction_set = best_instruction_set();  // that draws and casts; the backend has its own
   const std::atomic<int>* interrupt = nullptr;
   std::function<void(const Progress&)> on_progress{};
 };

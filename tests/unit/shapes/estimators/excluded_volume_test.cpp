@@ -150,6 +150,7 @@ TEST(FrontDoor, RefusesSettingsThatContradictEachOther) {
   EXPECT_THROW(excluded_volume(box, box, {.estimator = "mixed-volume", .quick_verdicts = false}), UsageError);
   EXPECT_THROW(excluded_volume(ball, ball, {.estimator = "stratified"}), UsageError);
   EXPECT_THROW(excluded_volume(box, box, {.threads = -1}), UsageError);
+  EXPECT_THROW(excluded_volume(box, box, {.threads = kMostThreads + 1}), UsageError);
   EXPECT_THROW(excluded_volume(box, box, {.rel_error = 0.0}), UsageError);
   EXPECT_THROW(excluded_volume(box, box, {.rel_error = std::nan("")}), UsageError);
   EXPECT_THROW(excluded_volume(box, box, {.control_variate = {box, box, box}}), UsageError);
