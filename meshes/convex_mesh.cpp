@@ -320,6 +320,7 @@ ConvexMesh convex_mesh_from(PolygonSoup soup, const MeshOptions& options) {
 }
 
 ConvexMesh hull_of(std::span<const Vec3d> points) {
+  if (points.empty()) throw InputError("a hull of no points (0 were given) - give four or more, not all in one plane");
   PolygonSoup soup;
   soup.points.assign(points.begin(), points.end());
   return convex_mesh_from(std::move(soup), {.hull = true});

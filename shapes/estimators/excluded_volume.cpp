@@ -24,6 +24,16 @@ void require_finite(double value, const char* what) {
   }
 }
 
+/// Of a user's own body they may be anything; the shapes' own are none of these.
+void require_measures_that_can_be(const Body& body) {
+  const Measures& m = body.measures;
+  if (m.volume < 0.0 || m.surface_area < 0.0 || m.integrated_mean_curvature < 0.0) {
+    throw InputError("measures that no body has (V = " + shortest_number(m.volume) + ", S = " +
+                     shortest_number(m.surface_area) + ", M = " + shortest_number(m.integrated_mean_curvature) +
+                     " of " + body.kind + ") - none is negative: give the body's own, or none");
+  }
+}
+
 bool is_stopped_by_rule(const Settings& settings) { return settings.trials || settings.rel_error || settings.seconds; }
 
 /// Of poses, of which estimators without them have none; null where nothing is said of poses.
@@ -213,6 +223,8 @@ Reference formula_reference(const Measures& a, const Measures& b) {
 
 ExcludedVolume excluded_volume(const Body& a, const Body& b, const ExcludedVolumeSettings& settings) {
   const Estimator* const asked = estimator_asked_for(settings);
+  require_measures_that_can_be(a);
+  require_measures_that_can_be(b);
   ExcludedVolume result;
   if (const double formula = average_excluded_volume(a.measures, b.measures); formula != 0.0 && !std::isnan(formula)) {
     require_finite(formula, "the excluded volume");

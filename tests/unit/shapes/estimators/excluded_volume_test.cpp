@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,12 @@ struct OwnBall {
   Vec3d centre() const { return {}; }
   double circumradius() const { return radius * (1.0 + 0x1p-48); }
   double inradius() const { return radius * (1.0 - 0x1p-48); }
+};
+
+/// Wrong ones.
+struct MismeasuredBall : OwnBall {
+  Measures of_ball;
+  Measures measures() const { return of_ball; }
 };
 
 /// It tells its volume and the rest.
@@ -114,6 +121,24 @@ TEST(FrontDoor, TakesAUsersOwnMeasures) {
   const ExcludedVolume r = excluded_volume(MeasuredBall{{1.0}}, Box(1, 1, 1), {.rel_error = 1e-3});
   ASSERT_TRUE(r.z.has_value()) << r.z_reason;
   EXPECT_LT(std::fabs(*r.z), 5.0);
+}
+
+TEST(FrontDoor, RefusesMeasuresThatNoBodyHas) {
+  for (const Measures& m : {Measures{-1.0, 1.0, 1.0}, Measures{1.0, -1.0, 1.0}, Measures{1.0, 1.0, -1.0},
+                            Measures{HUGE_VAL, 1.0, 1.0}, Measures{1.0, HUGE_VAL, 1.0}}) {
+    EXPECT_THROW(excluded_volume(MismeasuredBall{{1.0}, m}, Box(1, 1, 1), {.trials = 1000}), InputError);
+  }
+  // Others, if wrong, the run disagrees with.
+  const ExcludedVolume r =
+      excluded_volume(MismeasuredBall{{1.0}, {4.0, 12.0, 12.0}}, Box(1, 1, 1), {.rel_error = 1e-3});
+  EXPECT_GT(std::fabs(r.z.value()), 20.0);
+}
+
+TEST(FrontDoor, PassesOnWhatASupportMappingThrows) {
+  struct Throwing : OwnBall {
+    Vec3d support(const Vec3d& /*d*/) const { throw std::runtime_error("of the user's own"); }
+  };
+  EXPECT_THROW(excluded_volume(Throwing{{1.0}}, Box(1, 1, 1), {.estimator = "hit-or-miss"}), std::runtime_error);
 }
 
 TEST(FrontDoor, HoldsOtherLawsAgainstTheExactAverage) {
@@ -207,6 +232,7 @@ TEST(Body, KnowsItsMeasuresWhereItsClassDoes) {
   EXPECT_NEAR(hull.measures.volume, 1.0 / 6.0, 1e-16);
   EXPECT_EQ(vertices_of(hull).size(), 4U);
   EXPECT_EQ(hull.n_faces, 4U);
+  EXPECT_THROW(hull_of({}), InputError);
   EXPECT_THROW(hull_of(std::vector<Vec3d>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}), InputError);
   EXPECT_THROW(hull_of(std::vector<Vec3d>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, std::nan("")}}), InputError);
 }
