@@ -7,14 +7,17 @@
 namespace vex {
 namespace {
 
+// A kernel is compiled for an instruction set and owns nothing: with it goes the pair that it refers to.
 class OwningPacketOverlap final : public PacketOverlap {
  public:
-  explicit OwningPacketOverlap(KernelOfPair<PacketOverlap> kernel) : kernel_(std::move(kernel)) {}
+  OwningPacketOverlap(std::unique_ptr<PacketPair> pair, PacketKernel kernel)
+      : pair_(std::move(pair)), kernel_(kernel(pair_->forms())) {}
 
-  void decide(const PoseTable& poses, PacketAnswer* answers) override { kernel_.kernel->decide(poses, answers); }
+  void decide(const PoseTable& poses, PacketAnswer* answers) override { kernel_->decide(poses, answers); }
 
  private:
-  KernelOfPair<PacketOverlap> kernel_;
+  std::unique_ptr<PacketPair> pair_;
+  std::unique_ptr<PacketOverlap> kernel_;
 };
 
 }  // namespace
@@ -32,8 +35,7 @@ std::unique_ptr<PacketOverlap> make_packet_overlap(PacketKernel kernel, const Co
   if (kernel == nullptr) return nullptr;
   std::unique_ptr<PacketPair> pair = PacketPair::make(a, b);
   if (pair == nullptr) return nullptr;
-  std::unique_ptr<PacketOverlap> made(kernel(pair->forms()));
-  return std::make_unique<OwningPacketOverlap>(KernelOfPair<PacketOverlap>{std::move(pair), std::move(made)});
+  return std::make_unique<OwningPacketOverlap>(std::move(pair), kernel);
 }
 
 }  // namespace vex

@@ -26,11 +26,4 @@ class PacketPair {
   CoreForm core_a_, core_b_;
 };
 
-/// A kernel of a pair with the pair that it refers to, for `make` is compiled for an instruction set and owns nothing.
-template <class Kernel>
-struct KernelOfPair {
-  std::unique_ptr<PacketPair> pair;
-  std::unique_ptr<Kernel> kernel;
-};
-
 }  // namespace vex

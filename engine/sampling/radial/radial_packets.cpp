@@ -7,14 +7,17 @@
 namespace vex {
 namespace {
 
+// As OwningPacketOverlap.
 class OwningPacketRays final : public PacketRays {
  public:
-  explicit OwningPacketRays(KernelOfPair<PacketRays> kernel) : kernel_(std::move(kernel)) {}
+  OwningPacketRays(std::unique_ptr<PacketPair> pair, RayKernel kernel, const BodyPoints& points)
+      : pair_(std::move(pair)), kernel_(kernel(pair_->forms(), points)) {}
 
-  void find(const RayTable& rays, RadialAnswers& answers) override { kernel_.kernel->find(rays, answers); }
+  void find(const RayTable& rays, RadialAnswers& answers) override { kernel_->find(rays, answers); }
 
  private:
-  KernelOfPair<PacketRays> kernel_;
+  std::unique_ptr<PacketPair> pair_;
+  std::unique_ptr<PacketRays> kernel_;
 };
 
 }  // namespace
@@ -32,8 +35,7 @@ std::unique_ptr<PacketRays> make_packet_rays(RayKernel kernel, const ConvexBody&
                                              const BodyPoints& points) {
   std::unique_ptr<PacketPair> pair = PacketPair::make(a, b);
   if (pair == nullptr) return nullptr;
-  std::unique_ptr<PacketRays> made(kernel(pair->forms(), points));
-  return std::make_unique<OwningPacketRays>(KernelOfPair<PacketRays>{std::move(pair), std::move(made)});
+  return std::make_unique<OwningPacketRays>(std::move(pair), kernel, points);
 }
 
 }  // namespace vex
