@@ -45,10 +45,22 @@ struct Body {
   operator const ConvexBody&() const { return body; }  // NOLINT(google-explicit-constructor): it is one
 
  private:
-  // A regular polyhedron is its vertices; as what it was made does not matter any more.
+  /// Of a class made of Polytope that gives none of its members another meaning: it is its vertices, as a regular
+  /// polyhedron is. A pointer to a member tells the class that it was declared in.
+  template <class Shape>
+  static constexpr bool is_its_vertices() {
+    return std::derived_from<Shape, Polytope> && requires {
+      requires std::same_as<decltype(&Shape::template support<double>), decltype(&Polytope::template support<double>)>;
+      requires std::same_as<decltype(&Shape::support_error), decltype(&Polytope::support_error)>;
+      requires std::same_as<decltype(&Shape::centre), decltype(&Polytope::centre)>;
+      requires std::same_as<decltype(&Shape::circumradius), decltype(&Polytope::circumradius)>;
+      requires std::same_as<decltype(&Shape::inradius), decltype(&Polytope::inradius)>;
+      requires std::same_as<decltype(&Shape::exact_form), decltype(&Polytope::exact_form)>;
+    };
+  }
   template <class Shape>
   static ConvexBody convex(const Shape& shape) {
-    if constexpr (std::derived_from<Shape, Polytope>) {
+    if constexpr (is_its_vertices<Shape>()) {
       return ConvexBody(Polytope(shape));
     } else {
       return ConvexBody(shape);

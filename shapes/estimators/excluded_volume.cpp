@@ -7,6 +7,7 @@
 
 #include "engine/numeric/errors.h"
 #include "engine/numeric/number_text.h"
+#include "shapes/any_shape.h"
 #include "shapes/estimators/exact_average.h"
 #include "shapes/formula.h"
 
@@ -32,6 +33,15 @@ void require_measures_that_can_be(const Body& body) {
                      shortest_number(m.surface_area) + ", M = " + shortest_number(m.integrated_mean_curvature) +
                      " of " + body.kind + ") - none is negative: give the body's own, or none");
   }
+}
+
+/// Beyond, products of six lengths over- or underflow on the way.
+void require_size_for_volumes(const Body& body) {
+  const bool is_large = !(body.body.reach() <= 2.0 * kMeasuredSizes.largest);
+  if (!is_large && body.body.circumradius() >= 0.5 * kMeasuredSizes.smallest) return;
+  throw InputError("a body is too " + std::string(is_large ? "large" : "small") + " for a volume (" + body.kind +
+                   ") - use sizes and coordinates between " + shortest_number(kMeasuredSizes.smallest) + " and " +
+                   shortest_number(kMeasuredSizes.largest) + ": choose another unit of length");
 }
 
 bool is_stopped_by_rule(const Settings& settings) { return settings.trials || settings.rel_error || settings.seconds; }
@@ -223,8 +233,10 @@ Reference formula_reference(const Measures& a, const Measures& b) {
 
 ExcludedVolume excluded_volume(const Body& a, const Body& b, const ExcludedVolumeSettings& settings) {
   const Estimator* const asked = estimator_asked_for(settings);
-  require_measures_that_can_be(a);
-  require_measures_that_can_be(b);
+  for (const Body* const body : {&a, &b}) {
+    require_measures_that_can_be(*body);
+    require_size_for_volumes(*body);
+  }
   ExcludedVolume result;
   if (const double formula = average_excluded_volume(a.measures, b.measures); formula != 0.0 && !std::isnan(formula)) {
     require_finite(formula, "the excluded volume");

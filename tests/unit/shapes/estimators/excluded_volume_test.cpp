@@ -134,6 +134,37 @@ TEST(FrontDoor, RefusesMeasuresThatNoBodyHas) {
   EXPECT_GT(std::fabs(r.z.value()), 20.0);
 }
 
+TEST(FrontDoor, RefusesSizesOfWhichVolumesOverflow) {
+  for (const double size : {1e-50, 1e77, 1e99}) {
+    EXPECT_THROW(excluded_volume(Box(size, 2.0 * size, size), Sphere(size), {.rel_error = 1e-3}), InputError) << size;
+  }
+}
+
+/// Made of a shape, with a mapping of its own.
+struct DoubledTetrahedron : Tetrahedron {
+  using Tetrahedron::Tetrahedron;
+  template <class L>
+  Vec3<L> support(const Vec3<L>& d) const {
+    const Vec3<L> s = Tetrahedron::support(d);
+    return {s.x + s.x, s.y + s.y, s.z + s.z};
+  }
+  double support_error() const { return 2.0 * Tetrahedron::support_error(); }
+  double circumradius() const { return 2.0 * Tetrahedron::circumradius(); }
+  double inradius() const { return 2.0 * Tetrahedron::inradius(); }
+  static constexpr bool kRoundsAsKernels = false;
+  std::optional<ExactForm> exact_form() const { return std::nullopt; }
+  std::optional<DirectionTable> direction_table() const { return std::nullopt; }
+};
+
+TEST(Body, OfAClassMadeOfAPolytopeKeepsItsOwnMapping) {
+  const Body doubled = DoubledTetrahedron(1.0), regular = Tetrahedron(1.0);
+  const Vec3d up{0.0, 0.0, 1.0};
+  EXPECT_NEAR(doubled.body.support(up).z, 2.0 * regular.body.support(up).z, 1e-15);
+  EXPECT_EQ(doubled.body.circumradius(), 2.0 * regular.body.circumradius());
+  EXPECT_NE(regular.body.target<Polytope>(), nullptr) << "a regular polyhedron is its vertices";
+  EXPECT_EQ(doubled.body.target<Polytope>(), nullptr);
+}
+
 TEST(FrontDoor, PassesOnWhatASupportMappingThrows) {
   struct Throwing : OwnBall {
     Vec3d support(const Vec3d& /*d*/) const { throw std::runtime_error("of the user's own"); }
