@@ -50,6 +50,8 @@ double set_control_variate(MonteCarloSettings& settings, const Estimator& estima
     throw UsageError("hits and misses have no control variate (the estimator " + std::string(estimator.name) +
                      ") - use radial or mixed-volume");
   }
+  if (!settings.integrand)
+    throw UsageError("no estimator is set whose error a control variate could make smaller - set it");
   if (settings.law.kind() != OrientationLaw::Kind::isotropic) {
     throw UsageError("the formula of a control variate holds for random orientations (not for " + settings.law.name() +
                      " ones) - leave out the control variate");

@@ -10,6 +10,7 @@
 #include "shapes/any_shape.h"
 #include "shapes/estimators/exact_average.h"
 #include "shapes/formula.h"
+#include "shapes/needle.h"
 
 namespace vex {
 namespace {
@@ -62,7 +63,8 @@ std::optional<Domain::Kind> domain_of(const Settings& settings) {
 
 /// Why B can lie nowhere inside A, whatever the orientations; empty where it can.
 std::string why_no_volume(const Body& a, const Body& b, const OrientationLaw& law) {
-  if (average_excluded_volume(a.measures, b.measures) == 0.0) {
+  // By what the bodies are: measures that somebody gave must not answer in place of the run.
+  if (a.body.target<Needle>() != nullptr && b.body.target<Needle>() != nullptr) {
     return "two needles exclude no volume, in no orientation: <V_ex> = 0";
   }
   if (difference_is_flat(a, b, law)) return "flat bodies in parallel planes exclude no volume: <V_ex> = 0";
@@ -98,9 +100,10 @@ void choose(const Body& a, const Body& b, const Settings& settings, MonteCarloSe
   result->estimator = chosen.estimator;
   result->sequence = settings.sequence.value_or(chosen.sequence);
   result->chosen_because = "a pilot found it the fastest to a relative error of " + shortest_number(error);
-  // Where no pilot had an error, nothing but a limit would end a run without a rule.
+  // Where no pilot had an error, nothing but a limit would end a run without a count or a time.
   constexpr std::uint64_t kMostInVain = 10'000'000;
-  if (!(chosen.cost.n_trials > 0 && std::isfinite(chosen.cost.relative_error)) && !is_stopped_by_rule(settings)) {
+  if (!(chosen.cost.n_trials > 0 && std::isfinite(chosen.cost.relative_error)) && !settings.trials &&
+      !settings.seconds) {
     driver->stop.max_trials = std::min(driver->stop.max_trials, kMostInVain);
   }
 }
@@ -143,7 +146,8 @@ void find_reference(const Body& a, const Body& b, const Settings& settings, Excl
   }
   result->reference_reason = "the formula holds for isotropic orientations, not for " + settings.law.name() + " ones";
   if (!settings.exact_average) return;
-  if (!a.normals.area || !b.normals.area || !a.measures.are_known() || !b.measures.are_known()) {
+  const auto has_normals = [](const Body& body) { return body.normals.area && body.normals.mean_curvature; };
+  if (!has_normals(a) || !has_normals(b) || !a.measures.are_known() || !b.measures.are_known()) {
     result->reference_reason += ", and a body is without its measures on normals";
     return;
   }
@@ -233,7 +237,9 @@ Reference formula_reference(const Measures& a, const Measures& b) {
 
 ExcludedVolume excluded_volume(const Body& a, const Body& b, const ExcludedVolumeSettings& settings) {
   const Estimator* const asked = estimator_asked_for(settings);
-  for (const Body* const body : {&a, &b}) {
+  std::vector<const Body*> bodies = {&a, &b};
+  for (const Body& control : settings.control_variate) bodies.push_back(&control);
+  for (const Body* const body : bodies) {
     require_measures_that_can_be(*body);
     require_size_for_volumes(*body);
   }

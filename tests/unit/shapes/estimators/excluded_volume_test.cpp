@@ -128,6 +128,13 @@ TEST(FrontDoor, RefusesMeasuresThatNoBodyHas) {
                             Measures{HUGE_VAL, 1.0, 1.0}, Measures{1.0, HUGE_VAL, 1.0}}) {
     EXPECT_THROW(excluded_volume(MismeasuredBall{{1.0}, m}, Box(1, 1, 1), {.trials = 1000}), InputError);
   }
+  EXPECT_THROW(
+      excluded_volume(Box(1, 1, 1), Box(1, 1, 1), {.control_variate = {MismeasuredBall{{1.0}, {-1.0, 1.0, 1.0}}}}),
+      InputError);
+  // Zeros are no answer in place of the run.
+  const ExcludedVolume of_zeros =
+      excluded_volume(MismeasuredBall{{1.0}, {}}, MismeasuredBall{{1.0}, {}}, {.rel_error = 1e-3});
+  EXPECT_NEAR(of_zeros.value, 32.0 / 3.0 * std::numbers::pi, 5.0 * of_zeros.std_error);
   // Others, if wrong, the run disagrees with.
   const ExcludedVolume r =
       excluded_volume(MismeasuredBall{{1.0}, {4.0, 12.0, 12.0}}, Box(1, 1, 1), {.rel_error = 1e-3});
