@@ -4,6 +4,7 @@
 #include <concepts>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "engine/support/convex_body.h"
@@ -23,15 +24,18 @@ struct Body {
   NormalMeasures normals{};  // none of a body that somebody made without
 
   /// Of a class that computes its measures these, and its measures on normals; of another support mapping, as a user's
-  /// own, no measures are known. Throws InputError as ConvexBody does.
+  /// own, no measures are known. A class made of a shape, with a mapping of its own, does not inherit what the shape
+  /// knows of the mapping that it had. Throws InputError as ConvexBody does.
   template <SupportMapping Shape>
     requires(!std::same_as<Shape, ConvexBody>)
   Body(const Shape& shape) : body(convex(shape)) {  // NOLINT(google-explicit-constructor): every shape is a body
-    if constexpr (requires { Measures(shape.measures()); }) measures = shape.measures();
-    if constexpr (requires { shape.n_faces(); }) n_faces = shape.n_faces();
-    if constexpr (requires { shape.area_measure(), shape.mean_curvature_measure(); }) {
-      normals = normal_measures_of(shape);
-    }
+    constexpr bool has_old_measures = requires { requires is_of_older_mapping<Shape>(&Shape::measures); };
+    if constexpr (requires { Measures(shape.measures()); } && !has_old_measures) measures = shape.measures();
+    constexpr bool has_old_faces = requires { requires is_of_older_mapping<Shape>(&Shape::n_faces); };
+    if constexpr (requires { shape.n_faces(); } && !has_old_faces) n_faces = shape.n_faces();
+    constexpr bool has_old_normals = requires { requires is_of_older_mapping<Shape>(&Shape::area_measure); }
+    || requires { requires is_of_older_mapping<Shape>(&Shape::mean_curvature_measure); };
+    if constexpr (HasNormalMeasures<Shape> && !has_old_normals) normals = normal_measures_of(shape);
   }
   Body(ConvexBody convex) : body(std::move(convex)) {}  // NOLINT(google-explicit-constructor): likewise
   Body(std::string kind_of_body, ConvexBody convex, const Measures& of_body, std::size_t n_of_faces = 0,
@@ -45,8 +49,30 @@ struct Body {
   operator const ConvexBody&() const { return body; }  // NOLINT(google-explicit-constructor): it is one
 
  private:
+  /// A pointer to a member tells the class that it was declared in.
+  template <class Member, class Class>
+  static constexpr std::type_identity<Class> declaring(Member Class::*) {
+    return {};
+  }
+  template <class Shape>
+  static constexpr auto declaring_support() {
+    if constexpr (requires { declaring(&Shape::template support<double>); }) {
+      return declaring(&Shape::template support<double>);
+    } else if constexpr (requires { declaring(&Shape::support); }) {
+      return declaring(&Shape::support);
+    } else {
+      return std::type_identity<Shape>();  // one of several of the name, or a hidden one: the class's own
+    }
+  }
+  /// Whether the member was declared by a base of the class that declares `support`: it knows nothing of it.
+  template <class Shape, class Member, class Class>
+  static constexpr bool is_of_older_mapping(Member Class::*) {
+    using Mapping = decltype(declaring_support<Shape>())::type;
+    return std::is_base_of_v<Class, Mapping> && !std::same_as<Class, Mapping>;
+  }
+
   /// Of a class made of Polytope that gives none of its members another meaning: it is its vertices, as a regular
-  /// polyhedron is. A pointer to a member tells the class that it was declared in.
+  /// polyhedron is.
   template <class Shape>
   static constexpr bool is_its_vertices() {
     return std::derived_from<Shape, Polytope> && requires {

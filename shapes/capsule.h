@@ -10,13 +10,6 @@ class Capsule : public Rounded<Needle> {
  public:
   /// `length`: of the straight part, without the caps.
   Capsule(double length, double radius) : Rounded<Needle>(Needle(length), Needle(length).measures(), radius) {}
-
-  NormalMeasure area_measure() const {
-    return parallel_body_area_measure(body().area_measure(), body().mean_curvature_measure(), radius());
-  }
-  NormalMeasure mean_curvature_measure() const {
-    return parallel_body_mean_curvature_measure(body().mean_curvature_measure(), radius());
-  }
 };
 
 }  // namespace vex

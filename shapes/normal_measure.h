@@ -8,6 +8,7 @@
 // sections 4.2, 5.1.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -128,8 +129,15 @@ struct NormalMeasures {
   std::function<NormalMeasure()> mean_curvature;  // H_K
 };
 
-/// Those of a shape that has both as member functions. Keeps a copy of it.
+/// A body that knows both.
 template <class Shape>
+concept HasNormalMeasures = requires(const Shape& shape) {
+  { shape.area_measure() } -> std::same_as<NormalMeasure>;
+  { shape.mean_curvature_measure() } -> std::same_as<NormalMeasure>;
+};
+
+/// Keeps a copy of the shape.
+template <HasNormalMeasures Shape>
 NormalMeasures normal_measures_of(const Shape& shape) {
   return {[shape] { return shape.area_measure(); }, [shape] { return shape.mean_curvature_measure(); }};
 }

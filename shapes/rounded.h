@@ -49,6 +49,13 @@ class Rounded : public Inflated<Body> {
         measures_(parallel_body_measures(body_measures, radius)) {}
 
   Measures measures() const { return measures_; }
+  NormalMeasure area_measure() const requires HasNormalMeasures<Body> {
+    const Body& body = this->body();
+    return parallel_body_area_measure(body.area_measure(), body.mean_curvature_measure(), this->radius());
+  }
+  NormalMeasure mean_curvature_measure() const requires HasNormalMeasures<Body> {
+    return parallel_body_mean_curvature_measure(this->body().mean_curvature_measure(), this->radius());
+  }
 
  private:
   Measures measures_;

@@ -122,7 +122,8 @@ Json estimate_json(const MeshRun& run) {
   const bool is_known = !std::isnan(run.result.value);
   json["excluded_volume"] = number_or_null(run.result.value);
   json["std_error"] = is_known ? number_or_null(run.result.std_error) : Json(nullptr);
-  json["ci95"] = is_known ? Json{run.result.ci95.lower, run.result.ci95.upper} : Json(nullptr);
+  const Interval95& ci95 = run.result.ci95;  // of one trial it is without end
+  json["ci95"] = is_known && std::isfinite(ci95.upper) ? Json{ci95.lower, ci95.upper} : Json(nullptr);
   json["reduced"] = number_or_null(run.result.reduced);
   json["b2"] = number_or_null(run.result.b2);
   json["trials"] = tally.n_trials;
@@ -260,10 +261,11 @@ std::string reference_text(const MeshRun& run) {
   if (!is_formula) {
     text += run.options.settings.law.dimension() == 0 ? "Exact value  at this one orientation"
                                                       : "Exact average  over these orientations";
-    text += ", from mixed volumes\n";
+    text += run.result.no_run_reason.empty() ? ", from mixed volumes\n" : "\n";
   }
   const auto number = [&](double value) {
-    return reference_number(value, reference->std_error * (value / reference->value));
+    return reference_number(value,
+                            reference->std_error > 0.0 ? reference->std_error * (value / reference->value) : 0.0);
   };
   text += std::string("   <V_ex>, ") + (is_formula ? "formula" : "exact  ") + "                   " +
           number(reference->value) + "\n";
@@ -390,6 +392,9 @@ std::string report_text(const MeshRun& run) {
   }
   if (run.result.record.stopped_by == StopReason::rounding) {
     text += " - incomplete: rounding alone keeps the error above what was asked for";
+  }
+  if (run.result.record.stopped_by == StopReason::in_vain) {
+    text += " - incomplete: more than --max-trials would be needed";
   }
   if (run.result.record.stopped_by == StopReason::max_trials) text += " - incomplete: --max-trials was reached first";
   text += "\n";

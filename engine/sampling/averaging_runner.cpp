@@ -30,6 +30,7 @@ class AveragingRunner final : public TrialRunner {
     by_class.offset = reference_;
     by_class.unit = integrand_->scale();
     by_class.relative_rounding = integrand_->relative_rounding();
+    by_class.absolute_rounding = integrand_->absolute_rounding();
     for (std::uint64_t k = 0; k < points_.n_classes(); ++k) {
       const Trials trials = trials_of_class(k, points_.n_classes(), begin, end);
       for (std::size_t done = 0; done < trials.n; done += kBatch) {

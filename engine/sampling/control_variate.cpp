@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/numeric/rounding.h"
 #include "engine/sampling/points/random_stream.h"
 
 namespace vex {
@@ -22,11 +23,15 @@ int ControlledIntegrand::n_independent_coordinates() const {
                                 g_->n_independent_coordinates() > 0 ? first_of_g : dimension());
 }
 
-double ControlledIntegrand::scale() const { return f_->scale() + std::fabs(weight_) * (g_->scale() + mean_of_g_); }
+double ControlledIntegrand::scale() const {
+  return f_->scale() + std::fabs(weight_) * (g_->scale() + std::fabs(mean_of_g_));
+}
 
-// Of g's mean, which f's need not be larger than.
-double ControlledIntegrand::relative_rounding() const {
-  return f_->relative_rounding() + 2.0 * std::fabs(weight_) * g_->relative_rounding();
+// g is off by its own rounding, relative to its mean, which f's may be far below; and the difference from the mean, the
+// product with the weight and the last difference round once each, values no larger on average than twice g's mean.
+double ControlledIntegrand::absolute_rounding() const {
+  const double of_g = g_->relative_rounding() * std::fabs(mean_of_g_) + g_->absolute_rounding();
+  return f_->absolute_rounding() + std::fabs(weight_) * (of_g + gamma(8) * std::fabs(mean_of_g_));
 }
 
 Doubts ControlledIntegrand::evaluate(std::span<const double> points, std::span<double> values) {
@@ -70,7 +75,11 @@ double control_weight(Integrand& f, Integrand& g, std::uint64_t seed) {
     both += (of_f[k] - mean_f) * (of_g[k] - mean_g);
     squares += (of_g[k] - mean_g) * (of_g[k] - mean_g);
   }
-  return squares > 0x1p-60 * kPoints * mean_g * mean_g ? both / squares : 0.0;
+  // What varies by rounding alone goes together with nothing: a weight of it would be noise, and multiplied by it the
+  // rounding of a large g would be the result.
+  constexpr double kBeyondRounding = 64.0;
+  const double rounding = (g.relative_rounding() + 0x1p-50) * std::fabs(mean_g) + g.absolute_rounding();
+  return std::sqrt(squares / kPoints) > kBeyondRounding * rounding ? both / squares : 0.0;
 }
 
 }  // namespace vex

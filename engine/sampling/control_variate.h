@@ -19,7 +19,8 @@ class ControlledIntegrand final : public Integrand {
   int dimension() const override;
   int n_independent_coordinates() const override;
   double scale() const override;
-  double relative_rounding() const override;
+  double relative_rounding() const override { return f_->relative_rounding(); }
+  double absolute_rounding() const override;
   double cost() const override { return f_->cost() + g_->cost(); }
   Doubts evaluate(std::span<const double> points, std::span<double> values) override;
 
@@ -30,7 +31,7 @@ class ControlledIntegrand final : public Integrand {
 };
 
 /// The weight of least variance, cov(f, g) / var(g), by some thousand random points of (seed, Stream::pilot), which no
-/// run uses. 0 where g does not vary.
+/// run uses. 0 where g does not vary, or not beyond what rounding alone would make it vary.
 double control_weight(Integrand& f, Integrand& g, std::uint64_t seed);
 
 }  // namespace vex

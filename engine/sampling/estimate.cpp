@@ -142,10 +142,11 @@ VolumeEstimate class_estimate(const Tally& tally) {
   }
   const double half_width = half_width_of_undecided(tally);
   const double volume = by_class.offset + by_class.unit * mean;
-  const double rounding = std::max(by_class.relative_rounding, gamma(16)) * std::fabs(volume);
+  const double rounding = std::max(by_class.rounding_of(volume), gamma(16) * std::fabs(volume));
   const double std_error = std::max(std::hypot(by_class.unit * sampling_error, half_width), rounding);
   const double reach = std::max(by_class.unit * quantile * sampling_error + half_width, rounding);
-  return {volume, std_error, {std::max(0.0, volume - reach), volume + reach}};
+  // A mean below 0, as a control variate may give one, keeps the interval that is its own.
+  return {volume, std_error, {volume > 0.0 ? std::max(0.0, volume - reach) : volume - reach, volume + reach}};
 }
 
 VolumeEstimate volume_estimate(const Tally& tally, const Domain& domain) {

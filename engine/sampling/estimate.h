@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "engine/sampling/domain.h"
 #include "engine/sampling/tally.h"
@@ -26,7 +27,10 @@ struct VolumeEstimate {
   double std_error = 0.0;
   Interval95 ci95;
 
-  double relative_error() const { return std_error / excluded_volume; }  // infinite for no hit
+  /// Infinite where nothing was hit, or where the mean came out below 0.
+  double relative_error() const {
+    return excluded_volume > 0.0 ? std_error / excluded_volume : std::numeric_limits<double>::infinity();
+  }
 };
 
 VolumeEstimate hit_or_miss_estimate(const Tally& tally, double domain_volume);

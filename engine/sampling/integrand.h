@@ -36,6 +36,8 @@ class Integrand {
 
   /// What a value is off by, relative to the mean, besides its doubts: a proven bound.
   virtual double relative_rounding() const = 0;
+  /// And, where values are differences of larger ones, what it is off by besides that, length^3.
+  virtual double absolute_rounding() const { return 0.0; }
 
   /// Of a value, about, in nanoseconds of one thread: counted, not measured (trial_cost.h).
   virtual double cost() const = 0;

@@ -128,9 +128,10 @@ class Run {
 
   // Whether the error asked for is below the integrand's own rounding, and all else is nearly so.
   bool rounding_is_most() const {
-    const double rounding = record_.tally.by_class.relative_rounding;
-    return rounding > *settings_.stop.relative_error &&
-           volume_estimate(record_.tally, settings_.domain).relative_error() <= 2.0 * rounding;
+    const VolumeEstimate estimate = volume_estimate(record_.tally, settings_.domain);
+    const double rounding = record_.tally.by_class.rounding_of(estimate.excluded_volume);
+    return rounding > *settings_.stop.relative_error * std::fabs(estimate.excluded_volume) &&
+           estimate.std_error <= 2.0 * rounding;
   }
 
   // Called with the lock held, when all trials up to round_end_ are done.
@@ -142,6 +143,9 @@ class Run {
       stop(StopReason::undecided);
     } else if (is_only_rule_ && rounding_is_most()) {
       stop(StopReason::rounding);
+    } else if (is_only_rule_ &&
+               is_in_vain(*settings_.stop.relative_error, record_.tally, settings_.domain, settings_.stop.max_trials)) {
+      stop(StopReason::in_vain);
     } else if (round_end_ == trial_limit()) {
       const bool as_asked = settings_.stop.trials && *settings_.stop.trials <= trial_limit();
       stop(as_asked ? StopReason::trials : StopReason::max_trials);
@@ -267,7 +271,7 @@ bool is_good(const Domain& domain) {
 
 }  // namespace
 
-RunRecord run_monte_carlo(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings) {
+void require_threads_and_stop_rule(const MonteCarloSettings& settings) {
   if (settings.n_threads < 1) throw UsageError("a run has no threads - give one at least");
   if (settings.n_threads > kMostThreads) {
     throw UsageError("too many threads (" + std::to_string(settings.n_threads) + ") - at most " +
@@ -276,19 +280,23 @@ RunRecord run_monte_carlo(const ConvexBody& a, const ConvexBody& b, const MonteC
   if (settings.stop.max_trials < 1 || settings.stop.trials.value_or(1) < 1) {
     throw UsageError("a run has no trials - give one at least");
   }
-  if (!settings.integrand && !is_good(settings.domain)) {
-    throw UsageError("a run has no domain to sample, or one whose volume is not its own - give best_domain(a, b)");
-  }
-  if (!settings.integrand && !settings.backend.make) throw UsageError("a run has no backend - give gjk_backend()");
-  for (const BackendKind& backend : settings.cross_check) {
-    if (!backend.make) throw UsageError("a backend to compare with is none - give one that is");
-  }
   const StopRule& stop = settings.stop;
   if (stop.relative_error && !(*stop.relative_error > 0.0 && std::isfinite(*stop.relative_error))) {
     throw UsageError("a relative error is not positive and finite - give one such as 1e-3");
   }
   if (stop.seconds && !(*stop.seconds >= 0.0 && std::isfinite(*stop.seconds))) {
     throw UsageError("a run's seconds are negative or not finite - give a time");
+  }
+}
+
+RunRecord run_monte_carlo(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings) {
+  require_threads_and_stop_rule(settings);
+  if (!settings.integrand && !is_good(settings.domain)) {
+    throw UsageError("a run has no domain to sample, or one whose volume is not its own - give best_domain(a, b)");
+  }
+  if (!settings.integrand && !settings.backend.make) throw UsageError("a run has no backend - give gjk_backend()");
+  for (const BackendKind& backend : settings.cross_check) {
+    if (!backend.make) throw UsageError("a backend to compare with is none - give one that is");
   }
   if (settings.stratified && (settings.domain.kind != Domain::Kind::ball || settings.integrand)) {
     throw UsageError("strata are of hit-or-miss in a ball - give a ball as the domain and no integrand");

@@ -107,6 +107,10 @@ struct RunRecord {
 /// before its first trial. Exceptions of a backend end the run and are thrown again here.
 RunRecord run_monte_carlo(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings);
 
+/// Throws UsageError where the numbers of threads or trials, the relative error or the time are none that a run can
+/// have: what `run_monte_carlo` asks first, for those who may find that there is nothing to run.
+void require_threads_and_stop_rule(const MonteCarloSettings& settings);
+
 /// The ball within which B's centre always meets A: its share of the domain's volume, a little less than all of it.
 double inner_share(const ConvexBody& a, const ConvexBody& b, const Domain& domain);
 

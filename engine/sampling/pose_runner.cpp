@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/numeric/errors.h"
 #include "engine/query/overlap.h"
 #include "engine/sampling/poses/pose_columns.h"
 #include "engine/sampling/poses/pose_map.h"
@@ -101,12 +102,32 @@ class PoseRunner final : public TrialRunner {
     }
   }
 
+  // A set that holds A - B at one orientation is no larger than the domain, by more than rounding, unless a body
+  // reaches farther than it claims, or not as far as its own centre; then no mean of hits is its excluded volume.
+  static void bound(std::span<double> shares) {
+    bool are_shares = true;
+    for (double& share : shares) {
+      are_shares = are_shares && share >= 0.0 && share <= 1.0 + 0x1p-20;
+      share = std::min(1.0, share);
+    }
+    if (!are_shares) {
+      throw InputError(
+          "a body's support mapping reaches farther than its circumradius, or not around its centre - ask "
+          "vex::validate what is wrong with it");
+    }
+  }
+
   // Poses by a kernel; what the quick verdict decides is only counted.
   void run_columns(const Trials& trials, BlockRecord& record) {
     if (recipe_.points != nullptr) {
       points_.many(trials.first, trials.n, columns_of_points_.data(), PoseColumns::kStride);
     }
     draw_poses_(recipe_, trials.first, trials.n, columns_);
+    if (fitted_) {
+      bound({columns_.share, columns_.n_open});
+      bound({columns_.share_disjoint, columns_.n_disjoint});
+      bound({columns_.share_overlap, columns_.n_overlap});
+    }
     record.tally.add(DecidedBy::outer_bound, columns_.n_disjoint, 0);
     record.tally.add(DecidedBy::inner_bound, 0, columns_.n_overlap);
     const std::size_t n_open = columns_.n_open;
@@ -164,6 +185,7 @@ class PoseRunner final : public TrialRunner {
       const PosedTrial trial = sampler_(trials.index(k));
       poses_[k] = trial.a_from_b;
       shares_[k] = trial.domain_share;
+      bound({&shares_[k], 1});
       if (quick_ != nullptr) {
         const QuickVerdict::Answer<double> quick = (*quick_)(poses_[k], trial.position);
         if (quick.disjoint) {

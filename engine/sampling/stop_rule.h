@@ -27,6 +27,7 @@ enum class StopReason {
   max_trials,      // given up: incomplete
   undecided,       // given up: undecided trials alone keep the error above what was asked for: incomplete
   rounding,        // given up: an integrand's own rounding is above it: incomplete
+  in_vain,         // given up: after many trials next to nothing is known of the mean (is_in_vain): incomplete
   interrupted,     // by the user: incomplete
 };
 
@@ -38,6 +39,7 @@ constexpr std::string_view name_of(StopReason reason) {
     case StopReason::max_trials: return "max-trials";
     case StopReason::undecided: return "undecided";
     case StopReason::rounding: return "rounding";
+    case StopReason::in_vain: return "in-vain";
     case StopReason::interrupted: break;
   }
   return "interrupted";
@@ -73,6 +75,18 @@ inline bool reaches(double relative_error, const Tally& tally, const Domain& dom
       certain || (domain.kind == Domain::Kind::fitted && tally.n_trials >= kFittedTrialsWithoutMisses);
   if (!may_lack_misses && tally.n_misses() < kMinHitsAndMisses) return false;
   return volume_estimate(tally, domain).relative_error() <= relative_error;
+}
+
+/// Whether a run that only a relative error ends is given up: ten million trials leave more than a tenth of the mean
+/// open, or all of it, and with an error that falls as the root of their number `most_trials` will not do either. Such
+/// are bodies whose A - B is nothing, or next to nothing, of what positions are drawn from.
+inline bool is_in_vain(double relative_error, const Tally& tally, const Domain& domain, std::uint64_t most_trials) {
+  constexpr std::uint64_t kMany = 10'000'000;
+  constexpr double kNextToNothing = 0.1;
+  if (tally.n_trials < kMany) return false;
+  const double reached = volume_estimate(tally, domain).relative_error(), factor = reached / relative_error;
+  return !(reached < kNextToNothing) &&
+         !(static_cast<double>(tally.n_trials) * (factor * factor) < static_cast<double>(most_trials));
 }
 
 /// Whether undecided trials alone keep the relative error above the one asked for, however many trials follow: half of

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <stdexcept>
@@ -66,18 +67,22 @@ struct ClassTally {
   };
 
   Kind kind = Kind::none;
-  bool are_hits = false;  // a value is a share of the domain, or nothing
-  double offset = 0.0;    // length^3
-  double unit = 0.0;      // length^3
-  double relative_rounding = 0.0;
+  bool are_hits = false;           // a value is a share of the domain, or nothing
+  double offset = 0.0;             // length^3
+  double unit = 0.0;               // length^3
+  double relative_rounding = 0.0;  // of an integrand's values; the other one in length^3
+  double absolute_rounding = 0.0;
   std::vector<ClassSums> classes;
   FixedPointSum half_widths;  // of what undecided values of an integrand lie between
 
   /// Whether values of both are counted in the same way: from one offset, in one unit, in as many classes of one kind.
   bool is_like(const ClassTally& other) const {
     return kind == other.kind && are_hits == other.are_hits && offset == other.offset && unit == other.unit &&
-           relative_rounding == other.relative_rounding && classes.size() == other.classes.size();
+           relative_rounding == other.relative_rounding && absolute_rounding == other.absolute_rounding &&
+           classes.size() == other.classes.size();
   }
+  /// What an average of this size is off by besides its standard error and its doubts, length^3.
+  double rounding_of(double volume) const { return relative_rounding * std::fabs(volume) + absolute_rounding; }
 
   /// Throws std::logic_error where the other one is not like this: the sum of the two would be of nothing, and no
   /// standard error would show it.

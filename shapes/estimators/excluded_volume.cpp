@@ -89,9 +89,9 @@ MonteCarloSettings driver_settings(const Settings& settings) {
 }
 
 /// By the seed and the bodies alone.
-void choose(const Body& a, const Body& b, const Settings& settings, MonteCarloSettings* driver,
+void choose(const Body& a, const Body& b, const Settings& settings, const MonteCarloSettings& driver,
             ExcludedVolume* result) {
-  result->candidates = measure_candidates(a, b, *driver);
+  result->candidates = measure_candidates(a, b, driver);
   const double error = settings.rel_error.value_or(estimator_named("radial").usual_relative_error);
   // Hit-or-miss is for every pair, also where an interrupt let no pilot tell anything.
   const Estimator& usual = estimator_named("hit-or-miss");
@@ -100,22 +100,16 @@ void choose(const Body& a, const Body& b, const Settings& settings, MonteCarloSe
   result->estimator = chosen.estimator;
   result->sequence = settings.sequence.value_or(chosen.sequence);
   result->chosen_because = "a pilot found it the fastest to a relative error of " + shortest_number(error);
-  // Where no pilot had an error, nothing but a limit would end a run without a count or a time.
-  constexpr std::uint64_t kMostInVain = 10'000'000;
-  if (!(chosen.cost.n_trials > 0 && std::isfinite(chosen.cost.relative_error)) && !settings.trials &&
-      !settings.seconds) {
-    driver->stop.max_trials = std::min(driver->stop.max_trials, kMostInVain);
-  }
 }
 
-void sample(const Body& a, const Body& b, const Settings& settings, const Estimator* asked, ExcludedVolume* result) {
-  MonteCarloSettings driver = driver_settings(settings);
+void sample(const Body& a, const Body& b, const Settings& settings, MonteCarloSettings driver, const Estimator* asked,
+            ExcludedVolume* result) {
   if (asked != nullptr) {
     result->estimator = asked;
     result->sequence = settings.sequence.value_or(asked->usual_sequence);
     result->chosen_because = settings.estimator.empty() ? "another setting asked for it" : "it was asked for";
   } else {
-    choose(a, b, settings, &driver, result);
+    choose(a, b, settings, driver, result);
   }
   driver.sequence = result->sequence;
   set_estimator(driver, *result->estimator, a, b, domain_of(settings));
@@ -133,6 +127,16 @@ void sample(const Body& a, const Body& b, const Settings& settings, const Estima
   result->complete = result->record.complete;
 }
 
+std::string why_no_formula(const OrientationLaw& law) {
+  return "the formula holds for isotropic orientations, not for " + law.name() + " ones";
+}
+
+Reference exact_reference(const Body& a, const Body& b, const ExactAverage& average) {
+  return {Reference::Kind::exact, average.excluded_volume, average.error,
+          reduced_excluded_volume(average.excluded_volume, a.measures, b.measures),
+          second_virial_coefficient(average.excluded_volume)};
+}
+
 /// The formula, or what takes its place for other laws.
 void find_reference(const Body& a, const Body& b, const Settings& settings, ExcludedVolume* result) {
   if (settings.law.kind() == OrientationLaw::Kind::isotropic) {
@@ -144,7 +148,7 @@ void find_reference(const Body& a, const Body& b, const Settings& settings, Excl
     }
     return;
   }
-  result->reference_reason = "the formula holds for isotropic orientations, not for " + settings.law.name() + " ones";
+  result->reference_reason = why_no_formula(settings.law);
   if (!settings.exact_average) return;
   const auto has_normals = [](const Body& body) { return body.normals.area && body.normals.mean_curvature; };
   if (!has_normals(a) || !has_normals(b) || !a.measures.are_known() || !b.measures.are_known()) {
@@ -155,9 +159,7 @@ void find_reference(const Body& a, const Body& b, const Settings& settings, Excl
   exact.interrupt = settings.interrupt;
   const ExactAverage average = exact_average(a, b, settings.law, exact);
   if (!std::isfinite(average.error)) return;  // interrupted before it was known at all
-  result->reference = {Reference::Kind::exact, average.excluded_volume, average.error,
-                       reduced_excluded_volume(average.excluded_volume, a.measures, b.measures),
-                       second_virial_coefficient(average.excluded_volume)};
+  result->reference = exact_reference(a, b, average);
 }
 
 /// Why the two say nothing of each other; empty where they do.
@@ -171,7 +173,7 @@ std::string why_no_comparison(const ExcludedVolume& result, const Body& a, const
   if (result.domain.volume > 0.0 && hits_by_construction(a, b, law, result.domain)) {
     return "every trial hits by construction: the domain is the excluded volume itself";
   }
-  if (result.std_error <= result.record.tally.by_class.relative_rounding * result.value) {
+  if (result.std_error <= result.record.tally.by_class.rounding_of(result.value)) {
     return "the values are all the same to rounding";
   }
   if (result.reference->std_error > kComparable * result.std_error) {
@@ -237,6 +239,8 @@ Reference formula_reference(const Measures& a, const Measures& b) {
 
 ExcludedVolume excluded_volume(const Body& a, const Body& b, const ExcludedVolumeSettings& settings) {
   const Estimator* const asked = estimator_asked_for(settings);
+  const MonteCarloSettings driver = driver_settings(settings);
+  require_threads_and_stop_rule(driver);
   std::vector<const Body*> bodies = {&a, &b};
   for (const Body& control : settings.control_variate) bodies.push_back(&control);
   for (const Body* const body : bodies) {
@@ -251,14 +255,11 @@ ExcludedVolume excluded_volume(const Body& a, const Body& b, const ExcludedVolum
   result.no_run_reason = why_no_volume(a, b, settings.law);
   if (result.no_run_reason.empty()) {
     find_reference(a, b, settings, &result);
-    sample(a, b, settings, asked, &result);
+    sample(a, b, settings, driver, asked, &result);
   } else {
-    if (settings.law.kind() == OrientationLaw::Kind::isotropic) {
-      result.reference = formula_reference(a.measures, b.measures);
-    } else {
-      result.reference_reason =
-          "the formula holds for isotropic orientations, not for " + settings.law.name() + " ones";
-    }
+    const bool is_isotropic = settings.law.kind() == OrientationLaw::Kind::isotropic;
+    if (!is_isotropic) result.reference_reason = why_no_formula(settings.law);
+    result.reference = is_isotropic ? formula_reference(a.measures, b.measures) : exact_reference(a, b, {});
     result.record.complete = true;
   }
   conclude(a, b, settings.law, &result);

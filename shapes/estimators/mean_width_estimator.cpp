@@ -69,7 +69,7 @@ double least_mean_height(const ConvexBody& body) {
 
 MeanWidthEstimator::MeanWidthEstimator(const ConvexBody& a, const VolumeAndSurface& of_a, const ConvexBody& b,
                                        const VolumeAndSurface& of_b, const OrientationLaw& law)
-    : heights_a_(a), heights_b_(b), of_a_(of_a), of_b_(of_b), is_one_body_(&a == &b) {
+    : heights_a_(a), heights_b_(b), of_a_(of_a), of_b_(of_b), is_one_body_(a.is_same_as(b.identity())) {
   if (law.kind() != OrientationLaw::Kind::isotropic) {
     throw UsageError("mean widths tell nothing of orientations that are not uniform (law " + law.name() +
                      ") - take another estimator, or the isotropic law");
@@ -122,7 +122,7 @@ std::optional<std::string> only_isotropic(const Body& a, const Body& b, const Or
 }
 
 void by_mean_widths(MonteCarloSettings& settings, const Body& a, const Body& b, std::optional<Domain::Kind>) {
-  settings.integrand = [&a, &b] { return std::make_unique<MeanWidthEstimator>(a, b); };
+  settings.integrand = [a, b] { return std::make_unique<MeanWidthEstimator>(a, b); };
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ std::optional<std::string> not_for_thin_ones(const Body& a, const Body& b, const
 }
 
 void by_rays(MonteCarloSettings& settings, const Body& a, const Body& b, std::optional<Domain::Kind>) {
-  settings.integrand = [&a = a.body, &b = b.body, law = settings.law, set = settings.instruction_set] {
+  // Copies, which share the shapes: the integrand may outlive what the caller holds.
+  settings.integrand = [a = a.body, b = b.body, law = settings.law, set = settings.instruction_set] {
     return std::make_unique<RadialEstimator>(a, b, law, set);
   };
 }

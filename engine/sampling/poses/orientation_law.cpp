@@ -82,8 +82,8 @@ std::optional<double> OrientationLaw::order_parameter() const {
     case Kind::aligned: return 1.0;
     case Kind::fixed: return std::nullopt;
     case Kind::cone: {
-      // cos(theta) is uniform on [c, 1], and height_ is 1 - c: the mean of its square is (1 + c + c^2) / 3.
-      const double c = 1.0 - height_;
+      // cos(theta) is uniform on [c, 1]: the mean of its square is (1 + c + c^2) / 3.
+      const double c = sincospi(parameter_ / 180.0).cos;
       return 0.5 * c * (1.0 + c);
     }
     case Kind::onsager: break;

@@ -87,7 +87,7 @@ class Drawing {
     }
     const L largest(recipe_.domain->volume);
     for (std::size_t k = 0; k < n; k += W) {
-      smaller(L::load(columns_.share + k) / largest, L(1.0)).store(columns_.share + k);
+      (L::load(columns_.share + k) / largest).store(columns_.share + k);
     }
     if (recipe_.quick == nullptr) return;
     const QuickVerdict quick = *recipe_.quick;

@@ -24,7 +24,7 @@ PosedTrial PoseSampler::operator()(std::uint64_t index) const {
   const Parallelepiped set = fitted_->at(rotation);
   trial.a_from_b.translation = set.position(point[0], point[1], point[2]);
   trial.position = trial.a_from_b(centre_b_);
-  trial.domain_share = std::min(1.0, set.volume / domain_.volume);
+  trial.domain_share = set.volume / domain_.volume;
   return trial;
 }
 

@@ -69,8 +69,10 @@ Transform<L> pose_at(const std::array<L, kPoseDimension>& point, const Orientati
 /// A trial: where B is put, and how large the set was that its position was drawn from.
 struct PosedTrial {
   Transformd a_from_b;
-  Vec3d position;             // of B's centre: as drawn, where it is drawn in A's frame, or as placed
-  double domain_share = 1.0;  // volume of that set, in units of Domain::volume; at most 1, and 1 for a ball or a box
+  Vec3d position;  // of B's centre: as drawn, where it is drawn in A's frame, or as placed
+  /// Volume of that set, in units of Domain::volume: 1 for a ball or a box, at most 1 for others but for rounding, if
+  /// the bodies keep what they claim.
+  double domain_share = 1.0;
 };
 
 /// The trials of one pair of bodies under (points, law, domain), each a function of its index. Holds references.

@@ -15,7 +15,7 @@
 
 namespace vex {
 
-/// Of one pair and law; holds references. One instance serves one thread.
+/// Of one pair and law. One instance serves one thread.
 class RadialEstimator final : public Integrand {
  public:
   RadialEstimator(const ConvexBody& a, const ConvexBody& b, const OrientationLaw& law,
@@ -41,8 +41,7 @@ class RadialEstimator final : public Integrand {
   std::uint64_t n_one_by_one() const { return n_one_by_one_; }
 
  private:
-  const ConvexBody& a_;
-  const ConvexBody& b_;
+  ConvexBody a_, b_;
   RadialMap map_;
   MakeRays make_rays_;
   std::unique_ptr<PacketRays> packets_;

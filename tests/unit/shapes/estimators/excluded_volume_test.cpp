@@ -16,7 +16,10 @@
 #include "meshes/convex_mesh.h"
 #include "shapes/any_shape.h"
 #include "shapes/box.h"
+#include "shapes/formula.h"
 #include "shapes/needle.h"
+#include "shapes/polytope.h"
+#include "shapes/rounded.h"
 #include "shapes/sphere.h"
 #include "shapes/tetrahedron.h"
 
@@ -172,6 +175,112 @@ TEST(Body, OfAClassMadeOfAPolytopeKeepsItsOwnMapping) {
   EXPECT_EQ(doubled.body.target<Polytope>(), nullptr);
 }
 
+TEST(Body, OfAClassWithItsOwnMappingDoesNotInheritMeasures) {
+  struct DoubledBox : Box {
+    using Box::Box;
+    Vec3d support(const Vec3d& d) const { return 2.0 * Box::support(d); }
+    double circumradius() const { return 2.0 * Box::circumradius(); }
+    std::optional<ExactForm> exact_form() const { return std::nullopt; }
+    std::optional<Generators> generators() const { return std::nullopt; }
+    static constexpr bool kRoundsAsKernels = false;
+  };
+  struct MeasuredDoubledBox : DoubledBox {
+    using DoubledBox::DoubledBox;
+    Measures measures() const {
+      const Measures half = Box::measures();
+      return {8.0 * half.volume, 4.0 * half.surface_area, 2.0 * half.integrated_mean_curvature};
+    }
+  };
+  struct NamedBox : Box {
+    using Box::Box;
+  };
+  const Body doubled = DoubledBox(1, 2, 3), measured = MeasuredDoubledBox(1, 2, 3), named = NamedBox(1, 2, 3);
+  EXPECT_FALSE(doubled.measures.are_known()) << "they are those of half of it";
+  EXPECT_FALSE(static_cast<bool>(doubled.normals.area));
+  EXPECT_EQ(doubled.n_faces, 0U);
+  EXPECT_EQ(measured.measures.volume, 48.0);
+  EXPECT_FALSE(static_cast<bool>(measured.normals.area));
+  EXPECT_EQ(named.measures.volume, 6.0);
+  EXPECT_TRUE(static_cast<bool>(named.normals.area));
+  EXPECT_TRUE(static_cast<bool>(Body(Rounded<Box>(Box(1, 2, 3), Box(1, 2, 3).measures(), 0.1)).normals.area));
+  const ExcludedVolume r = excluded_volume(doubled, Sphere(1), {.trials = 4096});
+  EXPECT_FALSE(r.reference.has_value());
+  const double truth = average_excluded_volume(Box(2, 4, 6).measures(), Sphere(1).measures());
+  EXPECT_LT(std::fabs(r.value - truth), 5.0 * r.std_error);
+}
+
+TEST(FrontDoor, RefusesAMappingThatReachesFartherThanItClaims) {
+  // In a thousandth of all directions, which no pilot need have seen: the volumes of the sets that hold A - B at one
+  // orientation were then more than sums have room for, or below 0.
+  for (const double far : {3.0, 1e5, -1e5, 1e300, -1e300, HUGE_VAL}) {
+    struct Liar : OwnBall {
+      double far;
+      Vec3d support(const Vec3d& d) const {
+        const double length = norm(d);
+        return d.x > 0.59 * length && d.x < 0.6 * length ? Vec3d{far, far, far} : OwnBall::support(d);
+      }
+    };
+    for (const InstructionSet set : {InstructionSet::scalar, best_instruction_set()}) {
+      EXPECT_THROW(
+          excluded_volume(Liar{{1.0}, far}, Box(1, 1, 1),
+                          {.trials = 200'000, .estimator = "hit-or-miss-fitted", .threads = 2, .instruction_set = set}),
+          InputError)
+          << far;
+    }
+  }
+}
+
+TEST(FrontDoor, KeepsWhatItsIntegrandsAreOf) {
+  MonteCarloSettings settings;
+  settings.stop.trials = 4096;
+  const ConvexBody nobody = Sphere(1);
+  for (const char* const name : {"radial", "mixed-volume", "mean-width"}) {
+    set_estimator(settings, estimator_named(name), Body(Box(1, 2, 3)), Body(parse_shape("capsule:1,0.5")));
+    const VolumeEstimate found = volume_estimate(run_monte_carlo(nobody, nobody, settings).tally, {});
+    const double truth = average_excluded_volume(Box(1, 2, 3).measures(), parse_shape("capsule:1,0.5").measures);
+    EXPECT_LT(std::fabs(found.excluded_volume - truth), 5.0 * found.std_error) << name;
+  }
+}
+
+TEST(FrontDoor, IsNotLedAstrayByALargeControlVariate) {
+  // Rounding of volumes 1e60 times as large was taken for a variance that goes with that of the bodies.
+  for (const char* const control : {"sphere:1e20", "box:1e20,1e20,1e20", "ellipsoid:1e20,1e20,1.1e20", "sphere:1e-9"}) {
+    for (const char* const estimator : {"radial", "mixed-volume"}) {
+      const ExcludedVolume r =
+          excluded_volume(parse_shape("box:1,2,3"), parse_shape("capsule:1,1"),
+                          {.trials = 1u << 15, .estimator = estimator, .control_variate = {parse_shape(control)}});
+      ASSERT_TRUE(r.z.has_value()) << r.z_reason;
+      EXPECT_LT(std::fabs(*r.z), 5.0) << control << " " << estimator;
+      EXPECT_LT(r.std_error, 0.01 * r.value) << control << " " << estimator;
+      EXPECT_LT(r.ci95.lower, r.ci95.upper);
+    }
+  }
+}
+
+TEST(FrontDoor, ChecksSettingsAlsoWhereNothingIsRun) {
+  for (const ExcludedVolumeSettings& settings :
+       {ExcludedVolumeSettings{.rel_error = -1.0}, ExcludedVolumeSettings{.trials = 0},
+        ExcludedVolumeSettings{.seconds = -1.0}, ExcludedVolumeSettings{.threads = kMostThreads + 1},
+        ExcludedVolumeSettings{.estimator = "radail"}}) {
+    EXPECT_THROW(excluded_volume(Needle(1), Needle(1), settings), UsageError);
+  }
+}
+
+TEST(FrontDoor, EndsWhereNothingIsHit) {
+  // Two triangles in planes that stay parallel, though neither is across an axis: A - B is flat, and no rule would end
+  // the run before 1e11 trials.
+  const Body triangle = Polytope({{0, 0, 0}, {1, 0, 1}, {0, 1, 1}});
+  const ExcludedVolume of_triangles =
+      excluded_volume(triangle, triangle, {.law = OrientationLaw::aligned(), .estimator = "hit-or-miss"});
+  EXPECT_EQ(of_triangles.record.stopped_by, StopReason::in_vain);
+  EXPECT_FALSE(of_triangles.complete);
+  EXPECT_LT(of_triangles.value, 1e-6);
+  const ExcludedVolume of_the_long =
+      excluded_volume(parse_shape("sphere:1e-9"), parse_shape("needle:1e9"), {.estimator = "hit-or-miss"});
+  EXPECT_EQ(of_the_long.record.stopped_by, StopReason::in_vain);
+  EXPECT_GT(of_the_long.ci95.upper, of_the_long.reference->value);
+}
+
 TEST(FrontDoor, PassesOnWhatASupportMappingThrows) {
   struct Throwing : OwnBall {
     Vec3d support(const Vec3d& /*d*/) const { throw std::runtime_error("of the user's own"); }
@@ -202,6 +311,10 @@ TEST(FrontDoor, SamplesNothingWhereTheVolumeIsZero) {
   EXPECT_FALSE(r.no_run_reason.empty());
   EXPECT_FALSE(r.z.has_value());
   EXPECT_TRUE(r.complete);
+  const ExcludedVolume of_law = excluded_volume(Needle(1), Needle(2), {.law = OrientationLaw::cone(30.0)});
+  ASSERT_TRUE(of_law.reference.has_value());
+  EXPECT_EQ(of_law.reference->kind, Reference::Kind::exact);
+  EXPECT_EQ(of_law.reference->value, 0.0);
 }
 
 TEST(FrontDoor, RefusesSettingsThatContradictEachOther) {
