@@ -162,20 +162,20 @@ Answer Question::overlap_answer(const Transformd& a_from_b) const {
 }
 
 Answer Question::overlap_of(const WidenedPair& pair, const Transformd& a_from_b) const {
+  const OverlapAnswer found = vex::overlap_answer(pair.a, pair.b, a_from_b);
   Answer result;
-  const bool with_check = settings_.with_certificate;
-  result.verdict = overlap(pair.a, pair.b, a_from_b, &result.certificate, kMaxSupportCalls,
-                           with_check ? CertificateDetail::full : CertificateDetail::no_witnesses);
-  result.n_support_calls = result.certificate.n_support_calls;
+  result.verdict = found.verdict;
+  result.n_support_calls = found.n_support_calls;
   if (result.is_undecided()) {
     // Of the widened bodies, which are nearer to each other by the margin.
-    result.lower = result.certificate.gap_lower;
-    result.upper = result.certificate.gap_upper;
+    result.lower = found.gap_lower;
+    result.upper = found.gap_upper;
     if (pair.most > 0.0) {
       result.lower = std::nextafter(result.lower + pair.least, -HUGE_VAL);
       result.upper = std::nextafter(result.upper + pair.most, HUGE_VAL);
     }
-  } else if (with_check) {
+  } else if (settings_.with_certificate) {
+    overlap(pair.a, pair.b, a_from_b, &result.certificate);
     result.check = check_certificate(pair.a, pair.b, a_from_b, result.verdict.outcome, result.certificate);
   }
   return result;

@@ -41,6 +41,15 @@ struct OverlapCertificate {
   int n_support_calls = 0;  // support mappings of A - B evaluated by the search, for any verdict
 };
 
+/// A verdict and what the search for it left behind; members as in its certificate.
+struct OverlapAnswer {
+  Verdict verdict;
+  int n_support_calls = 0;
+  Vec3d separating_dir{}, separating_dir_low{};  // where disjoint
+  double gap_lower = -std::numeric_limits<double>::infinity();
+  double gap_upper = std::numeric_limits<double>::infinity();
+};
+
 /// Whether a certificate proves what is claimed, and if not, what is missing.
 struct CertificateCheck {
   bool is_proven = false;

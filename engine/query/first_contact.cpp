@@ -101,23 +101,23 @@ FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Pose& p
   if (!(norm_1(motion) > 0.0 && is_finite(motion))) {
     throw InputError("a direction of motion is zero or not finite - give a finite vector of any other length");
   }
-  OverlapCertificate certificate;
-  const Verdict at_start = overlap(a, b, pose, &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
+  const OverlapAnswer start = overlap_answer(a, b, pose);
+  const Verdict at_start = start.verdict;
   if (at_start.outcome == Outcome::overlap) {
     FirstContact contact = contact_at_start(a, b, a_from_b, at_start);
     if (!(norm_1(contact.normal) > 0.0)) contact.normal = unit_along(-motion);
-    contact.n_support_calls += certificate.n_support_calls;
+    contact.n_support_calls += start.n_support_calls;
     return contact;
   }
   if (!are_within_range(a, b, a_from_b)) {
     const Verdict undecided = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);
-    return {undecided, 0.0, 0.0, HUGE_VAL, {}, {}, {}, certificate.n_support_calls};
+    return {undecided, 0.0, 0.0, HUGE_VAL, {}, {}, {}, start.n_support_calls};
   }
   const int motion_exponent =
       std::ilogb(std::fmax(std::fabs(motion.x), std::fmax(std::fabs(motion.y), std::fabs(motion.z))));
   RaySearch search(a, b, a_from_b, times_power_of_two(motion, -motion_exponent));
-  const RayBounds bounds = search.run(certificate.separating_dir, at_start.outcome == Outcome::disjoint);
-  const int n_support_calls = certificate.n_support_calls + search.n_support_calls();
+  const RayBounds bounds = search.run(start.separating_dir, at_start.outcome == Outcome::disjoint);
+  const int n_support_calls = start.n_support_calls + search.n_support_calls();
   if (bounds.is_miss) {
     FirstContact none = no_contact(Verdict::disjoint(DecidedBy::gjk));
     none.n_support_calls = n_support_calls;

@@ -1,6 +1,6 @@
 #include "engine/query/overlap.h"
 
-#include <functional>
+#include <optional>
 
 #include "engine/query/exact/exact_overlap.h"
 #include "engine/query/exact/extended_overlap.h"
@@ -15,56 +15,57 @@ Witness witness_of(const PlacedForms& forms, const ExactOverlap& exact, int k) {
   return {{}, {}, {}, {}, forms.a.points[exact.carriers_a[index]], forms.b.points[exact.carriers_b[index]]};
 }
 
-// What the filter left open, and the witnesses of what it did not.
-Verdict decide_by_forms(const PlacedForms& forms, const Verdict& filtered, OverlapCertificate* certificate,
-                        bool wants_witnesses, int& n_support_calls, int max_support_calls,
-                        const std::function<bool()>& is_proof) {
-  const bool is_open = filtered.outcome == Outcome::undecided;
-  if (forms.are_rounded_polytopes()) {
-    const ExactOverlap exact = exact_overlap(forms);
-    if (is_open) n_support_calls += exact.n_support_calls;
-    if (wants_witnesses) {
-      certificate->n_witnesses = exact.n_carriers;
-      for (int k = 0; k < exact.n_carriers; ++k) {
-        certificate->witnesses[static_cast<std::size_t>(k)] = witness_of(forms, exact, k);
-      }
+// What the filter leaves open goes to the exact forms. `witnesses`: null, or what receives those of an overlap, of one
+// that the filter has proven too.
+OverlapAnswer decide(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, int max_support_calls,
+                     OverlapCertificate* witnesses) {
+  const FilterResult filtered = filter_overlap(a, b, a_from_b, max_support_calls);
+  OverlapAnswer answer{filtered.verdict, filtered.n_support_calls, filtered.separating_dir};
+  const bool is_open = answer.verdict.outcome == Outcome::undecided;
+  if (!is_open && !(answer.verdict.outcome == Outcome::overlap && witnesses != nullptr)) return answer;
+  const std::optional<PlacedForms> forms = placed_forms(a, b, a_from_b);
+  if (!forms) return answer;
+  if (forms->are_rounded_polytopes()) {
+    const ExactOverlap exact = exact_overlap(*forms);
+    if (is_open) {
+      answer.n_support_calls += exact.n_support_calls;
+      answer.verdict = exact.overlap ? Verdict::overlap(DecidedBy::exact) : Verdict::disjoint(DecidedBy::exact);
     }
-    if (!is_open) return filtered;
-    return exact.overlap ? Verdict::overlap(DecidedBy::exact) : Verdict::disjoint(DecidedBy::exact);
+    if (witnesses == nullptr) return answer;
+    witnesses->n_witnesses = exact.n_carriers;
+    for (int k = 0; k < exact.n_carriers; ++k) {
+      witnesses->witnesses[static_cast<std::size_t>(k)] = witness_of(*forms, exact, k);
+    }
+    return answer;
   }
-  Verdict verdict = filtered;
   if (is_open) {
-    const ExtendedOverlap found = extended_overlap(forms, certificate, max_support_calls);
-    n_support_calls += found.n_support_calls;
-    verdict = found.verdict;
+    answer = extended_overlap(*forms, max_support_calls);
+    answer.n_support_calls += filtered.n_support_calls;
   }
-  if (wants_witnesses && verdict.outcome == Outcome::overlap) {
-    find_witnesses(forms, *certificate, is_proof);
+  if (witnesses != nullptr && answer.verdict.outcome == Outcome::overlap) {
+    find_witnesses(*forms, *witnesses,
+                   [&] { return check_certificate(a, b, a_from_b, Outcome::overlap, *witnesses).is_proven; });
   }
-  return verdict;
+  return answer;
 }
 
 }  // namespace
 
 Verdict overlap(const ConvexBody& a, const ConvexBody& b, const Pose& pose, OverlapCertificate* certificate,
-                int max_support_calls, CertificateDetail detail) {
-  const Transformd& a_from_b = pose.a_from_b();
-  FilterResult found = filter_overlap(a, b, a_from_b, max_support_calls);
-  Verdict verdict = found.verdict;
-  if (certificate != nullptr) {
-    *certificate = {};
-    certificate->separating_dir = found.separating_dir;
-  }
-  const bool wants_witnesses = certificate != nullptr && detail == CertificateDetail::full;
-  if (verdict.outcome == Outcome::undecided || (verdict.outcome == Outcome::overlap && wants_witnesses)) {
-    if (const std::optional<PlacedForms> forms = placed_forms(a, b, a_from_b)) {
-      verdict =
-          decide_by_forms(*forms, verdict, certificate, wants_witnesses, found.n_support_calls, max_support_calls,
-                          [&] { return check_certificate(a, b, a_from_b, Outcome::overlap, *certificate).is_proven; });
-    }
-  }
-  if (certificate != nullptr) certificate->n_support_calls = found.n_support_calls;
-  return verdict;
+                int max_support_calls) {
+  if (certificate == nullptr) return overlap_answer(a, b, pose, max_support_calls).verdict;
+  *certificate = {};
+  const OverlapAnswer answer = decide(a, b, pose.a_from_b(), max_support_calls, certificate);
+  certificate->separating_dir = answer.separating_dir;
+  certificate->separating_dir_low = answer.separating_dir_low;
+  certificate->gap_lower = answer.gap_lower;
+  certificate->gap_upper = answer.gap_upper;
+  certificate->n_support_calls = answer.n_support_calls;
+  return answer.verdict;
+}
+
+OverlapAnswer overlap_answer(const ConvexBody& a, const ConvexBody& b, const Pose& pose, int max_support_calls) {
+  return decide(a, b, pose.a_from_b(), max_support_calls, nullptr);
 }
 
 CertificateCheck prove_again(const ConvexBody& a, const ConvexBody& b, const Pose& pose, Outcome claimed) {

@@ -12,10 +12,6 @@ namespace vex {
 /// of curved bodies a few dozen; what reaches the cap is reported as such, never answered.
 inline constexpr int kMaxSupportCalls = 512;
 
-/// What of a certificate is wanted: all of it, or what the search leaves behind at no cost, which is everything but the
-/// witnesses.
-enum class CertificateDetail { full, no_witnesses };
-
 /// Decides whether A and B, placed by `pose`, share a point; never guesses. No quick verdicts before it.
 ///
 /// R of the pose must be a rotation to within 1e-6. Sizes are from 1e-300 to 1e300, coordinates any doubles, as long as
@@ -26,7 +22,11 @@ enum class CertificateDetail { full, no_witnesses };
 /// no exact form and touches to within rounding (E1: 40 u of the pair's reach, more where A - B is a needle or a
 /// plate). `certificate`, if given, receives the proof; of an undecided verdict bounds of the gap.
 Verdict overlap(const ConvexBody& a, const ConvexBody& b, const Pose& pose, OverlapCertificate* certificate = nullptr,
-                int max_support_calls = kMaxSupportCalls, CertificateDetail detail = CertificateDetail::full);
+                int max_support_calls = kMaxSupportCalls);
+
+/// The same verdict, with what the search leaves behind at no cost: all of a certificate but its witnesses.
+OverlapAnswer overlap_answer(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
+                             int max_support_calls = kMaxSupportCalls);
 
 /// Proves again what some backend answered: asks `overlap` for the same outcome with its certificate, and the checker
 /// for the certificate. Not proven where the engine answers otherwise, which is then said.

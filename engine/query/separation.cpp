@@ -209,10 +209,9 @@ Separation concluded(const ConvexBody& a, const ConvexBody& b, const Transformd&
   } else if (found.upper < 0.0) {
     found.verdict = Verdict::overlap(by);
   } else {
-    OverlapCertificate certificate;
-    found.verdict =
-        overlap(a, b, Pose::unchecked(a_from_b), &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
-    found.n_support_calls += certificate.n_support_calls;
+    const OverlapAnswer answer = overlap_answer(a, b, Pose::unchecked(a_from_b));
+    found.verdict = answer.verdict;
+    found.n_support_calls += answer.n_support_calls;
     if (found.verdict.outcome == Outcome::disjoint) found.lower = std::max(found.lower, 0.0);
     if (found.verdict.outcome == Outcome::overlap) found.upper = std::min(found.upper, 0.0);
   }

@@ -279,20 +279,20 @@ FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose
   }
   const bool moves = norm_1(motion.velocity) > 0.0, turns = norm_1(motion.angular_velocity) > 0.0;
   if (moves && !turns) return linear_cast(a, b, pose, motion.velocity);
-  OverlapCertificate certificate;
-  const Verdict at_start = overlap(a, b, pose, &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
+  const OverlapAnswer start = overlap_answer(a, b, pose);
+  const Verdict at_start = start.verdict;
   if (at_start.outcome == Outcome::overlap) {
     const Separation found = penetration_depth(a, b, pose);
     return {at_start,     0.0,           0.0,           0.0,
-            found.normal, found.point_a, found.point_b, found.n_support_calls + certificate.n_support_calls};
+            found.normal, found.point_a, found.point_b, found.n_support_calls + start.n_support_calls};
   }
   if (!moves && !turns) {
     const double never = at_start.outcome == Outcome::disjoint ? HUGE_VAL : 0.0;
-    return {at_start, never, never, HUGE_VAL, {}, {}, {}, certificate.n_support_calls};
+    return {at_start, never, never, HUGE_VAL, {}, {}, {}, start.n_support_calls};
   }
   if (!are_within_range(a, b, a_from_b)) {
     const Verdict undecided = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);
-    return {undecided, 0.0, 0.0, HUGE_VAL, {}, {}, {}, certificate.n_support_calls};
+    return {undecided, 0.0, 0.0, HUGE_VAL, {}, {}, {}, start.n_support_calls};
   }
   const int exponent = exponent_of_motion(a, b, a_from_b, motion);
   const RigidMotion scaled{times_power_of_two(motion.velocity, -exponent),
@@ -304,7 +304,7 @@ FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose
     contact.time = contact.verdict.outcome != Outcome::disjoint ? contact.lower : HUGE_VAL;
     contact.upper = scaled_up(contact.upper, -exponent);
   }
-  contact.n_support_calls += certificate.n_support_calls;
+  contact.n_support_calls += start.n_support_calls;
   return contact;
 }
 

@@ -45,12 +45,10 @@ class ExactMotion {
       const std::optional<Vec3d> moved = exactly_moved(start_(v), time, motion_);
       if (!moved || norm_1(pose(v) - *moved) != 0.0) return std::nullopt;
     }
-    OverlapCertificate certificate;
-    const Verdict verdict =
-        overlap(a_, b_, Pose::unchecked(pose), &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
-    n_support_calls_ += certificate.n_support_calls;
-    if (verdict.outcome == Outcome::undecided) return std::nullopt;
-    return verdict.outcome == Outcome::overlap;
+    const OverlapAnswer answer = overlap_answer(a_, b_, Pose::unchecked(pose));
+    n_support_calls_ += answer.n_support_calls;
+    if (answer.verdict.outcome == Outcome::undecided) return std::nullopt;
+    return answer.verdict.outcome == Outcome::overlap;
   }
   int n_support_calls() const { return n_support_calls_; }
 

@@ -220,30 +220,30 @@ bool find_witnesses_by_hull(const LocalForms& forms, OverlapCertificate& certifi
 
 }  // namespace
 
-ExtendedOverlap extended_overlap(const PlacedForms& placed, OverlapCertificate* certificate, int max_support_calls) {
+OverlapAnswer extended_overlap(const PlacedForms& placed, int max_support_calls) {
   const LocalForms forms(placed);
   const ExtendedDifference difference(forms);
   Findings findings;
   const std::optional<Outcome> outcome = decide(difference, max_support_calls, findings);
-  if (outcome == Outcome::overlap) return {Verdict::overlap(DecidedBy::double_double), findings.n_support_calls};
-  if (outcome == Outcome::disjoint) {
-    if (certificate != nullptr) {
-      certificate->separating_dir = high_part(difference.best_dir());
-      certificate->separating_dir_low = low_part(difference.best_dir());
-    }
-    return {Verdict::disjoint(DecidedBy::double_double), findings.n_support_calls};
-  }
-  const double upper = findings.gap_upper * (1.0 + 0x1p-50) + 2.0 * kExtendedError;
-  const bool is_contact = upper - difference.gap_lower() < kContact;
-  if (certificate != nullptr) {
+  OverlapAnswer answer;
+  answer.n_support_calls = findings.n_support_calls;
+  if (outcome == Outcome::overlap) {
+    answer.verdict = Verdict::overlap(DecidedBy::double_double);
+  } else if (outcome == Outcome::disjoint) {
+    answer.verdict = Verdict::disjoint(DecidedBy::double_double);
+    answer.separating_dir = high_part(difference.best_dir());
+    answer.separating_dir_low = low_part(difference.best_dir());
+  } else {
+    const double upper = findings.gap_upper * (1.0 + 0x1p-50) + 2.0 * kExtendedError;
+    const bool is_contact = upper - difference.gap_lower() < kContact;
+    answer.verdict =
+        Verdict::undecided(DecidedBy::double_double, findings.is_capped && !is_contact ? UndecidedReason::iteration_cap
+                                                                                       : UndecidedReason::rounding);
     // Lengths of any size again: ldexp rounds, at most, an underflowing one.
-    certificate->gap_lower = std::ldexp(difference.gap_lower(), forms.exponent());
-    certificate->gap_upper = std::ldexp(upper, forms.exponent());
+    answer.gap_lower = std::ldexp(difference.gap_lower(), forms.exponent());
+    answer.gap_upper = std::ldexp(upper, forms.exponent());
   }
-  return {
-      Verdict::undecided(DecidedBy::double_double, findings.is_capped && !is_contact ? UndecidedReason::iteration_cap
-                                                                                     : UndecidedReason::rounding),
-      findings.n_support_calls};
+  return answer;
 }
 
 bool find_witnesses(const PlacedForms& placed, OverlapCertificate& certificate, const std::function<bool()>& is_proof) {

@@ -10,14 +10,8 @@
 
 namespace vex {
 
-struct ExtendedOverlap {
-  Verdict verdict;
-  int n_support_calls = 0;
-};
-
-/// Disjoint, overlap, or undecided; where `certificate` is given it receives the separating direction, or the bounds of
-/// the gap.
-ExtendedOverlap extended_overlap(const PlacedForms& forms, OverlapCertificate* certificate, int max_support_calls);
+/// Disjoint, overlap, or undecided.
+OverlapAnswer extended_overlap(const PlacedForms& forms, int max_support_calls);
 
 /// Witnesses around the origin, of bodies that are known to overlap; `is_proof` tells of six whether they prove it.
 /// False, and no witnesses, where none are found. However few calls the verdict was allowed, this takes what it needs.

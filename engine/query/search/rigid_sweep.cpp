@@ -135,11 +135,9 @@ bool RigidSweep::meets_at(double time) {
   for (const Vec3d& to : kCorners) {
     Transformd moved = pose;
     moved.translation = pose.translation + corner * to;
-    OverlapCertificate certificate;
-    const Verdict verdict =
-        overlap(a_, b_, Pose::unchecked(moved), &certificate, kMaxSupportCalls, CertificateDetail::no_witnesses);
-    n_support_calls_ += certificate.n_support_calls;
-    if (verdict.outcome != Outcome::overlap) return false;
+    const OverlapAnswer answer = overlap_answer(a_, b_, Pose::unchecked(moved));
+    n_support_calls_ += answer.n_support_calls;
+    if (answer.verdict.outcome != Outcome::overlap) return false;
   }
   return true;
 }
