@@ -4,7 +4,6 @@
 #include <concepts>
 #include <cstddef>
 #include <string>
-#include <type_traits>
 #include <utility>
 
 #include "engine/support/convex_body.h"
@@ -49,28 +48,6 @@ struct Body {
   operator const ConvexBody&() const { return body; }  // NOLINT(google-explicit-constructor): it is one
 
  private:
-  /// A pointer to a member tells the class that it was declared in.
-  template <class Member, class Class>
-  static constexpr std::type_identity<Class> declaring(Member Class::*) {
-    return {};
-  }
-  template <class Shape>
-  static constexpr auto declaring_support() {
-    if constexpr (requires { declaring(&Shape::template support<double>); }) {
-      return declaring(&Shape::template support<double>);
-    } else if constexpr (requires { declaring(&Shape::support); }) {
-      return declaring(&Shape::support);
-    } else {
-      return std::type_identity<Shape>();  // one of several of the name, or a hidden one: the class's own
-    }
-  }
-  /// Whether the member was declared by a base of the class that declares `support`: it knows nothing of it.
-  template <class Shape, class Member, class Class>
-  static constexpr bool is_of_older_mapping(Member Class::*) {
-    using Mapping = decltype(declaring_support<Shape>())::type;
-    return std::is_base_of_v<Class, Mapping> && !std::same_as<Class, Mapping>;
-  }
-
   /// Of a class made of Polytope that gives none of its members another meaning: it is its vertices, as a regular
   /// polyhedron is.
   template <class Shape>

@@ -27,7 +27,7 @@ class Box {
   Vec3<L> support(const Vec3<L>& dir) const {
     return {copy_sign(L(half_.x), dir.x), copy_sign(L(half_.y), dir.y), copy_sign(L(half_.z), dir.z)};
   }
-  static constexpr bool kRoundsAsKernels = true;
+  bool rounds_as_kernels() const { return true; }
   double support_error() const { return 0.0; }
   Vec3d centre() const { return {}; }
   double circumradius() const { return safe_norm(half_) * (1.0 + gamma(4)); }

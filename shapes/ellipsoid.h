@@ -28,7 +28,7 @@ class Ellipsoid {
     const Vec3<L> unit = ball_support(L(1.0), image);
     return {L(axes_.x) * unit.x, L(axes_.y) * unit.y, L(axes_.z) * unit.z};
   }
-  static constexpr bool kRoundsAsKernels = true;
+  bool rounds_as_kernels() const { return true; }
   /// Each coordinate within 7 u of its own size: D d, its length, the quotient, and D again (E2).
   double support_error() const { return 8.0 * kUnitRoundoff * circumradius(); }
   Vec3d centre() const { return {}; }

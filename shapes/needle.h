@@ -22,7 +22,7 @@ class Needle {
   Vec3<L> support(const Vec3<L>& dir) const {
     return {L(0.0), L(0.0), copy_sign(L(half_length_), dir.z)};
   }
-  static constexpr bool kRoundsAsKernels = true;
+  bool rounds_as_kernels() const { return true; }
   double support_error() const { return 0.0; }
   Vec3d centre() const { return {}; }
   double circumradius() const { return half_length_; }

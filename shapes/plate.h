@@ -26,7 +26,7 @@ class Plate {
   Vec3<L> support(const Vec3<L>& dir) const {
     return {copy_sign(L(half_x_), dir.x), copy_sign(L(half_y_), dir.y), L(0.0)};
   }
-  static constexpr bool kRoundsAsKernels = true;
+  bool rounds_as_kernels() const { return true; }
   double support_error() const { return 0.0; }
   Vec3d centre() const { return {}; }
   double circumradius() const { return safe_norm(Vec3d{half_x_, half_y_, 0.0}) * (1.0 + gamma(4)); }

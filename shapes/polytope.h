@@ -36,7 +36,7 @@ class Polytope {
     return scan(dir);
   }
 
-  static constexpr bool kRoundsAsKernels = true;
+  bool rounds_as_kernels() const { return true; }
   /// The support point is a vertex, and its value is short of the largest by at most this times |dir| (E2).
   double support_error() const { return support_error_; }
   Vec3d centre() const { return centre_; }

@@ -18,7 +18,7 @@ class Sphere {
   Vec3<L> support(const Vec3<L>& dir) const {
     return ball_support(L(radius_), dir);
   }
-  static constexpr bool kRoundsAsKernels = true;
+  bool rounds_as_kernels() const { return true; }
   /// Length of dir within 3 u, quotient and product each u (E2).
   double support_error() const { return 8.0 * kUnitRoundoff * radius_; }
   Vec3d centre() const { return {}; }

@@ -72,7 +72,13 @@ class Inflated {
 
   /// Not of a body with a ball, whose radii kernels add up; nor of a polytope, of whose vertices that tie a kernel may
   /// take another: of different points the sums with the ball's round differently.
-  static constexpr bool kRoundsAsKernels = RoundsAsKernels<Body> && !HasBallPart<Body> && !HasDirectionTable<Body>;
+  bool rounds_as_kernels() const {
+    if constexpr (MayRoundAsKernels<Body> && !HasBallPart<Body> && !HasDirectionTable<Body>) {
+      return body_.rounds_as_kernels();
+    } else {
+      return false;
+    }
+  }
 
   /// The ball's point is off by at most 8 u r, and the sum's rounding by u of its size (E2).
   double support_error() const {

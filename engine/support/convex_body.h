@@ -15,6 +15,9 @@
 
 namespace vex {
 
+// What a body may tell besides; of none of it is anybody asked who has a mapping of his own and inherits the rest
+// (is_of_older_mapping).
+
 /// A body with a ball about each of its points tells the ball apart from the rest, the core: balls stay balls under any
 /// pose, and a query adds the two bodies' balls in one.
 template <class S>
@@ -22,37 +25,42 @@ concept HasBallPart = requires(const S& body, const Vec3d& dir) {
   { body.core_support(dir) } -> std::same_as<Vec3d>;
   { body.core_support_error() } -> std::convertible_to<double>;
   { body.ball_radius() } -> std::convertible_to<double>;
-};
+}
+&&!requires { requires is_of_older_mapping<S>(&S::template core_support<double>); };
 /// A body that is another convex body with a ball of this radius about each of its points, under any rotation to within
 /// 1e-6: its least radius of curvature, or less (W. Blaschke, Kreis und Kugel, section 24). Of a body with a ball part,
 /// that of its core. Distance and depth are then asked of the smaller body, of which the origin is less often inside.
 template <class S>
 concept HasRollingRadius = requires(const S& body) {
   { body.rolling_radius() } -> std::convertible_to<double>;
-};
+}
+&&!requires { requires is_of_older_mapping<S>(&S::rolling_radius); };
 template <class S>
 concept HasExactForm = requires(const S& body) {
   { body.exact_form() } -> std::convertible_to<std::optional<ExactForm>>;
-};
+}
+&&!requires { requires is_of_older_mapping<S>(&S::exact_form); };
 /// The body's core is a zonotope.
 template <class S>
 concept HasGenerators = requires(const S& body) {
   { body.generators() } -> std::convertible_to<std::optional<Generators>>;
-};
+}
+&&!requires { requires is_of_older_mapping<S>(&S::generators); };
 /// A polytope, or one with a ball, of many vertices has a table of directions: `direction_table` makes it, unless it is
 /// there, and returns it. Safe from several threads at once.
 template <class S>
 concept HasDirectionTable = requires(const S& body) {
   { body.direction_table() } -> std::same_as<std::optional<DirectionTable>>;
-};
-/// A body says so whose `support` rounds as a mapping of its core that kernels have (packet_core.h), with its ball
+}
+&&!requires { requires is_of_older_mapping<S>(&S::direction_table); };
+/// A body says yes whose `support` rounds as a mapping of its core that kernels have (packet_core.h), with its ball
 /// added by `ball_support`: a box's corner by the signs of the direction, an ellipsoid's D (D d / |D d|), a vertex
-/// whose computed product with the direction is the largest. A kernel then finds the bits of d . s(d). Who derives from
-/// such a body and gives it another mapping takes the word back.
+/// whose computed product with the direction is the largest. A kernel then finds the bits of d . s(d).
 template <class S>
-concept RoundsAsKernels = requires {
-  requires S::kRoundsAsKernels;
-};
+concept MayRoundAsKernels = requires(const S& body) {
+  { body.rounds_as_kernels() } -> std::same_as<bool>;
+}
+&&!requires { requires is_of_older_mapping<S>(&S::rounds_as_kernels); };
 
 /// Holds any support mapping; itself one. Cheap to copy: copies share the shape, which never changes.
 ///
@@ -68,8 +76,8 @@ class ConvexBody {
         circumradius_(shape.circumradius()),
         inradius_(shape.inradius()),
         support_error_(shape.support_error()),
-        core_support_error_(support_error_),
-        rounds_as_kernels_(RoundsAsKernels<Shape>) {
+        core_support_error_(support_error_) {
+    if constexpr (MayRoundAsKernels<Shape>) rounds_as_kernels_ = shape.rounds_as_kernels();
     if constexpr (HasBallPart<Shape>) {
       core_support_error_ = shape.core_support_error();
       ball_radius_ = shape.ball_radius();
@@ -203,7 +211,7 @@ class ConvexBody {
   double rolling_radius_ = 0.0;
   std::optional<Generators> generators_;
   bool is_rounded_polytope_ = false;
-  bool rounds_as_kernels_;
+  bool rounds_as_kernels_ = false;
   std::shared_ptr<const Model> model_;
 };
 

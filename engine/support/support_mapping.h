@@ -6,6 +6,7 @@
 #pragma once
 
 #include <concepts>
+#include <type_traits>
 
 #include "engine/numeric/vec3.h"
 
@@ -51,5 +52,34 @@ concept HasInradius = requires(const S& body) {
 template <class S>
 concept SupportMapping =
     SupportMappingOver<S, double> && HasSupportError<S> && HasCentre<S> && HasCircumradius<S> && HasInradius<S>;
+
+namespace detail {
+
+// A pointer to a member tells the class that it was declared in.
+template <class Member, class Class>
+constexpr std::type_identity<Class> declaring(Member Class::*) {
+  return {};
+}
+template <class S>
+constexpr auto declaring_support() {
+  if constexpr (requires { declaring(&S::template support<double>); }) {
+    return declaring(&S::template support<double>);
+  } else if constexpr (requires { declaring(&S::support); }) {
+    return declaring(&S::support);
+  } else {
+    return std::type_identity<S>();  // one of several of the name: the class's own
+  }
+}
+
+}  // namespace detail
+
+/// Whether a member was declared by a base of the class that declares `support`. What it tells, of a core, of exact
+/// coordinates, of a volume, is then of the mapping that the base had, and nobody asks it: a body made of a shape, with
+/// a mapping of its own, would be answered for the shape, and called proven.
+template <class S, class Member, class Class>
+constexpr bool is_of_older_mapping(Member Class::*) {
+  using Mapping = decltype(detail::declaring_support<S>())::type;
+  return std::is_base_of_v<Class, Mapping> && !std::same_as<Class, Mapping>;
+}
 
 }  // namespace vex

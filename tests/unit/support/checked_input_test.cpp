@@ -170,14 +170,11 @@ TEST(CheckedInput, WhatAUsersBodySaysThatItIs) {
 /// NaN along one direction.
 struct Blind : Box {
   Blind() : Box(1, 1, 1) {}
-  static constexpr bool kRoundsAsKernels = false;
   template <class L>
   Vec3<L> support(const Vec3<L>& dir) const {
     return Box::support(dir);
   }
   Vec3d support(const Vec3d& dir) const { return dir.x > 0.999999 * norm(dir) ? Vec3d{kNan, 0, 0} : Box::support(dir); }
-  std::optional<ExactForm> exact_form() const { return std::nullopt; }
-  std::optional<Generators> generators() const { return std::nullopt; }
 };
 
 TEST(CheckedInput, BoundsAreNumbersWhateverASupportMappingSays) {

@@ -96,7 +96,6 @@ TEST(Validate, ASupportErrorThatForgetsRounding) {
 
 struct RoundedBox : Box {
   using Box::Box;
-  static constexpr bool kRoundsAsKernels = false;
   double support_error() const { return 1e-9; }
   double circumradius() const { return 2.0; }
   double inradius() const { return 0.1; }
@@ -105,6 +104,7 @@ struct RoundedBox : Box {
   Vec3<L> support(const Vec3<L>& dir) const {
     return 1.000001 * Box::support(dir);
   }
+  ExactForm exact_form() const { return Box::exact_form(); }
 };
 
 TEST(Validate, ASupportErrorThatTheExactFormRefutes) {
@@ -154,7 +154,7 @@ TEST(Validate, ABodyWithNansOnAxes) {
 /// Its core is half as large as it says.
 struct WrongCore : Sphere {
   using Sphere::Sphere;
-  static constexpr bool kRoundsAsKernels = false;
+  bool rounds_as_kernels() const { return false; }
   double ball_radius() const { return 0.5; }
 };
 

@@ -161,9 +161,6 @@ struct DoubledTetrahedron : Tetrahedron {
   double support_error() const { return 2.0 * Tetrahedron::support_error(); }
   double circumradius() const { return 2.0 * Tetrahedron::circumradius(); }
   double inradius() const { return 2.0 * Tetrahedron::inradius(); }
-  static constexpr bool kRoundsAsKernels = false;
-  std::optional<ExactForm> exact_form() const { return std::nullopt; }
-  std::optional<DirectionTable> direction_table() const { return std::nullopt; }
 };
 
 TEST(Body, OfAClassMadeOfAPolytopeKeepsItsOwnMapping) {
@@ -173,6 +170,8 @@ TEST(Body, OfAClassMadeOfAPolytopeKeepsItsOwnMapping) {
   EXPECT_EQ(doubled.body.circumradius(), 2.0 * regular.body.circumradius());
   EXPECT_NE(regular.body.target<Polytope>(), nullptr) << "a regular polyhedron is its vertices";
   EXPECT_EQ(doubled.body.target<Polytope>(), nullptr);
+  EXPECT_FALSE(doubled.body.exact_form().has_value()) << "it is that of half of it";
+  EXPECT_FALSE(doubled.body.rounds_as_kernels() || doubled.body.may_have_direction_table());
 }
 
 TEST(Body, OfAClassWithItsOwnMappingDoesNotInheritMeasures) {
@@ -180,9 +179,6 @@ TEST(Body, OfAClassWithItsOwnMappingDoesNotInheritMeasures) {
     using Box::Box;
     Vec3d support(const Vec3d& d) const { return 2.0 * Box::support(d); }
     double circumradius() const { return 2.0 * Box::circumradius(); }
-    std::optional<ExactForm> exact_form() const { return std::nullopt; }
-    std::optional<Generators> generators() const { return std::nullopt; }
-    static constexpr bool kRoundsAsKernels = false;
   };
   struct MeasuredDoubledBox : DoubledBox {
     using DoubledBox::DoubledBox;
@@ -198,6 +194,7 @@ TEST(Body, OfAClassWithItsOwnMappingDoesNotInheritMeasures) {
   EXPECT_FALSE(doubled.measures.are_known()) << "they are those of half of it";
   EXPECT_FALSE(static_cast<bool>(doubled.normals.area));
   EXPECT_EQ(doubled.n_faces, 0U);
+  EXPECT_FALSE(doubled.body.exact_form() || doubled.body.generators() || doubled.body.rounds_as_kernels());
   EXPECT_EQ(measured.measures.volume, 48.0);
   EXPECT_FALSE(static_cast<bool>(measured.normals.area));
   EXPECT_EQ(named.measures.volume, 6.0);
@@ -269,7 +266,8 @@ TEST(FrontDoor, ChecksSettingsAlsoWhereNothingIsRun) {
 TEST(FrontDoor, EndsWhereNothingIsHit) {
   // Two triangles in planes that stay parallel, though neither is across an axis: A - B is flat, and no rule would end
   // the run before 1e11 trials.
-  const Body triangle = Polytope({{0, 0, 0}, {1, 0, 1}, {0, 1, 1}});
+  const std::vector<Vec3d> corners = {{0, 0, 0}, {1, 0, 1}, {0, 1, 1}};
+  const Body triangle = Polytope(corners, corners[0], 0.0);
   const ExcludedVolume of_triangles =
       excluded_volume(triangle, triangle, {.law = OrientationLaw::aligned(), .estimator = "hit-or-miss"});
   EXPECT_EQ(of_triangles.record.stopped_by, StopReason::in_vain);
