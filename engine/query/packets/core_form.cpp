@@ -1,9 +1,33 @@
 #include "engine/query/packets/core_form.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vex {
 namespace {
+
+bool is_zero(const Vec3d& a) { return a.x == 0.0 && a.y == 0.0 && a.z == 0.0; }
+
+// A sum of segments along the axes about the origin, which says so.
+std::optional<CoreForm> box_form(const std::optional<Generators>& generators) {
+  if (!generators || !is_zero(generators->centre)) return std::nullopt;
+  Vec3d half;
+  for (int k = 0; k < generators->n_vectors; ++k) {
+    const Vec3d& along = generators->vectors[static_cast<std::size_t>(k)];
+    int n_parts = 0;
+    for (const auto part : {&Vec3d::x, &Vec3d::y, &Vec3d::z}) {
+      if (along.*part == 0.0) continue;
+      if (half.*part != 0.0) return std::nullopt;
+      half.*part = std::fabs(along.*part);
+      ++n_parts;
+    }
+    if (n_parts > 1) return std::nullopt;
+  }
+  CoreForm form;
+  form.lower = -half;
+  form.upper = half;
+  return form;
+}
 
 // Whether the points are all those with each coordinate that of `lower` or of `upper`, once.
 bool is_box(const std::vector<Vec3d>& points, const Vec3d& lower, const Vec3d& upper) {
@@ -24,8 +48,6 @@ bool is_box(const std::vector<Vec3d>& points, const Vec3d& lower, const Vec3d& u
   }
   return static_cast<std::size_t>(__builtin_popcount(corners)) == n_corners;
 }
-
-bool is_zero(const Vec3d& a) { return a.x == 0.0 && a.y == 0.0 && a.z == 0.0; }
 
 void extend(CoreForm& form, const Vec3d& lower, const Vec3d& upper) {
   form.lower = {std::min(form.lower.x, lower.x), std::min(form.lower.y, lower.y), std::min(form.lower.z, lower.z)};
@@ -74,6 +96,7 @@ std::optional<CoreForm> core_form(const ConvexBody& body) {
   if (body.is_rounded_polytope() && body.may_have_direction_table()) {
     if (const std::optional<DirectionTable> table = body.direction_table()) return table_form(body, *table);
   }
+  if (std::optional<CoreForm> box = box_form(body.generators())) return box;
   const std::optional<ExactForm> exact = body.exact_form();
   if (!exact) return std::nullopt;
   CoreForm form;
