@@ -129,7 +129,7 @@ FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Pose& p
   contact.lower = scaled_down(bounds.lower, exponent);
   const RaySearch::Touch touch = search.touch();
   contact.normal = touch.normal;
-  if (bounds.upper >= 0.0 && bounds.upper < HUGE_VAL) {
+  if (bounds.is_hit) {
     contact.verdict = Verdict::overlap(DecidedBy::gjk);
     contact.upper = scaled_up(bounds.upper, exponent);
     contact.time = between(contact.lower, contact.upper);

@@ -140,19 +140,30 @@ std::optional<RaySearch::Corners> RaySearch::corners_around(const Line& line) {
 }
 
 // Where the line passes the portal beyond doubt, it is in K there: every point of the triangle of the true points has
-// n . x >= min n . v - E |n|_1.
-bool RaySearch::bound_above(Line& line, const Corners& corners, const Vec3d& normal) const {
+// n . x from min n . v - E |n|_1 to max n . v + E |n|_1. False where nothing of it is known from above.
+bool RaySearch::bound_crossing(Line& line, const Corners& corners, const Vec3d& normal) const {
   const Shadow p = shadow(corners[0], line), q = shadow(corners[1], line), r = shadow(corners[2], line);
   if (!turns_beyond_doubt(p, q) || !turns_beyond_doubt(q, r) || !turns_beyond_doubt(r, p)) return false;
   const double length = norm_1(normal), rounding = 4.0 * kUnitRoundoff * length * norm_1(dir_);
-  const double along = dot(normal, dir_);
+  const double along = dot(normal, dir_), offset = dot(normal, line.offset), error = error_.support * length;
   if (!(along + rounding < 0.0)) return false;
-  const double least =
-      std::fmin(dot(normal, corners[0].at), std::fmin(dot(normal, corners[1].at), dot(normal, corners[2].at)));
-  const double height = (least - dot(normal, line.offset)) - error_.support * length;
-  const double t = height / (height < 0.0 ? along + rounding : along - rounding);
+  const double v0 = dot(normal, corners[0].at), v1 = dot(normal, corners[1].at), v2 = dot(normal, corners[2].at);
+  const double low = (std::fmin(v0, std::fmin(v1, v2)) - offset) - error;
+  const double t = low / (low < 0.0 ? along + rounding : along - rounding);
   line.upper = std::fmin(line.upper, t + gamma(4) * std::fabs(t));
+  const double high = (std::fmax(v0, std::fmax(v1, v2)) - offset) + error;
+  const double from = high / (high < 0.0 ? along - rounding : along + rounding);
+  line.least = std::fmax(line.least, from - gamma(4) * std::fabs(from));
   return true;
+}
+
+// The farthest point along the ray in place of a corner: of a K that is not flat such a triangle is passed later.
+void RaySearch::look_behind(Line& line, const Corners& corners) {
+  Corners behind = corners;
+  if (!narrow(line, behind, cut(along_))) return;
+  Vec3d normal = scaled_to_unit_exponent(detail::face_of(behind[0].at, behind[1].at, behind[2].at).normal);
+  if (dot(normal, along_) > 0.0) normal = -normal;
+  bound_crossing(line, behind, normal);
 }
 
 // The part of the portal, split by w in three, that the line passes.
@@ -219,7 +230,7 @@ std::optional<RaySearch::Corners> RaySearch::close_in(Line& line) {
     const Vec3d normal = scaled_to_unit_exponent(-detail::face_of(c[0].at, c[1].at, c[2].at).normal);
     if (!(dot(normal, along_) < 0.0)) break;
     const DifferencePoint w = cut(normal);
-    line.is_settled = bound_above(line, c, normal);
+    line.is_settled = bound_crossing(line, c, normal);
     const double least = std::fmin(dot(normal, c[0].at), std::fmin(dot(normal, c[1].at), dot(normal, c[2].at)));
     if (!(dot(normal, w.at) - least > error_.support * norm_1(normal))) break;
     Corners next = c;
@@ -249,27 +260,38 @@ RayBounds RaySearch::run(const Vec3d& separating_dir, bool is_apart_at_start) {
   Line ray = line_at(0.0, 0.0);
   std::optional<Corners> corners = close_in(ray);
   bounds_.upper = ray.upper;
+  if (corners && !(bounds_.lower > 0.0) && !(ray.least >= 0.0)) look_behind(ray, *corners);
   // Through an edge or a corner: points of K on three lines around the ray have one on the ray between them.
   double offset = kFirstOffset * shadow_error_;
   for (int attempt = 0; attempt < kMostOffsets && !bounds_.is_miss; ++attempt, offset *= kOffsetGrowth) {
     if (bounds_.upper - bounds_.lower <= width_of_rounding()) break;
     // Turned by angles that no symmetry knows.
     const double angle = 0.7548776662 + 2.399963 * attempt;
-    double latest = -HUGE_VAL;
+    double latest = -HUGE_VAL, least = HUGE_VAL;
     bool are_settled = true;
+    int n_lines = 0;
     for (int k = 0; k < 3 && latest < bounds_.upper && !bounds_.is_miss; ++k) {
       const double turned = angle + 2.0943951023931953 * k;
       Line beside = line_at(offset * std::cos(turned), offset * std::sin(turned));
       const std::optional<Corners> found = close_in(beside);
       if (!corners) corners = found;
       latest = std::fmax(latest, beside.upper + 8.0 * kUnitRoundoff * offset);
+      if (found && !(bounds_.lower > 0.0) && !(beside.least > 0.0)) look_behind(beside, *found);
+      least = std::fmin(least, beside.least - 8.0 * kUnitRoundoff * offset);
+      n_lines = k + 1;
       are_settled = are_settled && beside.is_settled;
     }
     bounds_.upper = std::fmin(bounds_.upper, latest);
+    if (n_lines == 3) ray.least = std::fmax(ray.least, least);
     if (are_settled) break;
   }
   // The bodies are apart at the start, and the line is in K before it: then never again.
   if (bounds_.upper < 0.0 && is_apart_at_start) bounds_.is_miss = true;
+  // A point of K that is on the line before `upper` is on the ray if all of K on the line is after the start. Or else
+  // another one is on the ray: with that one K has all between them, and the first of those on the ray is at 0, where
+  // the bodies may touch, or no later than the first one.
+  bounds_.is_hit = !bounds_.is_miss && bounds_.upper < HUGE_VAL && (bounds_.lower > 0.0 || ray.least >= 0.0);
+  if (bounds_.is_hit) bounds_.upper = std::fmax(bounds_.upper, 0.0);
   if (corners) {
     contact_ = *corners;
     const Shadow p = shadow(contact_[0], ray), q = shadow(contact_[1], ray), r = shadow(contact_[2], ray);

@@ -27,7 +27,8 @@ struct DifferencePoint {
 
 /// What is known of {t : t dir in K}.
 struct RayBounds {
-  double lower = 0.0, upper = HUGE_VAL;  // of its least t
+  double lower = 0.0, upper = HUGE_VAL;  // of its least t; where `upper` is finite there is a t of at most that
+  bool is_hit = false;                   // there is a t from 0 on, proven: that one may be before the start
   bool is_miss = false;                  // there is none from 0 on, proven
   double latest = HUGE_VAL;              // no t is above it
 };
@@ -62,7 +63,8 @@ class RaySearch {
     Shadow at;     // of all its points
     Vec3d offset;  // the line is offset + t dir
     double upper = HUGE_VAL;
-    bool is_settled = false;  // the bound is that of the last portal
+    double least = -HUGE_VAL;  // K has a point of the line at this t or a larger one
+    bool is_settled = false;   // the upper bound is that of the last portal
   };
 
   DifferencePoint support(const Vec3d& dir);
@@ -72,10 +74,11 @@ class RaySearch {
   bool turns_beyond_doubt(const Shadow& p, const Shadow& q) const;
   Line line_at(double x, double y) const;
   std::optional<Corners> corners_around(const Line& line);
-  bool bound_above(Line& line, const Corners& corners, const Vec3d& normal) const;
+  bool bound_crossing(Line& line, const Corners& corners, const Vec3d& normal) const;
   bool narrow(const Line& line, Corners& corners, const DifferencePoint& w) const;
   std::optional<Corners> shrunk(const Line& line, const Corners& corners, double ratio);
   std::optional<Corners> close_in(Line& line);
+  void look_behind(Line& line, const Corners& corners);
   double width_of_rounding() const;
 
   const ConvexBody& a_;
