@@ -92,7 +92,7 @@ bool RaySearch::turns_beyond_doubt(const Shadow& p, const Shadow& q) const {
 }
 
 RaySearch::Line RaySearch::line_at(double x, double y) const {
-  return {{x, y}, x * across_x_ + y * across_y_, HUGE_VAL, false};
+  return {{x, y}, x * across_x_ + y * across_y_};
 }
 
 // The descent of Gilbert, Johnson and Keerthi in the shadow. None: the line misses K, or passes within rounding of the
