@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "meshes/data/archives.h"
 #include "meshes/nearest_float.h"
 
 namespace vex {
@@ -87,22 +88,6 @@ std::string ply_header(const PolygonSoup& soup, const char* format) {
               soup.face_sizes.size(), "\nproperty list uchar int vertex_indices\nend_header\n");
 }
 
-std::string base64(const std::string& bytes) {
-  constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string result;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](std::size_t k) {
-      return i + k < bytes.size() ? static_cast<unsigned>(static_cast<unsigned char>(bytes[i + k])) : 0U;
-    };
-    const unsigned group = byte(0) << 16U | byte(1) << 8U | byte(2);
-    result += kDigits[group >> 18U & 63U];
-    result += kDigits[group >> 12U & 63U];
-    result += i + 1 < bytes.size() ? kDigits[group >> 6U & 63U] : '=';
-    result += i + 2 < bytes.size() ? kDigits[group & 63U] : '=';
-  }
-  return result;
-}
-
 std::string threemf_model(const PolygonSoup& soup) {
   std::string xml =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"millimeter\" "
@@ -118,50 +103,6 @@ std::string threemf_model(const PolygonSoup& soup) {
                 triangles.corners[i + 2], "\"/>\n");
   }
   return xml + "</triangles></mesh></object></resources><build><item objectid=\"1\"/></build></model>\n";
-}
-
-std::uint32_t crc_32(const std::string& bytes) {
-  std::uint32_t crc = ~0U;
-  for (const char byte : bytes) {
-    crc ^= static_cast<unsigned char>(byte);
-    for (int bit = 0; bit < 8; ++bit) {
-      crc = (crc >> 1U) ^ ((crc & 1U) != 0U ? 0xEDB88320U : 0U);
-    }
-  }
-  return ~crc;
-}
-
-/// The least zip archive there is, nothing compressed: what a .3mf file is packed in.
-std::string zip_of(const std::vector<std::pair<std::string, std::string>>& files) {
-  std::string bytes;
-  std::string directory;
-  for (const auto& [name, contents] : files) {
-    std::string common;                            // of the local header and of the directory's entry
-    for (const int field : {20, 0, 0, 0, 0x21}) {  // version, flags, stored, time, date
-      put(static_cast<std::uint16_t>(field), &common);
-    }
-    put(crc_32(contents), &common);
-    put(static_cast<std::uint32_t>(contents.size()), &common);
-    put(static_cast<std::uint32_t>(contents.size()), &common);
-    put(static_cast<std::uint16_t>(name.size()), &common);
-    put(std::uint16_t{0}, &common);
-    put(std::uint32_t{0x02014B50}, &directory);
-    put(std::uint16_t{20}, &directory);
-    directory += common + std::string(10, '\0');
-    put(static_cast<std::uint32_t>(bytes.size()), &directory);
-    directory += name;
-    put(std::uint32_t{0x04034B50}, &bytes);
-    bytes += common + name + contents;
-  }
-  std::string end;
-  put(std::uint32_t{0x06054B50}, &end);
-  put(std::uint32_t{0}, &end);
-  put(static_cast<std::uint16_t>(files.size()), &end);
-  put(static_cast<std::uint16_t>(files.size()), &end);
-  put(static_cast<std::uint32_t>(directory.size()), &end);
-  put(static_cast<std::uint32_t>(bytes.size()), &end);
-  put(std::uint16_t{0}, &end);
-  return bytes + directory + end;
 }
 
 }  // namespace
@@ -337,7 +278,7 @@ std::string dae_text(const PolygonSoup& soup) {
 
 std::string threemf(const PolygonSoup& soup) {
   const std::string ns = "http://schemas.openxmlformats.org/package/2006/";
-  return zip_of({{"[Content_Types].xml", "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Types xmlns=\"" + ns +
+  return zipped({{"[Content_Types].xml", "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Types xmlns=\"" + ns +
                                              "content-types\"><Default Extension=\"rels\" ContentType=\"application/"
                                              "vnd.openxmlformats-package.relationships+xml\"/><Default "
                                              "Extension=\"model\" ContentType=\"application/"

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "meshes/data/archives.h"
 #include "writers.h"
 
 namespace vex::tests {

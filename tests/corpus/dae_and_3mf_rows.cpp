@@ -1,5 +1,6 @@
 // .dae and .3mf: files of XML, that state their unit.
 #include "corpus.h"
+#include "meshes/data/archives.h"
 #include "writers.h"
 
 namespace vex::tests {

@@ -1,7 +1,5 @@
 #include "file_text.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -35,30 +33,6 @@ std::string by_lines(const std::string& text, const std::function<std::string(st
   std::size_t number = 0;
   for (const std::string& line : lines_of(text)) result += change(line, ++number);
   return result;
-}
-
-/// By zlib; `window_bits` as its manual has it: with a frame of gzip, or with none.
-std::string deflated_by_zlib(const std::string& bytes, int window_bits) {
-  z_stream stream{};
-  if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, window_bits, 8, Z_DEFAULT_STRATEGY) != Z_OK) {
-    throw std::runtime_error("zlib does not start");
-  }
-  std::string in = bytes;
-  std::string out(deflateBound(&stream, static_cast<uLong>(in.size())) + 64, '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(in.data());
-  stream.avail_in = static_cast<uInt>(in.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  const int status = deflate(&stream, Z_FINISH);
-  out.resize(out.size() - stream.avail_out);
-  deflateEnd(&stream);
-  if (status != Z_STREAM_END) throw std::runtime_error("zlib does not end");
-  return out;
-}
-
-template <class T>
-void put_little(T value, std::string* bytes) {
-  put(value, Order::little, bytes);
 }
 
 }  // namespace
@@ -135,57 +109,6 @@ std::string with_bom(const std::string& text) { return "\xEF\xBB\xBF" + text; }
 std::string without_final_newline(std::string text) {
   while (text.ends_with('\n')) text.pop_back();
   return text;
-}
-
-std::string gzipped(const std::string& bytes) { return deflated_by_zlib(bytes, 15 + 16); }
-
-std::string zipped(const std::vector<std::pair<std::string, std::string>>& files, bool deflated) {
-  std::string bytes;
-  std::string directory;
-  for (const auto& [name, contents] : files) {
-    const std::string packed = deflated ? deflated_by_zlib(contents, -15) : contents;
-    std::string common;  // of the local header and of the directory's entry
-    for (const int field : {20, 0, deflated ? 8 : 0, 0, 0x21}) put_little(static_cast<std::uint16_t>(field), &common);
-    put_little(static_cast<std::uint32_t>(
-                   crc32(0, reinterpret_cast<const Bytef*>(contents.data()), static_cast<uInt>(contents.size()))),
-               &common);
-    put_little(static_cast<std::uint32_t>(packed.size()), &common);
-    put_little(static_cast<std::uint32_t>(contents.size()), &common);
-    put_little(static_cast<std::uint16_t>(name.size()), &common);
-    put_little(std::uint16_t{0}, &common);
-    put_little(std::uint32_t{0x02014B50}, &directory);
-    put_little(std::uint16_t{20}, &directory);
-    directory += common + std::string(10, '\0');
-    put_little(static_cast<std::uint32_t>(bytes.size()), &directory);
-    directory += name;
-    put_little(std::uint32_t{0x04034B50}, &bytes);
-    bytes += common + name + packed;
-  }
-  std::string end;
-  put_little(std::uint32_t{0x06054B50}, &end);
-  put_little(std::uint32_t{0}, &end);
-  put_little(static_cast<std::uint16_t>(files.size()), &end);
-  put_little(static_cast<std::uint16_t>(files.size()), &end);
-  put_little(static_cast<std::uint32_t>(directory.size()), &end);
-  put_little(static_cast<std::uint32_t>(bytes.size()), &end);
-  put_little(std::uint16_t{0}, &end);
-  return bytes + directory + end;
-}
-
-std::string base64(const std::string& bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string result;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](std::size_t k) {
-      return i + k < bytes.size() ? static_cast<unsigned>(static_cast<unsigned char>(bytes[i + k])) : 0U;
-    };
-    const unsigned group = byte(0) << 16U | byte(1) << 8U | byte(2);
-    result += kDigits[group >> 18U & 63U];
-    result += kDigits[group >> 12U & 63U];
-    result += i + 1 < bytes.size() ? kDigits[group >> 6U & 63U] : '=';
-    result += i + 2 < bytes.size() ? kDigits[group & 63U] : '=';
-  }
-  return result;
 }
 
 std::string step_text() {

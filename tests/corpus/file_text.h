@@ -56,13 +56,6 @@ std::string with_cr(const std::string& text);
 std::string with_bom(const std::string& text);
 std::string without_final_newline(std::string text);
 
-// --- containers
-
-std::string gzipped(const std::string& bytes);
-/// The least archive there is, and one whose files are deflated.
-std::string zipped(const std::vector<std::pair<std::string, std::string>>& files, bool deflated = false);
-std::string base64(const std::string& bytes);
-
 // --- what is no mesh
 
 std::string step_text();

@@ -1,5 +1,6 @@
 // .gz of the formats that are read here.
 #include "corpus.h"
+#include "meshes/data/archives.h"
 #include "writers.h"
 
 namespace vex::tests {

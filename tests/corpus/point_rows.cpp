@@ -1,5 +1,6 @@
 // .xyz, .csv and .txt: points, and the hull of them.
 #include "corpus.h"
+#include "meshes/data/archives.h"
 #include "writers.h"
 
 namespace vex::tests {

@@ -1,5 +1,6 @@
 // "-": what comes through standard input, told its format.
 #include "corpus.h"
+#include "meshes/data/archives.h"
 #include "writers.h"
 
 namespace vex::tests {

@@ -1,5 +1,7 @@
 #include "writers.h"
 
+#include "meshes/data/archives.h"
+
 namespace vex::tests {
 namespace {
 

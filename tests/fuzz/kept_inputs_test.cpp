@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "meshes/data/archives.h"
 #include "meshes/file_bytes.h"
 #include "reader_fuzz.h"
 #include "tests/corpus/file_text.h"

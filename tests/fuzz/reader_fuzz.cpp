@@ -12,10 +12,10 @@
 
 #include "engine/numeric/errors.h"
 #include "meshes/assimp_input.h"
+#include "meshes/data/archives.h"
 #include "meshes/formats/scene_formats.h"
 #include "meshes/formats/strict_readers.h"
 #include "meshes/gunzip.h"
-#include "tests/corpus/file_text.h"
 
 namespace vex::tests {
 namespace {

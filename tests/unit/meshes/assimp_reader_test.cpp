@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "archives.h"
+#include "meshes/data/archives.h"
 #include "meshes/data/mesh_writers.h"
 #include "meshes/reader.h"
 #include "refusal.h"
@@ -331,7 +332,7 @@ TEST(AssimpReader, Refuses3mfWhoseGeometryAssimpDoesNotSee) {
   expect_equal_points(read_polygon_soup(file(model(production + "requiredextensions=\"p\""), part)), kModelPoints);
   EXPECT_TRUE(contains(refusal_for(file(model("requiredextensions=\"b\" xmlns:b=\"http://x/beamlattice/2017/02\""))),
                        "beamlattice"));
-  EXPECT_FALSE(refusal_for(folder.file("b.3mf", zip_of({{"a.txt", "hello"}}))).empty());
+  EXPECT_FALSE(refusal_for(folder.file("b.3mf", zipped({{"a.txt", "hello"}}))).empty());
   const std::string whole = threemf_of(model(""));
   for (std::size_t size = 1; size < whole.size(); size += 37) {
     EXPECT_FALSE(refusal_for(folder.file("c.3mf", whole.substr(0, size))).empty()) << size;
@@ -519,7 +520,7 @@ TEST(AssimpReader, RefusesAmfThatAssimpTakesForAnother) {
 TEST(AssimpReader, RefusesAmfThatItCannotLookInto) {
   const TemporaryFolder folder;
   for (const bool deflated : {false, true}) {
-    EXPECT_TRUE(contains(refusal_for(folder.file("a.amf", zip_of({{"a.amf", amf()}}, deflated))), "unpack it"));
+    EXPECT_TRUE(contains(refusal_for(folder.file("a.amf", zipped({{"a.amf", amf()}}, deflated))), "unpack it"));
   }
   for (std::string wide : {"", "\xFF\xFE"}) {  // UTF-16, which assimp reads
     for (const char c : amf()) wide += {c, '\0'};

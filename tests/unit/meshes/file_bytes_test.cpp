@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "archives.h"
+#include "meshes/data/archives.h"
 #include "meshes/gunzip.h"
 #include "refusal.h"
 #include "temporary_folder.h"
@@ -75,13 +75,13 @@ TEST(FileStamp, ChangesWithTheFile) {
 TEST(Gunzip, GivesBackWhatWasPacked) {
   std::string text;
   for (int i = 0; i < 100'000; ++i) text += std::to_string(i) + " ";
-  EXPECT_EQ(gunzip(gzip_of(text), "a.gz").view(), text);
-  EXPECT_EQ(gunzip(gzip_of("x"), "a.gz").view(), "x");
-  EXPECT_EQ(gunzip(gzip_of(text.substr(0, 1000)) + gzip_of("") + gzip_of(text.substr(1000)), "a.gz").view(), text);
+  EXPECT_EQ(gunzip(gzipped(text), "a.gz").view(), text);
+  EXPECT_EQ(gunzip(gzipped("x"), "a.gz").view(), "x");
+  EXPECT_EQ(gunzip(gzipped(text.substr(0, 1000)) + gzipped("") + gzipped(text.substr(1000)), "a.gz").view(), text);
 }
 
 TEST(Gunzip, RefusesAnythingButWholeMembers) {
-  const std::string packed = gzip_of(std::string(5000, 'x') + "yz");
+  const std::string packed = gzipped(std::string(5000, 'x') + "yz");
   const auto refusal_for = [](const std::string& bytes) {
     return refusal_of([&] { static_cast<void>(gunzip(bytes, "a.gz")); });
   };
@@ -96,11 +96,11 @@ TEST(Gunzip, RefusesAnythingButWholeMembers) {
     changed[changed.size() - from_end] = static_cast<char>(changed[changed.size() - from_end] ^ 1);
     EXPECT_TRUE(contains(refusal_for(changed), from_end > 4 ? "data check" : "length check"));
   }
-  EXPECT_TRUE(contains(refusal_for(gzip_of("")), "is empty"));
+  EXPECT_TRUE(contains(refusal_for(gzipped("")), "is empty"));
 }
 
 TEST(Gunzip, RefusesWhatUnpacksToTooMuch) {
-  const std::string packed = gzip_of(std::string(std::size_t{64} << 20U, '\0'));
+  const std::string packed = gzipped(std::string(std::size_t{64} << 20U, '\0'));
   ASSERT_LT(packed.size() * kMostInflation, std::size_t{32} << 20U);
   EXPECT_TRUE(contains(refusal_of([&] { static_cast<void>(gunzip(packed, "a.gz")); }), "at most 256 times its size"));
 }

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "archives.h"
 #include "engine/numeric/errors.h"
 #include "meshes/convex_mesh.h"
+#include "meshes/data/archives.h"
 #include "meshes/data/mesh_writers.h"
 #include "meshes/reader.h"
 #include "refusal.h"
@@ -27,14 +27,14 @@ PolygonSoup simple_body() { return box_soup({-1, -2, -4}, {1, 2, 4}); }  // V = 
 TEST(ReadOptions, ReadsItsOwnFormatsPackedByGzip) {
   const TemporaryFolder folder;
   for (const char* extension : {".obj", ".stl", ".ply", ".off"}) {
-    const std::string packed = gzip_of(mesh_bytes(simple_body(), extension));
+    const std::string packed = gzipped(mesh_bytes(simple_body(), extension));
     EXPECT_EQ(load(folder.file(std::string("a") + extension + ".gz", packed)).measures.volume, 64.0);
     EXPECT_EQ(load(folder.file(std::string("b") + extension + ".Gz", packed)).measures.volume, 64.0);
     EXPECT_TRUE(contains(file_refusal(folder.file(std::string("c") + extension, packed)), "packed by gzip"));
     EXPECT_TRUE(
         contains(file_refusal(folder.file(std::string("d") + extension + ".gz", packed.substr(0, 30))), "early"));
   }
-  EXPECT_TRUE(contains(file_refusal(folder.file("a.glb.gz", gzip_of(glb(simple_body())))), "cannot be read packed"));
+  EXPECT_TRUE(contains(file_refusal(folder.file("a.glb.gz", gzipped(glb(simple_body())))), "cannot be read packed"));
 }
 
 TEST(ReadOptions, ReadsAFileAsTheFormatThatIsNamed) {
@@ -45,7 +45,7 @@ TEST(ReadOptions, ReadsAFileAsTheFormatThatIsNamed) {
       EXPECT_EQ(load(path, {.format = format}).measures.volume, 64.0) << format;
     }
   }
-  const auto path = folder.file("b.data", gzip_of(stl_text(simple_body())));
+  const auto path = folder.file("b.data", gzipped(stl_text(simple_body())));
   EXPECT_EQ(load(path, {.format = "STL.gz"}).measures.volume, 64.0);
   EXPECT_THROW(static_cast<void>(read_polygon_soup(path, {.format = "doc"})), UsageError);
   EXPECT_THROW(static_cast<void>(read_polygon_soup(path, {.format = "glb.gz"})), UsageError);
@@ -79,7 +79,7 @@ TEST(ReadOptions, ReadsStandardInputAsTheFormatThatIsNamed) {
     const StandardInput input(bytes);
     EXPECT_EQ(load("-", {.format = extension}).measures.volume, 64.0) << extension;
   }
-  const StandardInput packed(gzip_of(off_text(simple_body())));
+  const StandardInput packed(gzipped(off_text(simple_body())));
   EXPECT_EQ(load("-", {.format = "off.gz"}).measures.volume, 64.0);
 }
 
