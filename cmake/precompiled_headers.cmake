@@ -1,5 +1,5 @@
 # Headers that many tests include, parsed once for all targets that are compiled with the same options. Every file still
-# includes what it needs: a build without these must succeed too, and that of the preset asan-ubsan is one.
+# includes what it needs: a build with -DVEX_PRECOMPILED_HEADERS=OFF must succeed too.
 #
 # For tests alone. GCC forgets the pragmas of a precompiled header, and with them that libstdc++ knows better than three
 # warnings where characters are copied; the engine and the programs keep these. And a kernel shares no code with the
