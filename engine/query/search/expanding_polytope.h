@@ -63,6 +63,7 @@ class ExpandingPolytope {
         return End::converged;
       }
       if (height_ - distance <= wanted(distance)) return End::converged;
+      if (goes_round(added)) return End::stalled;
       if (static_cast<int>(hull_.points().size()) >= max_support_calls_) return End::capped;
       if (!hull_.grow(nearest_, added)) return End::stalled;
     }
@@ -133,6 +134,23 @@ class ExpandingPolytope {
     return added;
   }
   const Vec3<L>& at(std::uint32_t i) const { return hull_.at(i); }
+
+  // A corner of the nearest face is not beyond it but by rounding: a polytope has no point there. Nor will a hull of
+  // few points that are taken in again and again, each of them hiding another, ever be convex.
+  bool goes_round(std::uint32_t added) {
+    const auto is_at = [&](std::uint32_t i) {
+      const Vec3<L>&p = at(i), &q = at(added);
+      return !(p.x < q.x || q.x < p.x || p.y < q.y || q.y < p.y || p.z < q.z || q.z < p.z);
+    };
+    if (std::ranges::any_of(faces()[nearest_].corners, is_at)) return true;
+    constexpr std::uint32_t kLong = 48, kLast = 32;
+    constexpr int kMostRepeated = 8;
+    if (added < kLong) return false;
+    for (std::uint32_t i = added - kLast; i < added; ++i) {
+      if (is_at(i)) return ++n_repeated_ > kMostRepeated;
+    }
+    return false;
+  }
 
   // --- the first tetrahedron
 
@@ -259,7 +277,7 @@ class ExpandingPolytope {
   QueryError<L> error_;
   L slack_;
   int max_support_calls_;
-  int n_support_calls_ = 0;
+  int n_support_calls_ = 0, n_repeated_ = 0;
   std::uint32_t nearest_ = 0;
   bool is_of_face_ = false;
   Vec3<L> normal_;
