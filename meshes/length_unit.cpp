@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "engine/numeric/errors.h"
+#include "meshes/formats/text_scanner.h"
 #include "meshes/report_text.h"
 
 namespace vex {
@@ -84,9 +85,7 @@ std::optional<LengthUnit> stated_length_unit(std::string_view name, double metre
       return LengthUnit{std::string(unit.names[0]), unit.metres()};
     }
   }
-  std::string shown;
-  constexpr std::size_t kMost = 40;
-  for (const char c : name.substr(0, kMost)) shown += c < ' ' || c > '~' ? '?' : c;
+  std::string shown = printable_word(name);
   if (shown.empty() || unit_named(shown) != nullptr) shown = number_text(metres) + " m";
   return LengthUnit{shown, metres};
 }

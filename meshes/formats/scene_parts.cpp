@@ -35,10 +35,7 @@ std::string shown_tag(const XmlTag& tag) {
   return shown("<" + std::string(tag.name) + std::string(tag.attributes) + ">");
 }
 
-std::string shown_name(std::string_view name) {
-  const std::string word = shown(name);
-  return "<" + word.substr(1, word.size() - 2) + ">";
-}
+std::string shown_name(std::string_view name) { return "<" + printable_word(name) + ">"; }
 
 std::string_view from_word(std::string_view text) {
   return text.substr(std::min(text.find_first_not_of(kXmlBlanks), text.size()));

@@ -14,14 +14,16 @@ void refuse_text(const std::string& name, std::size_t line, const std::string& p
                    advice);
 }
 
-std::string quoted(std::string_view word) {
+std::string printable_word(std::string_view word) {
   constexpr std::size_t kMost = 40;
-  std::string text = "'";
+  std::string text;
   for (const char c : word.substr(0, kMost)) text += c < ' ' || c > '~' ? '?' : c;
   // In messages " - " comes before the advice, and nowhere else.
   for (std::size_t at = text.find(" - "); at != std::string::npos; at = text.find(" - ", at)) text[at] = '?';
-  return text + (word.size() > kMost ? "...'" : "'");
+  return text + (word.size() > kMost ? "..." : "");
 }
+
+std::string quoted(std::string_view word) { return "'" + printable_word(word) + "'"; }
 
 std::string_view TextScanner::trimmed(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);

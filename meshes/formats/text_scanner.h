@@ -16,7 +16,9 @@ namespace vex {
 [[noreturn]] void refuse_text(const std::string& name, std::size_t line, const std::string& problem,
                               const std::string& expected, const std::string& advice = "mend the file");
 
-/// A word as messages quote it: printable, and not too long.
+/// A word of a file as messages show it: printable, not too long, and without the " - " that comes before advice.
+std::string printable_word(std::string_view word);
+/// The same in quotes.
 std::string quoted(std::string_view word);
 
 /// Goes through a text once. Lines end in LF, CR LF or CR. A byte-order mark of UTF-8 at the beginning is skipped, one

@@ -42,6 +42,10 @@ TEST(FoundInputs, KeepTheReadersPromises) {
       // A tag's name in a message, with control characters of the file.
       {"amf", "<amf><constellation><instance><deltax\x01\x7f>1,5</deltax\x01\x7f></instance></constellation></amf>"},
       {"amf", "<amf><object><mesh><vertices><vertex><coordinates\x02 /></vertex></vertices></mesh></object></amf>"},
+      // A unit's name, likewise.
+      {"dae",
+       "<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" version=\"1.4.1\"><asset>"
+       "<unit name=\"a - b\" meter=\"2\"/><unit name=\"c\x01 - \" meter=\"3\"/></asset></COLLADA>"},
       // A number that is none.
       {"gltf", R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":0)"
                "\x01\xab - "
