@@ -78,7 +78,13 @@ void decide_exactly(const ConvexBody& a, const ConvexBody& b, const Transformd& 
                     double latest, FirstContact& contact) {
   const ExactCast exact = cast_exactly(a, b, a_from_b, motion, contact.lower, latest);
   contact.n_support_calls += exact.n_support_calls;
-  if (!exact.is_hit) return;
+  if (exact.outcome == Outcome::undecided) return;
+  if (exact.outcome == Outcome::disjoint) {
+    const int n_support_calls = contact.n_support_calls;
+    contact = no_contact(Verdict::disjoint(DecidedBy::exact));
+    contact.n_support_calls = n_support_calls;
+    return;
+  }
   contact.verdict = Verdict::overlap(DecidedBy::exact);
   contact.lower = exact.lower;
   contact.upper = exact.upper;

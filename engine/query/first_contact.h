@@ -12,7 +12,7 @@ namespace vex {
 /// t times its motion. Points and normals are in A's frame.
 struct FirstContact {
   /// Overlap: there is a contact, proven. Disjoint: there is none at any time t >= 0, proven. Undecided: the motion
-  /// grazes to within rounding.
+  /// grazes to within rounding, and not both bodies are polytopes, which are always decided.
   Verdict verdict;
   /// The first time of contact is between `lower` and `upper`, and so is `time`; 0 where there is contact at the start.
   /// Of bodies that turn `time` is `lower`: where they touch at the start to within rounding, contact may be proven

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/query/exact/first_meeting.h"
 #include "engine/query/overlap.h"
 
 namespace vex {
@@ -67,8 +68,14 @@ ExactCast cast_exactly(const ConvexBody& a, const ConvexBody& b, const Transform
                        double lower, double latest) {
   ExactCast result;
   if (!a.is_rounded_polytope() || !b.is_rounded_polytope()) return result;
+  const std::optional<PlacedForms> forms = placed_forms(a, b, a_from_b);
+  if (!forms) return result;
+  if (forms->a.is_polytope() && forms->b.is_polytope()) {
+    const FirstMeeting found = first_meeting(*forms, motion);
+    return {found.is_hit ? Outcome::overlap : Outcome::disjoint, found.lower, found.upper, found.n_support_calls};
+  }
   if (!(latest > 0.0 && std::isfinite(latest))) return result;
-  ExactMotion exact(a, b, a_from_b, motion, b.exact_form().value().points);
+  ExactMotion exact(a, b, a_from_b, motion, forms->b.points);
   for (const int digits : kTimeDigits) {
     const double unit = std::ldexp(1.0, std::ilogb(latest) - digits);
     // The nearest such time, which may be the only one of contact; and others, up to the last.
@@ -80,7 +87,7 @@ ExactCast cast_exactly(const ConvexBody& a, const ConvexBody& b, const Transform
       meets = exact.meets_at(together);
     }
     if (!meets || !*meets) continue;
-    result.is_hit = true;
+    result.outcome = Outcome::overlap;
     result.upper = together;
     // The times of contact are an interval: one without, before one with, is before all of them.
     double apart = std::floor(lower / unit) * unit;

@@ -4,51 +4,13 @@
 
 #include "engine/numeric/expect.h"
 #include "engine/numeric/whole.h"
+#include "engine/query/exact/whole_points.h"
 
 namespace vex {
 namespace {
 
 using whole::Integer;
 using whole::Vector;
-
-// The points as whole numbers of one unit, made when they are asked for.
-class WholePoints {
- public:
-  explicit WholePoints(const PlacedForms& forms) : forms_(forms), is_placed_exactly_(!forms.b.is_polytope()) {
-    for (const Vec3d& p : forms.a.points) lower_unit(p);
-    if (is_placed_exactly_) {
-      // Every product r * x and the sum with t is a multiple of the product of their units.
-      int unit_r = whole::lowest_exponent(0.0), unit_x = unit_r;
-      const Transformd& pose = forms.a_from_b;
-      for (const Vec3d& row : {pose.row_x, pose.row_y, pose.row_z}) lower(unit_r, row);
-      for (const Vec3d& p : forms.b.points) lower(unit_x, p);
-      unit_ = std::min(unit_, unit_r + unit_x);
-      lower_unit(pose.translation);
-    } else {
-      for (const Vec3d& p : forms.placed_b) lower_unit(p);
-    }
-    unit_ = std::min({unit_, whole::lowest_exponent(forms.a.ball_radius), whole::lowest_exponent(forms.b.ball_radius)});
-  }
-
-  Vector a(std::size_t i) const { return whole::in_units(forms_.a.points[i], unit_); }
-  Vector b(std::size_t i) const {
-    if (!is_placed_exactly_) return whole::in_units(forms_.placed_b[i], unit_);
-    return whole::in_units(whole::placed(forms_.a_from_b, whole::exactly(forms_.b.points[i])), unit_);
-  }
-  Integer radii() const {
-    return whole::in_units(forms_.a.ball_radius, unit_) + whole::in_units(forms_.b.ball_radius, unit_);
-  }
-
- private:
-  static void lower(int& unit, const Vec3d& v) {
-    unit = std::min({unit, whole::lowest_exponent(v.x), whole::lowest_exponent(v.y), whole::lowest_exponent(v.z)});
-  }
-  void lower_unit(const Vec3d& v) { lower(unit_, v); }
-
-  const PlacedForms& forms_;
-  bool is_placed_exactly_;
-  int unit_ = whole::lowest_exponent(0.0);
-};
 
 // The vertex that is farthest along `dir`, among those that double precision leaves open.
 template <class PointOf>

@@ -1,0 +1,23 @@
+// When two polytopes, one of them moving straight, first meet: decided in whole numbers, always.
+//
+// B moved by t m meets A where t m is in K = A - B, a convex hull of finitely many points. The least t >= 0 is that of
+// a linear programme of four rows, t m = sum of weight_i point_i and sum of weight_i = 1, whose columns are the points:
+// solved by the simplex method, the columns found by support mappings, in exact arithmetic (E22).
+#pragma once
+
+#include "engine/numeric/vec3.h"
+#include "engine/query/exact/placed_forms.h"
+
+namespace vex {
+
+struct FirstMeeting {
+  bool is_hit = false;
+  double lower = 0.0, upper = 0.0;  // of the least t, a few roundings apart; 0 only where it is 0
+  int n_support_calls = 0;
+};
+
+/// Of polytopes, without balls: K is of A's points and of B's as they are placed. Everything is exact: flat bodies, and
+/// motions along faces, edges, or past them by any little, are answered as they are.
+FirstMeeting first_meeting(const PlacedForms& forms, const Vec3d& motion);
+
+}  // namespace vex
