@@ -99,32 +99,37 @@ class Face {
       if (feature.distance_of(v) <= resolution) add(v);
     }
     outline_ = planar_hull(places, resolution);
-    if (!feature.is_face() || outline_.size() < 3) return;
+    if (!feature.is_face() || outline_.size() < 3) {
+      find_outline_corners();
+      return;
+    }
     // The faces beside it that are within the angle of it.
     const std::vector<PlanarPoint> of_feature = outline_;
     const double slope = std::sin(feature_angle);
     for (const Vec3d& v : vertices) {
       const double below = feature.distance_of(v);
       const PlanarPoint place{dot(frame.across_x, v), dot(frame.across_y, v)};
-      if (below > resolution && below <= slope * distance_to(of_feature, place)) add(v);
+      // From a corner it is no nearer than from the polygon, and found at once.
+      const PlanarPoint from_corner = place - of_feature.front();
+      if (!(below > resolution && below <= slope * std::hypot(from_corner.x, from_corner.y))) continue;
+      if (below <= slope * distance_to(of_feature, place)) add(v);
     }
     outline_ = planar_hull(places, resolution);
+    find_outline_corners();
   }
 
   const std::vector<PlanarPoint>& outline() const { return outline_; }
 
   // The greatest height of the corners' hull at a place of the outline, or beside it by rounding.
   double height_at(const PlanarPoint& place) const {
-    if (outline_.size() == 1) return highest_near(outline_.front());
+    if (outline_.size() == 1) return outline_corners_[0].height;
     if (outline_.size() == 2) {
       const PlanarPoint &from = outline_[0], along = outline_[1] - from;
       const double share = std::clamp(dot(along, place - from) / dot(along, along), 0.0, 1.0);
-      return (1.0 - share) * highest_near(outline_[0]) + share * highest_near(outline_[1]);
+      return (1.0 - share) * outline_corners_[0].height + share * outline_corners_[1].height;
     }
-    Triangle best;
-    for (std::size_t k = 1; k + 1 < outline_.size(); ++k) {
-      best.take_if_better({corner_near(outline_[0]), corner_near(outline_[k]), corner_near(outline_[k + 1])}, place);
-    }
+    Triangle best = triangle_at(place);
+    if (is_flat_) return best.plane_at(place);
     // Corner by corner upwards, as portals go; each step is higher.
     for (std::size_t step = 0; step < corners_.size(); ++step) {
       const Corner* above = nullptr;
@@ -176,19 +181,58 @@ class Face {
     }
   };
 
-  Corner corner_near(const PlanarPoint& place) const {
-    const auto distance = [&](const Corner& c) { return std::hypot(c.at.x - place.x, c.at.y - place.y); };
-    Corner nearest = *std::ranges::min_element(corners_, {}, distance);
-    // Of corners one above the other, as a prism's seen along its edge, the highest.
-    const double near = distance(nearest) + resolution_;
-    for (const Corner& corner : corners_) {
-      if (distance(corner) <= near && corner.height > nearest.height) nearest = corner;
+  // Each place of the outline is a corner's; of corners one above the other, as a prism's seen along its edge, the
+  // highest counts.
+  void find_outline_corners() {
+    std::vector<Corner> sorted = corners_;
+    const auto at_x = [](const Corner& corner) { return corner.at.x; };
+    std::ranges::sort(sorted, {}, at_x);
+    for (const PlanarPoint& place : outline_) {
+      const Corner* highest = nullptr;
+      for (auto corner = std::ranges::lower_bound(sorted, place.x - resolution_, {}, at_x);
+           corner != sorted.end() && corner->at.x <= place.x + resolution_; ++corner) {
+        const bool is_here = std::hypot(corner->at.x - place.x, corner->at.y - place.y) <= resolution_;
+        if (is_here && (highest == nullptr || corner->height > highest->height)) highest = &*corner;
+      }
+      outline_corners_.push_back(*highest);
     }
-    return nearest;
+    // Of the largest triangle of a fan: whether all corners are in its plane.
+    Triangle largest;
+    double most = 0.0;
+    for (std::size_t k = 1; k + 1 < outline_corners_.size(); ++k) {
+      const Triangle triangle = of_fan(k);
+      const double area =
+          std::fabs(Triangle::area(triangle.corners[0].at, triangle.corners[1].at, triangle.corners[2].at));
+      if (area > most) {
+        most = area;
+        largest = triangle;
+      }
+    }
+    is_flat_ = most > 0.0 && std::ranges::all_of(corners_, [&](const Corner& corner) {
+                 return std::fabs(corner.height - largest.plane_at(corner.at)) <= resolution_;
+               });
   }
-  double highest_near(const PlanarPoint& place) const { return corner_near(place).height; }
+  Triangle of_fan(std::size_t k) const {
+    return {{outline_corners_[0], outline_corners_[k], outline_corners_[k + 1]}, 0.0};
+  }
 
-  std::vector<Corner> corners_;
+  // Of the fan about the first corner: the last one whose first side has the place to its left, or one beside it.
+  Triangle triangle_at(const PlanarPoint& place) const {
+    std::size_t first = 1, end = outline_.size() - 1;
+    while (end - first > 1) {
+      const std::size_t middle = first + (end - first) / 2;
+      (turn(outline_[middle] - outline_[0], place - outline_[0]) >= 0.0 ? first : end) = middle;
+    }
+    Triangle best;
+    const auto consider = [&](std::size_t k) { best.take_if_better(of_fan(k).corners, place); };
+    for (std::size_t k = std::max<std::size_t>(first, 2) - 1; k <= first + 1 && k + 1 < outline_.size(); ++k)
+      consider(k);
+    for (std::size_t k = 1; best.inside == -HUGE_VAL && k + 1 < outline_.size(); ++k) consider(k);  // all slivers
+    return best;
+  }
+
+  std::vector<Corner> corners_, outline_corners_;
+  bool is_flat_ = false;
   std::vector<PlanarPoint> outline_;
   double resolution_ = 0.0;
 };
@@ -233,7 +277,8 @@ std::vector<OppositePlaces> common_places(const std::vector<PlanarPoint>& p, con
 std::vector<OppositePlaces> common_places(const Face& a, const Face& b, double feature_angle, double resolution) {
   const std::vector<PlanarPoint>&p = a.outline(), &q = b.outline();
   std::vector<PlanarPoint> places;
-  if (p.size() >= 3 && (q.size() < 3 || p.size() >= q.size())) {
+  // The one of fewer sides clips the other.
+  if (p.size() >= 3 && (q.size() < 3 || p.size() <= q.size())) {
     places = clipped(q, p, resolution);
   } else if (q.size() >= 3) {
     places = clipped(p, q, resolution);

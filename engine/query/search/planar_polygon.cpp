@@ -61,17 +61,22 @@ std::vector<PlanarPoint> clipped(const std::vector<PlanarPoint>& subject, const 
                                  double resolution) {
   std::vector<PlanarPoint> part = subject;
   for (std::size_t side = 0; side < clip.size() && !part.empty(); ++side) {
-    const PlanarPoint &from = clip[side], &to = clip[(side + 1) % clip.size()];
+    const PlanarPoint& from = clip[side];
+    const PlanarPoint along = clip[(side + 1) % clip.size()] - from;
+    const double long_as = length(along);
+    const auto left = [&](const PlanarPoint& at) { return turn(along, at - from) / long_as; };
+    const auto is_left = [&](const PlanarPoint& at) { return left(at) >= -resolution; };
+    if (std::ranges::all_of(part, is_left)) continue;
     std::vector<PlanarPoint> kept;
     // A segment has one side, a point none.
     const std::size_t n_sides = part.size() > 2 ? part.size() : part.size() - 1;
     for (std::size_t k = 0; k < part.size(); ++k) {
-      const double at = left_of(from, to, part[k]);
+      const double at = left(part[k]);
       const bool is_in = at >= -resolution;
       if (is_in) kept.push_back(part[k]);
       if (k >= n_sides) continue;
       const PlanarPoint& next = part[(k + 1) % part.size()];
-      const double at_next = left_of(from, to, next);
+      const double at_next = left(next);
       if (is_in != (at_next >= -resolution) && std::fabs(at) > resolution && std::fabs(at_next) > resolution) {
         kept.push_back(part[k] + (at / (at - at_next)) * (next - part[k]));
       }
