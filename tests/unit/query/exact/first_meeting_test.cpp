@@ -10,7 +10,10 @@
 #include <random>
 #include <vector>
 
+#include "engine/numeric/quaternion.h"
 #include "engine/query/first_contact.h"
+#include "engine/query/overlap.h"
+#include "shapes/any_shape.h"
 #include "shapes/polytope.h"
 
 namespace vex {
@@ -87,7 +90,7 @@ ConvexBody hull_of(const std::vector<Vec3d>& vertices) {
 TEST(FirstMeeting, IsThatOfAllSubsets) {
   std::mt19937_64 random(5);
   int n_hits = 0, n_misses = 0, n_at_once = 0;
-  for (int k = 0; k < 160; ++k) {
+  for (int k = 0; k < 320; ++k) {
     // Few whole coordinates: flat bodies, motions along faces and edges, contacts of corners, and all that at once.
     const int range = 1 + static_cast<int>(random() % 3);
     const double unit = std::ldexp(1.0, static_cast<int>(random() % 100) - 50);
@@ -163,6 +166,47 @@ TEST(FirstMeeting, IsRightByALastPlace) {
   }
   EXPECT_GT(n_hits, 20);
   EXPECT_GT(n_misses, 20);
+}
+
+// Casts of plain, flat and thin polytopes anywhere, at a place of a lattice, or above each other by next to nothing;
+// and motions across, along axes, and at each other.
+TEST(FirstMeeting, IsWhatCastsSay) {
+  std::mt19937_64 random(8);
+  const auto number = [&random] { return std::uniform_real_distribution<double>(-1.0, 1.0)(random); };
+  std::vector<ConvexBody> bodies;
+  for (const char* const text : {"box:1,1,1", "box:1,1,1e-9", "box:1,1e-12,1", "plate:1,1", "needle:2", "tetrahedron:1",
+                                 "dodecahedron:1", "octahedron:1", "box:1000,1,1e-3"}) {
+    bodies.push_back(parse_shape(text, 1.0, kQueriedSizes).body);
+  }
+  const auto step = [&random] { return static_cast<double>(static_cast<int>(random() % 3) - 1); };
+  int n_hits = 0, n_misses = 0;
+  for (int k = 0; k < 8000; ++k) {
+    const ConvexBody &a = bodies[random() % bodies.size()], &b = bodies[random() % bodies.size()];
+    const double size = a.circumradius() + b.circumradius();
+    Transformd pose;
+    const int kind = k % 4;
+    if (kind == 0) pose = rotation_from_quaternion(number(), number(), number(), number());
+    pose.translation = {1.2 * size * number(), 1.2 * size * number(), 1.2 * size * number()};
+    if (kind == 1) pose.translation = {0.5 * step(), step(), 1.5 * step()};
+    if (kind == 2) {
+      const double above = a.support({0.0, 0.0, 1.0}).z - b.support({0.0, 0.0, -1.0}).z;
+      pose.translation = {0.3 * number(), 0.3 * number(), above + std::exp2(-60.0 * std::fabs(number()))};
+    }
+    Vec3d motion{number(), number(), number()};
+    if (k % 3 == 0) motion = {step(), step(), step()};
+    if (k % 3 == 1) motion = 0.1 * size * motion - pose.translation;
+    if (!(norm_1(motion) > 0.0)) motion = {0.0, 0.0, -1.0};
+    if (overlap(a, b, pose).outcome != Outcome::disjoint) continue;
+    const FirstContact cast = linear_cast(a, b, pose, motion);
+    const FirstMeeting exact = first_meeting(placed_forms(a, b, pose).value(), motion);
+    ASSERT_EQ(cast.verdict.outcome, exact.is_hit ? Outcome::overlap : Outcome::disjoint) << k;
+    ++(exact.is_hit ? n_hits : n_misses);
+    if (!exact.is_hit) continue;
+    ASSERT_LE(cast.lower, exact.upper) << k;
+    ASSERT_GE(cast.upper, exact.lower) << k;
+  }
+  EXPECT_GT(n_hits, 1000);
+  EXPECT_GT(n_misses, 1000);
 }
 
 }  // namespace
