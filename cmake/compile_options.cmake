@@ -10,8 +10,9 @@ add_library(vex_compile_options INTERFACE)
 target_compile_features(vex_compile_options INTERFACE cxx_std_20)
 target_compile_options(vex_compile_options INTERFACE -ffp-contract=off)
 if(VEX_SANITIZE)
+  # Of a target with the property VEX_UNSANITIZED only what it links is.
   target_compile_options(vex_compile_options INTERFACE
-    -fsanitize=${VEX_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    "$<$<NOT:$<BOOL:$<TARGET_PROPERTY:VEX_UNSANITIZED>>>:-fsanitize=${VEX_SANITIZE};-fno-sanitize-recover=all;-fno-omit-frame-pointer>")
   target_link_options(vex_compile_options INTERFACE -fsanitize=${VEX_SANITIZE})
 endif()
 
