@@ -1,9 +1,13 @@
 #include "engine/query/exact/first_meeting.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
@@ -52,7 +56,7 @@ Matrix positive_adjugate(const std::array<Basic, 4>& basis, Integer& determinant
       const auto& pairs = r < 2 ? lower : upper;
       Integer minor = at(single, rest[0]) * pairs[rest[1]][rest[2]] - at(single, rest[1]) * pairs[rest[0]][rest[2]] +
                       at(single, rest[2]) * pairs[rest[0]][rest[1]];
-      // A single row below the pair stands behind it: two exchanges, and the sign stays.
+      // Expanded along the single row: above the pair or below it, past two rows, its sign is the same.
       const bool is_odd = ((i + r) & 1U) != 0;
       adjugate[i][r] = is_odd != is_negative ? Integer(-minor) : minor;
     }
