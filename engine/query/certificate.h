@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "engine/numeric/transform.h"
 #include "engine/query/verdict.h"
@@ -18,6 +20,25 @@ struct Witness {
   Vec3d dir_b, dir_b_low;  // that of B's point, in B's own frame: about the opposite, but no rounding stands between
   Vec3d point_a;           // near the point of A, in A's frame: tells which part of the body is meant
   Vec3d point_b;           // near the point of B, in B's own frame
+};
+bool is_finite(const Witness& witness);
+
+/// A sum of vectors times powers of two: a direction that no two doubles can tell.
+struct ExactVector {
+  struct Part {
+    Vec3d value;
+    int exponent = 0;
+  };
+  std::vector<Part> parts;
+
+  bool is_any() const { return !parts.empty(); }
+};
+
+/// Points of A - B without the balls, which prove how near that comes to the origin or how far it goes around it: up to
+/// eight by their hull; or any number by a closed surface of triangles.
+struct WitnessHull {
+  std::vector<Witness> witnesses;
+  std::vector<std::array<std::uint32_t, 3>> faces;  // of witnesses, counter-clockwise seen from outside; or none
 };
 
 /// What re-proves a verdict of `overlap`. Everything is in A's frame, lengths in the bodies' units.

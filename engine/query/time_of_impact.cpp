@@ -8,6 +8,7 @@
 #include "engine/numeric/scaled_bound.h"
 #include "engine/query/first_contact.h"
 #include "engine/query/overlap.h"
+#include "engine/query/search/impact_record.h"
 #include "engine/query/search/ray_search.h"
 #include "engine/query/search/rigid_sweep.h"
 #include "engine/query/separation.h"
@@ -48,9 +49,10 @@ class Advancement {
  public:
   /// `ends`: the velocity is known well enough for the sweep's window to be one.
   Advancement(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion,
-              bool ends)
+              bool ends, std::vector<ApartDuring>* record)
       : a_(a),
         b_(b),
+        record_(record),
         sweep_(a, b, a_from_b, motion),
         size_(a.circumradius() + b.circumradius()),
         is_curved_(!a.is_rounded_polytope() || !b.is_rounded_polytope()),
@@ -69,7 +71,9 @@ class Advancement {
       last_gap_ = std::fmax(gap, 0.0);
       last_normal_ = apart.normal;
       if (gap > sweep_.rounding_at(time_)) {
+        const double from = time_;
         time_ += longest_advance(apart.normal, gap);
+        if (record_ != nullptr && !touched_) record_->push_back({from, time_, apart.normal});
         continue;
       }
       // The first place where the bodies may touch is the answer's, and the least time of contact not before it.
@@ -256,6 +260,7 @@ class Advancement {
 
   const ConvexBody& a_;
   const ConvexBody& b_;
+  std::vector<ApartDuring>* record_;
   RigidSweep sweep_;
   double size_;
   // Distances of polytopes and balls come to an end by themselves; small ones of curved bodies are dear.
@@ -270,9 +275,8 @@ class Advancement {
   int n_support_calls_ = 0;
 };
 
-}  // namespace
-
-FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion) {
+FirstContact impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
+                    std::vector<ApartDuring>* record) {
   const Transformd& a_from_b = pose.a_from_b();
   if (!is_finite(motion.velocity) || !is_finite(motion.angular_velocity)) {
     throw InputError("a velocity is not finite - give finite numbers");
@@ -298,14 +302,30 @@ FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose
   const RigidMotion scaled{times_power_of_two(motion.velocity, -exponent),
                            times_power_of_two(motion.angular_velocity, -exponent)};
   const bool ends = !moves || norm_1(scaled.velocity) > kLeastSpeed;
-  FirstContact contact = Advancement(a, b, a_from_b, scaled, ends).run();
+  FirstContact contact = Advancement(a, b, a_from_b, scaled, ends, record).run();
   if (exponent != 0) {
     if (contact.verdict.outcome != Outcome::disjoint) contact.lower = scaled_down(contact.lower, -exponent);
     contact.time = contact.verdict.outcome != Outcome::disjoint ? contact.lower : HUGE_VAL;
     contact.upper = scaled_up(contact.upper, -exponent);
+    for (std::size_t k = 0; record != nullptr && k < record->size(); ++k) {
+      (*record)[k].from = std::ldexp((*record)[k].from, -exponent);
+      (*record)[k].to = std::ldexp((*record)[k].to, -exponent);
+    }
   }
   contact.n_support_calls += start.n_support_calls;
   return contact;
+}
+
+}  // namespace
+
+FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion) {
+  return impact(a, b, pose, motion, nullptr);
+}
+
+FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
+                            std::vector<ApartDuring>& record) {
+  record.clear();
+  return impact(a, b, pose, motion, &record);
 }
 
 }  // namespace vex

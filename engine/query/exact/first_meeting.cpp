@@ -27,6 +27,7 @@ enum class Kind { slack, time, point };
 struct Basic {
   Kind kind = Kind::slack;
   Column column;
+  std::size_t a = 0, b = 0;  // of a point, the vertices it is of
 };
 
 // The inverse of the matrix whose columns these are, times its determinant, and the sign changed where that is
@@ -68,20 +69,24 @@ Integer product(const Column& a, const Column& b) { return a[0] * b[0] + a[1] * 
 Vector direction_of(const Column& a) { return {a[0], a[1], a[2]}; }
 
 // Of the points farthest along `first` the one farthest along `second`.
+struct Farthest {
+  Vector at;
+  std::size_t index;
+};
 template <class PointOf>
-Vector farthest(const VertexSet& points, const Vector& first, const Vector& second, const PointOf& point_of) {
+Farthest farthest(const VertexSet& points, const Vector& first, const Vector& second, const PointOf& point_of) {
   const bool has_first = !whole::is_zero(first);
   const std::vector<std::size_t>& open = points.farthest(whole::rounded_direction(has_first ? first : second));
-  Vector best = point_of(open.front());
+  Farthest best{point_of(open.front()), open.front()};
   if (open.size() == 1) return best;
-  Integer along_first = whole::dot(best, first), along_second = whole::dot(best, second);
+  Integer along_first = whole::dot(best.at, first), along_second = whole::dot(best.at, second);
   for (std::size_t k = 1; k < open.size(); ++k) {
     Vector next = point_of(open[k]);
     Integer next_first = whole::dot(next, first);
     if (next_first < along_first) continue;
     Integer next_second = whole::dot(next, second);
     if (next_first == along_first && next_second <= along_second) continue;
-    best = std::move(next);
+    best = {std::move(next), open[k]};
     along_first = std::move(next_first);
     along_second = std::move(next_second);
   }
@@ -112,7 +117,7 @@ class Programme {
   // Costs are pairs, of which the first counts more than any of the second: what the slacks hold, and the time. Rows of
   // the inverse decide between rows that reach 0 at once, so no basis comes again (G. Dantzig, A. Orden, P. Wolfe,
   // Pacific J. Math. 5, 183, 1955), and the search ends.
-  FirstMeeting solve() {
+  FirstMeeting solve(FirstMeetingProof* proof) {
     FirstMeeting result;
     while (true) {
       Integer determinant;
@@ -131,6 +136,15 @@ class Programme {
       }
       if (!entering) {
         conclude(inverse, determinant, result);
+        if (proof != nullptr) {
+          // No point and no time gains: y . w + y_4 <= 0 for all w of K, with y_4 the least sum of slacks, or the time;
+          // and y . m >= 0, or >= -1.
+          proof->dir = direction_of(result.is_hit ? of_time : of_slacks);
+          for (std::size_t k = 0; k < 4; ++k) {
+            const bool carries = basis_[k].kind == Kind::point && whole::sign(inverse[k][3]) > 0;
+            if (result.is_hit && carries) proof->carriers.emplace_back(basis_[k].a, basis_[k].b);
+          }
+        }
         return result;
       }
       replace(inverse, *entering);
@@ -144,18 +158,20 @@ class Programme {
     for (const Basic& basic : basis_) {
       if (basic.kind == Kind::time) return std::nullopt;
     }
-    return Basic{Kind::time, time_};
+    return Basic{Kind::time, time_, 0, 0};
   }
 
   std::optional<Basic> better_point(const Column& of_slacks, const Column& of_time) const {
     const Vector first = direction_of(of_slacks), second = direction_of(of_time);
     const auto of_a = [this](std::size_t i) { return points_.a(i); };
     const auto of_b = [this](std::size_t i) { return points_.b(i); };
-    const Vector w = farthest(forms_.points_a, first, second, of_a) - farthest(forms_.points_b, -first, -second, of_b);
+    const Farthest a = farthest(forms_.points_a, first, second, of_a);
+    const Farthest b = farthest(forms_.points_b, -first, -second, of_b);
+    const Vector w = a.at - b.at;
     const Column column{w.x, w.y, w.z, 1};
     const int gain = whole::sign(product(of_slacks, column));
     if (gain < 0 || (gain == 0 && product(of_time, column) <= 0)) return std::nullopt;
-    return Basic{Kind::point, column};
+    return Basic{Kind::point, column, a.index, b.index};
   }
 
   void replace(const Matrix& inverse, const Basic& entering) {
@@ -201,9 +217,9 @@ class Programme {
 
 }  // namespace
 
-FirstMeeting first_meeting(const PlacedForms& forms, const Vec3d& motion) {
+FirstMeeting first_meeting(const PlacedForms& forms, const Vec3d& motion, FirstMeetingProof* proof) {
   VEX_EXPECT(forms.a.is_polytope() && forms.b.is_polytope());
-  return Programme(forms, motion).solve();
+  return Programme(forms, motion).solve(proof);
 }
 
 }  // namespace vex

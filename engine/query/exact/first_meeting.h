@@ -5,7 +5,12 @@
 // solved by the simplex method, the columns found by support mappings, in exact arithmetic (E22).
 #pragma once
 
+#include <cstddef>
+#include <utility>
+#include <vector>
+
 #include "engine/numeric/vec3.h"
+#include "engine/numeric/whole.h"
 #include "engine/query/exact/placed_forms.h"
 
 namespace vex {
@@ -16,8 +21,15 @@ struct FirstMeeting {
   int n_support_calls = 0;
 };
 
+/// What proves it: along `dir` the polytopes are apart until they meet, or for ever; and where they do, t m is in the
+/// hull of at most three differences of these vertices of A and of B.
+struct FirstMeetingProof {
+  whole::Vector dir;
+  std::vector<std::pair<std::size_t, std::size_t>> carriers;
+};
+
 /// Of polytopes, without balls: K is of A's points and of B's as they are placed. Everything is exact: flat bodies, and
 /// motions along faces, edges, or past them by any little, are answered as they are.
-FirstMeeting first_meeting(const PlacedForms& forms, const Vec3d& motion);
+FirstMeeting first_meeting(const PlacedForms& forms, const Vec3d& motion, FirstMeetingProof* proof = nullptr);
 
 }  // namespace vex

@@ -69,6 +69,7 @@ DifferencePoint RaySearch::cut(const Vec3d& normal) {
   if (height < 0.0) {
     if (along - rounding >= 0.0) {
       bounds_.is_miss = true;
+      normal_ = normal;
     } else {
       const double before = height / (along - rounding) * (1.0 - gamma(4));
       if (before > bounds_.lower || norm_1(normal_) == 0.0) normal_ = normal;

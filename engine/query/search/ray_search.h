@@ -48,6 +48,9 @@ class RaySearch {
   };
   Touch touch() const;
 
+  /// Along it the bodies are apart until `lower`, or for ever where one support mapping has shown that; or zero.
+  const Vec3d& separating_normal() const { return normal_; }
+
   /// K is multiplied by 2^exponent().
   int exponent() const { return exponent_; }
   int n_support_calls() const { return n_support_calls_; }

@@ -1,0 +1,90 @@
+// The checker of distances and depths (docs/derivations.md, E24).
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "engine/numeric/rounding.h"
+#include "engine/query/checker/exact_hull.h"
+#include "engine/query/checker/exact_pair.h"
+#include "engine/query/checker/witness_proof.h"
+#include "engine/query/separation_certificate.h"
+
+namespace vex {
+namespace {
+
+using checker::ExactPair;
+using whole::Dyadic;
+using whole::DyadicVector;
+
+// The verdict and both bounds.
+std::string fault_of_bounds(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const ExactPair& pair,
+                            const Separation& claimed, const SeparationCertificate& certificate) {
+  const Outcome outcome = claimed.verdict.outcome;
+  const bool sign_is_proven =
+      outcome != Outcome::undecided &&
+      check_certificate(a, b, pose.a_from_b(), outcome, certificate.sign).is_proven;
+  const bool lower_by_sign = sign_is_proven && outcome == Outcome::disjoint && claimed.lower <= 0.0;
+  const bool upper_by_sign = sign_is_proven && outcome == Outcome::overlap && claimed.upper >= 0.0;
+  if (!lower_by_sign && claimed.lower > -HUGE_VAL) {
+    if (!std::isfinite(claimed.lower)) return "the lower bound is no number";
+    if (!is_apart_by(pair, certificate.dir, Dyadic(claimed.lower))) {
+      return "the direction does not prove the lower bound";
+    }
+  }
+  if (!upper_by_sign && claimed.upper < HUGE_VAL) {
+    if (!std::isfinite(claimed.upper)) return "the upper bound is no number";
+    if (!comes_as_near_as(pair, certificate.hull, Dyadic(claimed.upper))) {
+      return "the witnesses do not prove the upper bound";
+    }
+  }
+  if (outcome == Outcome::disjoint && !sign_is_proven && !(claimed.lower > 0.0)) return "disjointness is not proven";
+  if (outcome == Outcome::overlap && !sign_is_proven && !(claimed.upper <= 0.0)) return "the overlap is not proven";
+  return {};
+}
+
+// Points that are where they are said to be: of their bodies, and apart along the normal.
+std::string fault_of_points(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const ExactPair& pair,
+                            const Separation& claimed, const SeparationCertificate& certificate) {
+  for (const Vec3d& v : {claimed.normal, claimed.point_a, claimed.point_b}) {
+    if (!is_finite(v)) return "a point or the normal is not finite";
+  }
+  const Dyadic accuracy(promised_accuracy(a, b, claimed)), one(1.0), few(0x1p-48);
+  const DyadicVector normal = whole::exactly(claimed.normal), point_a = whole::exactly(claimed.point_a),
+                     point_b = whole::exactly(claimed.point_b);
+  const Dyadic stretch = dot(normal, normal) - one;
+  if (few < stretch || stretch < -few) return "the normal is no unit vector";
+  const double far = norm_1(claimed.point_a) + norm_1(claimed.point_b) + b.reach() + norm_1(pose.a_from_b().translation);
+  const Dyadic near_enough = accuracy + Dyadic(16.0 * kUnitRoundoff * far);
+  const Dyadic distance(claimed.signed_distance);
+  const DyadicVector off =
+      point_b - point_a - DyadicVector{distance * normal.x, distance * normal.y, distance * normal.z};
+  if (near_enough * near_enough < dot(off, off)) return "the points are not the distance apart along the normal";
+  if (!is_near_a(pair, certificate.near_a, point_a, near_enough)) return "point_a is not proven to be near A";
+  if (!is_near_b(pair, certificate.near_b, point_b, near_enough)) return "point_b is not proven to be near B";
+  return {};
+}
+
+}  // namespace
+
+double promised_accuracy(const ConvexBody& a, const ConvexBody& b, const Separation& found) {
+  const double size = std::fabs(found.signed_distance) + (a.circumradius() + b.circumradius());
+  const double relative = a.is_rounded_polytope() && b.is_rounded_polytope() ? 1e-12 : 1e-9;
+  const double width = found.upper - found.lower;
+  return std::fmax(relative * size, width < HUGE_VAL ? width : 0.0);
+}
+
+CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Separation& claimed,
+                                   const SeparationCertificate& certificate) {
+  std::string fault;
+  const std::optional<ExactPair> pair = ExactPair::of(a, b, pose.a_from_b(), fault);
+  if (fault.empty() && !(claimed.lower <= claimed.upper)) fault = "the bounds exclude each other";
+  if (fault.empty() && !(claimed.lower <= claimed.signed_distance && claimed.signed_distance <= claimed.upper)) {
+    fault = "the value is not between its bounds";
+  }
+  if (fault.empty()) fault = fault_of_bounds(a, b, pose, *pair, claimed, certificate);
+  if (fault.empty() && claimed.has_witnesses) fault = fault_of_points(a, b, pose, *pair, claimed, certificate);
+  return {fault.empty(), std::move(fault)};
+}
+
+}  // namespace vex

@@ -1,0 +1,43 @@
+// Proof of what a ray, a linear cast or a time of impact was answered, apart from the search that found it.
+#pragma once
+
+#include <vector>
+
+#include "engine/query/certificate.h"
+#include "engine/query/first_contact.h"
+
+namespace vex {
+
+/// What re-proves a `FirstContact`.
+///
+/// No contact before `lower`, or none at all: directions that keep the bodies apart, each for an interval of time;
+/// together they cover all times in question but those in which balls around the bodies are apart. Contact at the
+/// start: `at_start`. A later one, of a straight motion: the hull of points of A - B, each of B as it is at some time
+/// between `lower` and `upper`, holds the origin, and such hulls are of what the difference passes through in that time.
+/// Of a body that turns, all of B at `upper`.
+struct ContactCertificate {
+  struct Apart {
+    double from, to;  // infinite: for ever after
+    ExactVector dir;  // in A's frame, from A towards B
+  };
+  std::vector<Apart> apart;
+  OverlapCertificate at_start;
+  WitnessHull hull;
+  std::vector<double> times;  // of each witness
+};
+
+/// Find a certificate for an answer of `linear_cast`, or of `time_of_impact`; slow. What is not found is left out, and
+/// the checker says so. Of an undecided answer nothing is looked for but what proves `lower`.
+ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& motion,
+                           const FirstContact& found);
+ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
+                           const FirstContact& found);
+
+/// Proves verdict and bounds again, in exact arithmetic, from the bodies' exact forms and the certificate alone. An
+/// undecided answer claims `lower`.
+CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& motion,
+                                   const FirstContact& claimed, const ContactCertificate& certificate);
+CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
+                                   const FirstContact& claimed, const ContactCertificate& certificate);
+
+}  // namespace vex

@@ -1,0 +1,208 @@
+// Finds the certificates of casts and impacts. Nothing here is believed: the checker judges what is found.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "engine/numeric/double_double.h"
+#include "engine/query/checker/exact_pair.h"
+#include "engine/query/contact_certificate.h"
+#include "engine/query/exact/first_meeting.h"
+#include "engine/query/exact/placed_forms.h"
+#include "engine/query/exact/recorded_core.h"
+#include "engine/query/overlap.h"
+#include "engine/query/search/impact_record.h"
+#include "engine/query/search/ray_search.h"
+
+namespace vex {
+namespace {
+
+using checker::ExactPair;
+using Apart = ContactCertificate::Apart;
+
+constexpr int kMostCalls = 1 << 11;
+
+// Piece by piece, each of 53 bits at most.
+ExactVector exact_vector(whole::Vector v) {
+  ExactVector sum;
+  while (!whole::is_zero(v)) {
+    const auto highest = [](const whole::Integer& x) {
+      return x == 0 ? 0 : static_cast<int>(msb(whole::Integer(abs(x))));
+    };
+    const int exponent = std::max(0, std::max({highest(v.x), highest(v.y), highest(v.z)}) - 52);
+    const auto take = [exponent](whole::Integer& x) {
+      const whole::Integer magnitude = abs(x) >> static_cast<unsigned>(exponent);
+      const whole::Integer part = x.sign() < 0 ? whole::Integer(-magnitude) : magnitude;
+      x -= part << static_cast<unsigned>(exponent);
+      return part.convert_to<double>();
+    };
+    const Vec3d value{take(v.x), take(v.y), take(v.z)};
+    sum.parts.push_back({value, exponent});
+  }
+  return sum;
+}
+
+// t m in the units of the forms.
+Vec3e way(double time, const Vec3d& motion, int exponent) {
+  const auto times = [&](double m) {
+    const Extended product = Extended(time) * Extended(m);
+    return Extended{std::ldexp(product.high, -exponent), std::ldexp(product.low, -exponent)};
+  };
+  return {times(motion.x), times(motion.y), times(motion.z)};
+}
+
+void take(WitnessHull hull, const std::vector<bool>& is_late, double from, double to,
+          ContactCertificate& certificate) {
+  certificate.hull = std::move(hull);
+  certificate.times.clear();
+  for (const bool late : is_late) certificate.times.push_back(late ? to : from);
+}
+
+/// A straight motion.
+class CastCertifier {
+ public:
+  CastCertifier(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& motion,
+                const FirstContact& found)
+      : a_(a), b_(b), pose_(pose), motion_(motion), found_(found) {}
+
+  ContactCertificate run() {
+    const Outcome outcome = found_.verdict.outcome;
+    if (outcome == Outcome::overlap && found_.upper == 0.0) {
+      overlap(a_, b_, pose_, &certificate_.at_start);
+      return certificate_;
+    }
+    const std::optional<PlacedForms> placed = placed_forms(a_, b_, pose_.a_from_b());
+    if (!placed) return certificate_;
+    if (placed->a.is_polytope() && placed->b.is_polytope() && norm_1(motion_) > 0.0) prove_by_programme(*placed);
+    if (!is_proven()) prove_by_search(*placed);
+    return certificate_;
+  }
+
+ private:
+  double until() const { return found_.verdict.outcome == Outcome::disjoint ? HUGE_VAL : found_.lower; }
+  bool is_proven() const {
+    return check_certificate(a_, b_, pose_, motion_, found_, certificate_).is_proven;
+  }
+  // Whether the directions are enough, whatever proves the contact.
+  bool is_apart(const ContactCertificate& certificate) const {
+    FirstContact only_apart = found_;
+    if (found_.verdict.outcome != Outcome::disjoint) {
+      only_apart.verdict = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);
+    }
+    return check_certificate(a_, b_, pose_, motion_, only_apart, certificate).is_proven;
+  }
+  bool offer_apart(std::vector<Apart> apart) {
+    ContactCertificate only;
+    only.apart = std::move(apart);
+    if (!is_apart(only)) return false;
+    certificate_.apart = std::move(only.apart);
+    return true;
+  }
+
+  void prove_by_programme(const PlacedForms& placed) {
+    FirstMeetingProof proof;
+    const FirstMeeting meeting = first_meeting(placed, motion_, &proof);
+    if (until() > 0.0) offer_apart({{0.0, until(), exact_vector(proof.dir)}});
+    if (!meeting.is_hit) return;
+    for (const auto& [i, j] : proof.carriers) {
+      for (const double time : {found_.lower, found_.upper}) {
+        certificate_.hull.witnesses.push_back({{}, {}, {}, {}, placed.a.points[i], placed.b.points[j]});
+        certificate_.times.push_back(time);
+      }
+    }
+  }
+
+  void prove_by_search(const PlacedForms& placed) {
+    const LocalForms forms(placed);
+    if (until() > 0.0 && !is_apart(certificate_)) find_apart(forms);
+    if (found_.verdict.outcome == Outcome::overlap && found_.upper < HUGE_VAL) find_contact(forms);
+  }
+
+  void find_apart(const LocalForms& forms) {
+    for (const Vec3d& normal : {found_.normal, searched_normal()}) {
+      if (norm_1(normal) > 0.0 && offer_apart({{0.0, until(), {{{normal, 0}}}}})) return;
+    }
+    // All of B on its way, until it is beyond A: with which the direction of the motion keeps them apart.
+    const double speed = norm(motion_);
+    const double beyond = 2.0 * (norm_1(pose_.a_from_b().translation) + a_.reach() + 2.0 * b_.reach()) / speed;
+    const double end = std::fmin(until(), beyond);
+    const RecordedCore core(forms, {}, way(end, motion_, forms.exponent()));
+    for (const double gap : {0x1p-40, 0x1p-60, 0.0}) {
+      const ExactVector dir = prove_nearness(core, searched_normal(), gap, kMostCalls).dir;
+      if (end == until() ? offer_apart({{0.0, end, dir}})
+                         : offer_apart({{0.0, end, dir}, {end, HUGE_VAL, {{{motion_, 0}}}}}) ||
+                               offer_apart({{0.0, HUGE_VAL, dir}})) {
+        return;
+      }
+    }
+  }
+
+  Vec3d searched_normal() const {
+    const int exponent =
+        std::ilogb(std::fmax(std::fabs(motion_.x), std::fmax(std::fabs(motion_.y), std::fabs(motion_.z))));
+    if (!are_within_range(a_, b_, pose_.a_from_b())) return {};
+    const OverlapAnswer start = overlap_answer(a_, b_, pose_);
+    RaySearch search(a_, b_, pose_.a_from_b(), times_power_of_two(motion_, -exponent));
+    search.run(start.separating_dir, start.verdict.outcome == Outcome::disjoint);
+    return search.separating_normal();
+  }
+
+  void find_contact(const LocalForms& forms) {
+    const RecordedCore core(forms, way(found_.lower, motion_, forms.exponent()),
+                            way(found_.upper, motion_, forms.exponent()));
+    for (const double gap : {0x1p-50, 0x1p-70, 0.0}) {
+      CoreProof proof = prove_nearness(core, found_.normal, gap, kMostCalls);
+      take(std::move(proof.hull), proof.is_late, found_.lower, found_.upper, certificate_);
+      if (is_proven()) return;
+      if (proof.surface.faces.empty()) continue;
+      take(std::move(proof.surface), proof.is_late_of_surface, found_.lower, found_.upper, certificate_);
+      if (is_proven()) return;
+    }
+  }
+
+  const ConvexBody& a_;
+  const ConvexBody& b_;
+  const Pose& pose_;
+  const Vec3d& motion_;
+  const FirstContact& found_;
+  ContactCertificate certificate_;
+};
+
+}  // namespace
+
+ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& motion,
+                           const FirstContact& found) {
+  return CastCertifier(a, b, pose, motion, found).run();
+}
+
+ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
+                           const FirstContact& found) {
+  if (norm_1(motion.angular_velocity) == 0.0) return certify(a, b, pose, motion.velocity, found);
+  ContactCertificate certificate;
+  if (found.verdict.outcome == Outcome::overlap && found.upper == 0.0) {
+    overlap(a, b, pose, &certificate.at_start);
+    return certificate;
+  }
+  std::vector<ApartDuring> record;
+  time_of_impact(a, b, pose, motion, record);
+  for (const ApartDuring& step : record) certificate.apart.push_back({step.from, step.to, {{{step.normal, 0}}}});
+  if (found.verdict.outcome != Outcome::overlap || !(found.upper < HUGE_VAL)) return certificate;
+  const std::optional<PlacedForms> placed = placed_forms(a, b, pose_at(pose.a_from_b(), motion, found.upper));
+  if (!placed) return certificate;
+  const LocalForms forms(*placed);
+  const RecordedCore core(forms);
+  FirstContact only_contact = found;  // that nothing is before it costs more to be shown
+  only_contact.lower = only_contact.time = 0.0;
+  for (const double gap : {0x1p-50, 0x1p-70, 0.0}) {
+    const CoreProof proof = prove_nearness(core, found.normal, gap, kMostCalls);
+    for (const WitnessHull* const hull : {&proof.hull, &proof.surface}) {
+      if (hull->witnesses.empty()) continue;
+      certificate.hull = *hull;
+      certificate.times.assign(hull->witnesses.size(), found.upper);
+      if (check_certificate(a, b, pose, motion, only_contact, certificate).is_proven) return certificate;
+    }
+  }
+  return certificate;
+}
+
+}  // namespace vex
