@@ -33,6 +33,11 @@ ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose&
 ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
                            const FirstContact& found);
 
+/// Of `cast_ray`: B is the ray's origin, a point.
+ContactCertificate certify_ray(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir, const FirstContact& found);
+CertificateCheck check_ray_certificate(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir,
+                                       const FirstContact& claimed, const ContactCertificate& certificate);
+
 /// Proves verdict and bounds again, in exact arithmetic, from the bodies' exact forms and the certificate alone. An
 /// undecided answer claims `lower`.
 CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& motion,

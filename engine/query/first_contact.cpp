@@ -9,25 +9,12 @@
 #include "engine/numeric/scaled_bound.h"
 #include "engine/query/exact/exact_cast.h"
 #include "engine/query/overlap.h"
+#include "engine/query/search/point_body.h"
 #include "engine/query/search/ray_search.h"
 #include "engine/query/separation.h"
 
 namespace vex {
 namespace {
-
-/// What a ray starts from, as a body.
-struct Point {
-  template <class L>
-  Vec3<L> support(const Vec3<L>& /*dir*/) const {
-    return {};
-  }
-  double support_error() const { return 0.0; }
-  Vec3d centre() const { return {}; }
-  double circumradius() const { return 0.0; }
-  double inradius() const { return 0.0; }
-  std::optional<ExactForm> exact_form() const { return ExactForm{{Vec3d{}}, {}, 0.0}; }
-  Generators generators() const { return {}; }
-};
 
 FirstContact no_contact(Verdict verdict) { return {verdict, HUGE_VAL, HUGE_VAL, HUGE_VAL, {}, {}, {}, 0}; }
 
@@ -155,7 +142,7 @@ FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Pose& p
 }
 
 FirstContact cast_ray(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir) {
-  static const ConvexBody kPoint = Point{};
+  static const ConvexBody kPoint = PointBody{};
   Transformd a_from_point;
   a_from_point.translation = origin;
   return linear_cast(a, kPoint, a_from_point, dir);

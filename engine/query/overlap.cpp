@@ -3,17 +3,13 @@
 #include <optional>
 
 #include "engine/query/exact/exact_overlap.h"
+#include "engine/query/exact/exact_witness.h"
 #include "engine/query/exact/extended_overlap.h"
 #include "engine/query/exact/placed_forms.h"
 #include "engine/query/search/overlap_filter.h"
 
 namespace vex {
 namespace {
-
-Witness witness_of(const PlacedForms& forms, const ExactOverlap& exact, int k) {
-  const auto index = static_cast<std::size_t>(k);
-  return {{}, {}, {}, {}, forms.a.points[exact.carriers_a[index]], forms.b.points[exact.carriers_b[index]]};
-}
 
 // What the filter leaves open goes to the exact forms. `witnesses`: null, or what receives those of an overlap, of one
 // that the filter has proven too.
@@ -34,7 +30,8 @@ OverlapAnswer decide(const ConvexBody& a, const ConvexBody& b, const Transformd&
     if (witnesses == nullptr) return answer;
     witnesses->n_witnesses = exact.n_carriers;
     for (int k = 0; k < exact.n_carriers; ++k) {
-      witnesses->witnesses[static_cast<std::size_t>(k)] = witness_of(*forms, exact, k);
+      const std::size_t i = static_cast<std::size_t>(k);
+      witnesses->witnesses[i] = vertex_witness(*forms, exact.carriers_a[i], exact.carriers_b[i]);
     }
     return answer;
   }

@@ -9,6 +9,7 @@
 #include "engine/query/checker/turning.h"
 #include "engine/query/checker/witness_proof.h"
 #include "engine/query/contact_certificate.h"
+#include "engine/query/search/point_body.h"
 
 namespace vex {
 namespace {
@@ -232,6 +233,13 @@ CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, con
     fault = fault_of(a, b, pose, turning, claimed, certificate);
   }
   return {fault.empty(), std::move(fault)};
+}
+
+CertificateCheck check_ray_certificate(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir,
+                                       const FirstContact& claimed, const ContactCertificate& certificate) {
+  Transformd at_origin;
+  at_origin.translation = origin;
+  return check_certificate(a, ConvexBody(PointBody{}), at_origin, dir, claimed, certificate);
 }
 
 }  // namespace vex

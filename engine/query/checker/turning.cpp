@@ -12,7 +12,7 @@ using whole::DyadicVector;
 using whole::Integer;
 
 // Of fixed-point numbers; of the series; and the largest number of halvings of the angle.
-constexpr int kFraction = 320, kTerms = 30, kMostHalvings = 57;
+constexpr int kFraction = 192, kTerms = 20, kMostHalvings = 57;
 
 // Whole numbers times 2^-kFraction.
 using Matrix = std::array<std::array<Integer, 3>, 3>;
@@ -41,8 +41,8 @@ Integer fixed(const Dyadic& x, int halvings) {
 }
 
 // exp([angle]), by its series for an angle that is halved until it is below 2^-8, and squared as often. As an operator X
-// of the series is off by 3 * 2^-kFraction, and each of its 30 terms by less than 2^5 of that; the rest of the series is
-// below 2^-248 / 31! < 2^-360. All that is below 2^(10 - kFraction). A square of a matrix that is off by e,
+// of the series is off by 3 * 2^-kFraction, and each of its 20 terms by less than 2^5 of that; the rest of the series is
+// below 2^-168 / 21! < 2^-230. All that is below 2^(10 - kFraction). A square of a matrix that is off by e,
 // of a length of 1 + e, is off by 2.1 e and 9 * 2^-kFraction for its own rounding.
 Matrix exponential(const DyadicVector& angle, int halvings) {
   const Integer x = fixed(angle.x, halvings), y = fixed(angle.y, halvings), z = fixed(angle.z, halvings);

@@ -7,11 +7,13 @@
 #include "engine/numeric/double_double.h"
 #include "engine/query/checker/exact_pair.h"
 #include "engine/query/contact_certificate.h"
+#include "engine/query/exact/exact_witness.h"
 #include "engine/query/exact/first_meeting.h"
 #include "engine/query/exact/placed_forms.h"
 #include "engine/query/exact/recorded_core.h"
 #include "engine/query/overlap.h"
 #include "engine/query/search/impact_record.h"
+#include "engine/query/search/point_body.h"
 #include "engine/query/search/ray_search.h"
 
 namespace vex {
@@ -21,26 +23,6 @@ using checker::ExactPair;
 using Apart = ContactCertificate::Apart;
 
 constexpr int kMostCalls = 1 << 11;
-
-// Piece by piece, each of 53 bits at most.
-ExactVector exact_vector(whole::Vector v) {
-  ExactVector sum;
-  while (!whole::is_zero(v)) {
-    const auto highest = [](const whole::Integer& x) {
-      return x == 0 ? 0 : static_cast<int>(msb(whole::Integer(abs(x))));
-    };
-    const int exponent = std::max(0, std::max({highest(v.x), highest(v.y), highest(v.z)}) - 52);
-    const auto take = [exponent](whole::Integer& x) {
-      const whole::Integer magnitude = abs(x) >> static_cast<unsigned>(exponent);
-      const whole::Integer part = x.sign() < 0 ? whole::Integer(-magnitude) : magnitude;
-      x -= part << static_cast<unsigned>(exponent);
-      return part.convert_to<double>();
-    };
-    const Vec3d value{take(v.x), take(v.y), take(v.z)};
-    sum.parts.push_back({value, exponent});
-  }
-  return sum;
-}
 
 // t m in the units of the forms.
 Vec3e way(double time, const Vec3d& motion, int exponent) {
@@ -106,7 +88,7 @@ class CastCertifier {
     if (!meeting.is_hit) return;
     for (const auto& [i, j] : proof.carriers) {
       for (const double time : {found_.lower, found_.upper}) {
-        certificate_.hull.witnesses.push_back({{}, {}, {}, {}, placed.a.points[i], placed.b.points[j]});
+        certificate_.hull.witnesses.push_back(vertex_witness(placed, i, j));
         certificate_.times.push_back(time);
       }
     }
@@ -203,6 +185,12 @@ ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose&
     }
   }
   return certificate;
+}
+
+ContactCertificate certify_ray(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir, const FirstContact& found) {
+  Transformd at_origin;
+  at_origin.translation = origin;
+  return certify(a, ConvexBody(PointBody{}), at_origin, dir, found);
 }
 
 }  // namespace vex

@@ -1,4 +1,4 @@
-// Finds the certificates of distances and depths. Nothing here is believed: the checker judges what is found.
+// Finds the certificates of distances, depths and manifolds. Nothing here is believed: the checker judges what is found.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,8 +6,12 @@
 
 #include "engine/query/checker/exact_pair.h"
 #include "engine/query/checker/witness_proof.h"
+#include "engine/query/exact/exact_overlap.h"
+#include "engine/query/exact/exact_witness.h"
 #include "engine/query/exact/placed_forms.h"
 #include "engine/query/exact/recorded_core.h"
+#include "engine/query/manifold_certificate.h"
+#include "engine/query/search/point_body.h"
 #include "engine/query/separation_certificate.h"
 
 namespace vex {
@@ -27,20 +31,14 @@ std::vector<Witness> nearest_witnesses(const std::optional<PlacedForms>& placed)
   return prove_nearness(core, {}, kPointGap, kMostCalls).hull.witnesses;
 }
 
-/// A point as a body.
-struct PointBody {
-  Vec3d at;
-
-  template <class L>
-  Vec3<L> support(const Vec3<L>& /*dir*/) const {
-    return broadcast<L>(at);
-  }
-  double support_error() const { return 0.0; }
-  Vec3d centre() const { return at; }
-  double circumradius() const { return 0.0; }
-  double inradius() const { return 0.0; }
-  std::optional<ExactForm> exact_form() const { return ExactForm{{at}, {}, 0.0}; }
-};
+std::vector<Witness> nearest_of_a(const ConvexBody& a, const Vec3d& point) {
+  Transformd at_a;
+  at_a.translation = point;
+  return nearest_witnesses(placed_forms(a, ConvexBody(PointBody{{}}), at_a));
+}
+std::vector<Witness> nearest_of_b(const ConvexBody& b, const Transformd& a_from_b, const Vec3d& point) {
+  return nearest_witnesses(placed_forms(ConvexBody(PointBody{point}), b, a_from_b));
+}
 
 void find_bounds(const ExactPair& pair, const PlacedForms& placed, const Separation& found,
                  SeparationCertificate& certificate) {
@@ -57,16 +55,26 @@ void find_bounds(const ExactPair& pair, const PlacedForms& placed, const Separat
     certificate.hull = std::move(hull);
     has_hull = true;
   };
+  if (placed.are_rounded_polytopes()) {
+    whole::Vector dir;
+    const ExactOverlap nearest = exact_nearest(placed, dir);
+    WitnessHull hull;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(nearest.n_carriers); ++k) {
+      hull.witnesses.push_back(vertex_witness(placed, nearest.carriers_a[k], nearest.carriers_b[k]));
+    }
+    if (!nearest.overlap) offer_dir(exact_vector(dir));
+    offer_hull(std::move(hull));
+  }
   offer_dir({{{found.normal, 0}}});
   const double width = std::isfinite(found.upper - found.lower) ? (found.upper - found.lower) * unit : 0.0;
-  const double first = placed.are_rounded_polytopes() ? 0x1p-62 : std::clamp(0.5 * width, 0x1p-62, 0x1p-10);
-  for (double gap = first; !(has_dir && has_hull); gap = gap > 0x1p-61 ? gap * 0x1p-9 : 0.0) {
+  const double first = placed.are_rounded_polytopes() ? 0x1p-62 : std::clamp(0.5 * width, 0x1p-92, 0x1p-10);
+  for (double gap = first; !(has_dir && has_hull); gap *= 0x1p-9) {
     const RecordedCore core(forms);
     CoreProof proof = prove_nearness(core, found.normal, gap, kMostCalls);
     offer_dir(std::move(proof.dir));
     offer_hull(std::move(proof.hull));
     if (!proof.surface.faces.empty()) offer_hull(std::move(proof.surface));
-    if (!(gap > 0.0) || proof.is_capped) break;
+    if (gap < 0x1p-90 || proof.is_capped) break;
   }
 }
 
@@ -89,10 +97,18 @@ SeparationCertificate certify(const ConvexBody& a, const ConvexBody& b, const Po
   if (!pair || !placed) return certificate;
   if (open.lower > -HUGE_VAL || open.upper < HUGE_VAL) find_bounds(*pair, *placed, open, certificate);
   if (found.has_witnesses) {
-    Transformd at_a;
-    at_a.translation = found.point_a;
-    certificate.near_a = nearest_witnesses(placed_forms(a, ConvexBody(PointBody{{}}), at_a));
-    certificate.near_b = nearest_witnesses(placed_forms(ConvexBody(PointBody{found.point_b}), b, pose.a_from_b()));
+    certificate.near_a = nearest_of_a(a, found.point_a);
+    certificate.near_b = nearest_of_b(b, pose.a_from_b(), found.point_b);
+  }
+  return certificate;
+}
+
+ManifoldCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
+                            const ContactManifold& manifold) {
+  ManifoldCertificate certificate{certify(a, b, pose, manifold.separation), {}};
+  for (const ContactManifold::Contact& contact : manifold.contacts) {
+    certificate.contacts.push_back(
+        {nearest_of_a(a, contact.point_a), nearest_of_b(b, pose.a_from_b(), contact.point_b)});
   }
   return certificate;
 }

@@ -105,14 +105,13 @@ class Carrier {
   Integer denominator_;
 };
 
-}  // namespace
-
-ExactOverlap exact_overlap(const PlacedForms& forms) {
+// `nearest`: null, or what receives the direction to the nearest point; then the search goes on to that.
+ExactOverlap descend(const PlacedForms& forms, Vector* nearest) {
   VEX_EXPECT(forms.are_rounded_polytopes());
   const WholePoints points(forms);
   const auto point_a = [&points](std::size_t i) { return points.a(i); };
   const auto point_b = [&points](std::size_t i) { return points.b(i); };
-  const Integer radii = points.radii();
+  const Integer radii = nearest == nullptr ? points.radii() : Integer(0);
   const Integer radii_sq = radii * radii;
 
   ExactOverlap result;
@@ -133,7 +132,8 @@ ExactOverlap exact_overlap(const PlacedForms& forms) {
     // All of the hull is at least w . v / |v| away along v: disjoint where that exceeds the radii. Where w is no nearer
     // than p, p is the nearest point of all, and farther than the radii.
     const Integer along = whole::dot(w, v);
-    if (whole::sign(along) > 0 && along * along > radii_sq * v_sq) break;
+    if (nearest != nullptr) *nearest = -v;
+    if (nearest == nullptr && whole::sign(along) > 0 && along * along > radii_sq * v_sq) break;
     if (along * denominator >= v_sq) break;
     simplex.push_back({w, a, b});
   }
@@ -144,5 +144,11 @@ ExactOverlap exact_overlap(const PlacedForms& forms) {
   }
   return result;
 }
+
+}  // namespace
+
+ExactOverlap exact_overlap(const PlacedForms& forms) { return descend(forms, nullptr); }
+
+ExactOverlap exact_nearest(const PlacedForms& forms, whole::Vector& dir) { return descend(forms, &dir); }
 
 }  // namespace vex

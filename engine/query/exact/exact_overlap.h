@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 
+#include "engine/numeric/whole.h"
 #include "engine/query/exact/placed_forms.h"
 
 namespace vex {
@@ -23,5 +24,9 @@ struct ExactOverlap {
 
 /// `forms.are_rounded_polytopes()`.
 ExactOverlap exact_overlap(const PlacedForms& forms);
+
+/// The same without the balls, and down to the nearest point: `dir` receives the direction from the origin's side, along
+/// which the polytopes are as far apart as they are; 0 where they share a point.
+ExactOverlap exact_nearest(const PlacedForms& forms, whole::Vector& dir);
 
 }  // namespace vex

@@ -1,0 +1,135 @@
+#include "tests/referees/certified_query.h"
+
+#include <chrono>
+#include <cmath>
+
+#include "engine/query/contact_certificate.h"
+#include "engine/query/manifold_certificate.h"
+#include "engine/query/overlap.h"
+#include "engine/query/separation_certificate.h"
+
+namespace vex {
+namespace {
+
+// What `query` answers, with the seconds that it took.
+template <class Query>
+auto timed(CertifiedAnswer& answer, const Query& query) {
+  const auto start = std::chrono::steady_clock::now();
+  auto found = query();
+  answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return found;
+}
+
+void take(const CertificateCheck& check, CertifiedAnswer& answer) {
+  if (!check.is_proven) answer.fault = check.fault;
+}
+
+double size_of(const QueryScene& scene) { return scene.a.circumradius() + scene.b.circumradius(); }
+
+void take(const QueryScene& scene, const Separation& found, CertifiedAnswer& answer) {
+  answer.outcome = found.verdict.outcome;
+  answer.n_support_calls = found.n_support_calls;
+  const double width = (found.upper - found.lower) / (size_of(scene) + std::fabs(found.signed_distance));
+  if (std::isfinite(width)) answer.width = width;
+}
+
+void take(const QueryScene& scene, const FirstContact& found, CertifiedAnswer& answer) {
+  answer.outcome = found.verdict.outcome;
+  answer.n_support_calls = found.n_support_calls;
+  if (found.verdict.outcome != Outcome::overlap) return;
+  const double speed = norm(scene.motion.velocity) + norm(scene.motion.angular_velocity) * scene.b.reach();
+  const double width = (found.upper - found.lower) * speed / size_of(scene);
+  if (std::isfinite(width)) answer.width = width;
+}
+
+CertifiedAnswer ask_separation(const QueryScene& scene, CertifiedQuery query) {
+  CertifiedAnswer answer;
+  const Separation found = timed(answer, [&] {
+    if (query == CertifiedQuery::distance) return distance(scene.a, scene.b, scene.pose);
+    if (query == CertifiedQuery::depth) return penetration_depth(scene.a, scene.b, scene.pose);
+    return signed_distance(scene.a, scene.b, scene.pose);
+  });
+  take(scene, found, answer);
+  take(check_certificate(scene.a, scene.b, scene.pose, found, certify(scene.a, scene.b, scene.pose, found)), answer);
+  return answer;
+}
+
+CertifiedAnswer ask_contact(const QueryScene& scene, CertifiedQuery query) {
+  CertifiedAnswer answer;
+  const auto& [a_text, b_text, a, b, pose, motion] = scene;
+  if (query == CertifiedQuery::ray) {
+    const FirstContact found = timed(answer, [&] { return cast_ray(a, pose.translation, motion.velocity); });
+    take(scene, found, answer);
+    take(check_ray_certificate(a, pose.translation, motion.velocity, found,
+                               certify_ray(a, pose.translation, motion.velocity, found)),
+         answer);
+    return answer;
+  }
+  if (query == CertifiedQuery::cast) {
+    const FirstContact found = timed(answer, [&] { return linear_cast(a, b, pose, motion.velocity); });
+    take(scene, found, answer);
+    take(check_certificate(a, b, pose, motion.velocity, found, certify(a, b, pose, motion.velocity, found)), answer);
+    return answer;
+  }
+  const FirstContact found = timed(answer, [&] { return time_of_impact(a, b, pose, motion); });
+  take(scene, found, answer);
+  take(check_certificate(a, b, pose, motion, found, certify(a, b, pose, motion, found)), answer);
+  return answer;
+}
+
+CertifiedAnswer ask_manifold(const QueryScene& scene) {
+  CertifiedAnswer answer;
+  const double margin = 1e-3 * size_of(scene);
+  const ContactManifold found = timed(answer, [&] { return contact_manifold(scene.a, scene.b, scene.pose, margin); });
+  take(scene, found.separation, answer);
+  take(check_certificate(scene.a, scene.b, scene.pose, found, certify(scene.a, scene.b, scene.pose, found), margin),
+       answer);
+  return answer;
+}
+
+CertifiedAnswer ask_overlap(const QueryScene& scene) {
+  CertifiedAnswer answer;
+  const OverlapAnswer found = timed(answer, [&] { return overlap_answer(scene.a, scene.b, scene.pose); });
+  answer.outcome = found.verdict.outcome;
+  answer.n_support_calls = found.n_support_calls;
+  if (answer.outcome != Outcome::undecided) take(prove_again(scene.a, scene.b, scene.pose, answer.outcome), answer);
+  return answer;
+}
+
+}  // namespace
+
+std::string_view name_of(CertifiedQuery query) {
+  switch (query) {
+    case CertifiedQuery::overlap: return "overlap";
+    case CertifiedQuery::signed_distance: return "signed";
+    case CertifiedQuery::distance: return "distance";
+    case CertifiedQuery::depth: return "depth";
+    case CertifiedQuery::ray: return "ray";
+    case CertifiedQuery::cast: return "cast";
+    case CertifiedQuery::impact: return "impact";
+    case CertifiedQuery::manifold: break;
+  }
+  return "manifold";
+}
+
+CertifiedAnswer ask(const QueryScene& given, CertifiedQuery query) {
+  const bool is_cast = query == CertifiedQuery::ray || query == CertifiedQuery::cast;
+  if (is_cast && !(norm_1(given.motion.velocity) > 0.0)) {
+    QueryScene scene = given;
+    scene.motion.velocity = {1.0, 0.0, 0.0};
+    return ask_contact(scene, query);
+  }
+  switch (query) {
+    case CertifiedQuery::overlap: return ask_overlap(given);
+    case CertifiedQuery::ray:
+    case CertifiedQuery::cast:
+    case CertifiedQuery::impact: return ask_contact(given, query);
+    case CertifiedQuery::manifold: return ask_manifold(given);
+    case CertifiedQuery::signed_distance:
+    case CertifiedQuery::distance:
+    case CertifiedQuery::depth: break;
+  }
+  return ask_separation(given, query);
+}
+
+}  // namespace vex
