@@ -23,6 +23,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kPolytopeGap = 0x1p-44, kCurvedGap = 0x1p-32;
 // Who asks for no more than this wants no digits of a contact, either.
 constexpr double kRoughGap = 0x1p-24;
+// In twice the precision, of curved bodies whose bounds are near enough.
+constexpr int kMostCallsForSign = 96;
 
 bool are_rounded_polytopes(const ConvexBody& a, const ConvexBody& b) {
   return a.is_rounded_polytope() && b.is_rounded_polytope();
@@ -272,7 +274,14 @@ Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd
   if (!placed) return concluded(a, b, a_from_b, goal, DecidedBy::gjk, in_double);
   const Vec3d dir = norm_1(in_double.normal) > 0.0 ? in_double.normal : Vec3d{0.6, 0.0, 0.8};
   const SeparationGoal both = goal == SeparationGoal::distance ? SeparationGoal::signed_distance : goal;
-  Separation extended = search_in_extended(*placed, a, b, both, settings, dir);
+  // Of curved bodies that touch, bounds that are near enough leave nothing open but the sign: a search for nearer ones
+  // would go on for as long as it may.
+  SeparationSettings in_extended = settings;
+  const bool is_near_enough = in_double.upper - in_double.lower <= wanted(in_double);
+  if (is_near_enough && !placed->are_rounded_polytopes()) {
+    in_extended.max_support_calls = std::min(settings.max_support_calls, kMostCallsForSign);
+  }
+  Separation extended = search_in_extended(*placed, a, b, both, in_extended, dir);
   extended.n_support_calls += in_double.n_support_calls;
   extended.lower = std::max(extended.lower, in_double.lower);
   extended.upper = std::min(extended.upper, in_double.upper);

@@ -44,7 +44,7 @@ struct Row {
   std::vector<double> microseconds;
   double widest = 0.0;
   int most_calls = 0;
-  std::string slowest;
+  std::string slowest, widest_scene;
   std::map<std::string, std::pair<std::uint64_t, std::string>> faults;  // how often, and the first scene
 
   void add(const QueryScene& scene, const CertifiedAnswer& answer) {
@@ -54,7 +54,10 @@ struct Row {
     n_undecided += answer.outcome == Outcome::undecided ? 1 : 0;
     if (microseconds.empty() || 1e6 * answer.seconds > *std::ranges::max_element(microseconds)) slowest = scene.text();
     microseconds.push_back(1e6 * answer.seconds);
-    widest = std::max(widest, answer.width);
+    if (answer.width > widest) {
+      widest = answer.width;
+      widest_scene = scene.text();
+    }
     most_calls = std::max(most_calls, answer.n_support_calls);
     if (answer.fault.empty()) return;
     ++n_unproven;
@@ -76,6 +79,7 @@ void print_row(const QueryStratum& stratum, CertifiedQuery query, Row& row) {
               static_cast<unsigned long long>(row.n_undecided), static_cast<unsigned long long>(row.n_unproven), median,
               late, most, row.widest, row.most_calls);
   if (most > 1000.0) std::printf("   slowest: %s\n", row.slowest.c_str());
+  if (row.widest > 1e-3) std::printf("   widest: %s\n", row.widest_scene.c_str());
   for (const auto& [fault, times] : row.faults) {
     std::printf("   %llu times not proven: %s; first: %s\n", static_cast<unsigned long long>(times.first),
                 fault.c_str(), times.second.c_str());

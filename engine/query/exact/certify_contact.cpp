@@ -105,8 +105,8 @@ class CastCertifier {
       if (norm_1(normal) > 0.0 && offer_apart({{0.0, until(), {{{normal, 0}}}}})) return;
     }
     // All of B on its way, until it is beyond A: with which the direction of the motion keeps them apart.
-    const double speed = norm(motion_);
-    const double beyond = 2.0 * (norm_1(pose_.a_from_b().translation) + a_.reach() + 2.0 * b_.reach()) / speed;
+    const double speed = safe_norm(motion_);
+    const double beyond = 2.0 * ((norm_1(pose_.a_from_b().translation) + a_.reach()) + 2.0 * b_.reach()) / speed;
     const double end = std::fmin(until(), beyond);
     const RecordedCore core(forms, {}, way(end, motion_, forms.exponent()));
     for (const double gap : {0x1p-40, 0x1p-60, 0.0}) {
