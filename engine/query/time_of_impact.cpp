@@ -18,6 +18,13 @@ namespace {
 
 // A motion that needs more is given up and said to be: some thousand turns on the way.
 constexpr int kMostAdvances = 1 << 14;
+// Support calls for a proof of contact where bodies touch to within rounding, as those that slide on each other may
+// for as long as they move.
+constexpr int kMostCallsOfTouch = 1 << 12;
+// Of the circumradii: an advance in which the bodies may come nearer by no more than this; and how many of them in a
+// row.
+constexpr double kShortAdvance = 0x1p-20;
+constexpr int kMostShortAdvances = 64;
 // Trials of the length of one advance; of how late there is contact; and of how early once it is found.
 constexpr int kMostTrials = 10, kMostDoublings = 64, kMostHalvings = 2;
 
@@ -66,19 +73,30 @@ class Advancement {
     ends_ = ends_ && window.to < kLatest;
     for (int n_advances = 0; n_advances < kMostAdvances; ++n_advances) {
       if (time_ >= until_) return touched_ || !ends_ ? undecided(UndecidedReason::rounding) : nothing();
+      if (touched_ && n_calls() - n_calls_before_touch_ > kMostCallsOfTouch) {
+        return undecided(UndecidedReason::rounding);
+      }
       const Separation apart = separation_now();
       const double gap = apart.has_witnesses ? sweep_.gap_during(apart.normal, time_, 0.0) : 0.0;
       last_gap_ = std::fmax(gap, 0.0);
       last_normal_ = apart.normal;
-      if (gap > sweep_.rounding_at(time_)) {
+      // Bodies that slide by each other hardly farther away than rounding come on no more than they turn in, so slowly
+      // that they count as touching.
+      const bool creeps = n_short_advances_ > kMostShortAdvances;
+      if (gap > sweep_.rounding_at(time_) && !creeps) {
         const double from = time_;
-        time_ += longest_advance(apart.normal, gap);
+        const double advance = longest_advance(apart.normal, gap);
+        time_ += advance;
+        const bool is_short = advance * sweep_.most_speed(apart.normal) < kShortAdvance * size_;
+        n_short_advances_ = is_short ? n_short_advances_ + 1 : 0;
         if (record_ != nullptr && !touched_) record_->push_back({from, time_, apart.normal});
         continue;
       }
+      n_short_advances_ = 0;
       // The first place where the bodies may touch is the answer's, and the least time of contact not before it.
       if (!touched_) {
         touched_ = true;
+        n_calls_before_touch_ = n_calls();
         contact_.lower = time_;
         contact_.normal = apart.normal;
         contact_.point_a = apart.point_a;
@@ -235,8 +253,9 @@ class Advancement {
     return false;
   }
 
+  int n_calls() const { return n_support_calls_ + sweep_.n_support_calls(); }
   FirstContact counted(FirstContact contact) const {
-    contact.n_support_calls = n_support_calls_ + sweep_.n_support_calls();
+    contact.n_support_calls = n_calls();
     return contact;
   }
   FirstContact nothing() const {
@@ -272,7 +291,7 @@ class Advancement {
   bool touched_ = false;
   FirstContact contact_;
   WarmStart warm_start_;
-  int n_support_calls_ = 0;
+  int n_support_calls_ = 0, n_calls_before_touch_ = 0, n_short_advances_ = 0;
 };
 
 FirstContact impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
