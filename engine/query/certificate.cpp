@@ -1,5 +1,5 @@
-// The checker of verdicts: small, slow, and apart from the search. It sees the exact forms, the pose and the certificate,
-// and shares with the search nothing but whole numbers.
+// The checker of verdicts: small, slow, and apart from the search. It sees the exact forms, the pose and the
+// certificate, and shares with the search nothing but whole numbers.
 #include "engine/query/certificate.h"
 
 #include <optional>
@@ -59,9 +59,9 @@ CertificateCheck check_hull(const ExactPair& pair, const OverlapCertificate& cer
     const DyadicVector dir = direction_of(certificate.witnesses[k].dir, certificate.witnesses[k].dir_low);
     const Dyadic length = checker::root_from_above(dot(dir, dir));
     if (whole::sign(length) == 0) return failed("a witness has no direction");
-    points[k] = points[k] + DyadicVector{balls * checker::quotient(dir.x, length),
-                                         balls * checker::quotient(dir.y, length),
-                                         balls * checker::quotient(dir.z, length)};
+    points[k] =
+        points[k] + DyadicVector{balls * checker::quotient(dir.x, length), balls * checker::quotient(dir.y, length),
+                                 balls * checker::quotient(dir.z, length)};
   }
   const Dyadic margin = pair.margin() + balls * Dyadic(1, 16 - checker::kBits);
   if (!checker::holds_ball(points, margin)) return failed("the origin is not proven to be in the witnesses' hull");

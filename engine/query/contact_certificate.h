@@ -13,8 +13,8 @@ namespace vex {
 /// No contact before `lower`, or none at all: directions that keep the bodies apart, each for an interval of time;
 /// together they cover all times in question but those in which balls around the bodies are apart. Contact at the
 /// start: `at_start`. A later one, of a straight motion: the hull of points of A - B, each of B as it is at some time
-/// between `lower` and `upper`, holds the origin, and such hulls are of what the difference passes through in that time.
-/// Of a body that turns, all of B at `upper`.
+/// between `lower` and `upper`, holds the origin, and such hulls are of what the difference passes through in that
+/// time. Of a body that turns, all of B at `upper`.
 struct ContactCertificate {
   struct Apart {
     double from, to;  // infinite: for ever after
@@ -42,7 +42,8 @@ CertificateCheck check_ray_certificate(const ConvexBody& a, const Vec3d& origin,
 /// undecided answer claims `lower`.
 CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& motion,
                                    const FirstContact& claimed, const ContactCertificate& certificate);
-CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
-                                   const FirstContact& claimed, const ContactCertificate& certificate);
+CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
+                                   const RigidMotion& motion, const FirstContact& claimed,
+                                   const ContactCertificate& certificate);
 
 }  // namespace vex

@@ -8,7 +8,8 @@
 
 namespace vex {
 
-/// What re-proves a `ContactManifold`: its separation, and of each contact points of A and of B whose hulls come near it.
+/// What re-proves a `ContactManifold`: its separation, and of each contact points of A and of B whose hulls come near
+/// it.
 struct ManifoldCertificate {
   struct Contact {
     std::vector<Witness> near_a, near_b;

@@ -31,7 +31,7 @@ SeparationCertificate certify(const ConvexBody& a, const ConvexBody& b, const Po
 
 /// Proves verdict, bounds and points again, in exact arithmetic, from the bodies' exact forms and the certificate
 /// alone. Of an undecided answer the bounds.
-CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Separation& claimed,
-                                   const SeparationCertificate& certificate);
+CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
+                                   const Separation& claimed, const SeparationCertificate& certificate);
 
 }  // namespace vex

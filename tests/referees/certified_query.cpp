@@ -20,8 +20,8 @@ auto timed(CertifiedAnswer& answer, const Query& query) {
   for (int attempt = 0;; ++attempt) {
     const auto start = std::chrono::steady_clock::now();
     auto found = query();
-    answer.seconds = std::fmin(
-        answer.seconds, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    answer.seconds =
+        std::fmin(answer.seconds, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     if (answer.seconds < kSlow || attempt == 3) return found;
   }
 }

@@ -10,9 +10,10 @@
 namespace vex {
 
 enum class CertifiedQuery { overlap, signed_distance, distance, depth, ray, cast, impact, manifold };
-inline constexpr std::array kCertifiedQueries = {
-    CertifiedQuery::overlap, CertifiedQuery::signed_distance, CertifiedQuery::distance, CertifiedQuery::depth,
-    CertifiedQuery::ray,     CertifiedQuery::cast,            CertifiedQuery::impact,   CertifiedQuery::manifold};
+inline constexpr std::array kCertifiedQueries = {CertifiedQuery::overlap,  CertifiedQuery::signed_distance,
+                                                 CertifiedQuery::distance, CertifiedQuery::depth,
+                                                 CertifiedQuery::ray,      CertifiedQuery::cast,
+                                                 CertifiedQuery::impact,   CertifiedQuery::manifold};
 std::string_view name_of(CertifiedQuery query);
 
 struct CertifiedAnswer {

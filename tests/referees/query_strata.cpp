@@ -83,7 +83,8 @@ QueryScene thin(Random& random, int k) {
   } else {
     scene.pose = aligned_pose(scene.a, scene.b, random, k);
     // Beside each other by next to nothing.
-    scene.pose.translation.z += std::ldexp(random_in_unit_interval(random) - 0.5, -10 - static_cast<int>(random() % 45));
+    scene.pose.translation.z +=
+        std::ldexp(random_in_unit_interval(random) - 0.5, -10 - static_cast<int>(random() % 45));
   }
   move_somewhere(scene, random, k);
   if (k % 4 == 1) scene.motion.velocity = {0.0, 0.0, k % 8 == 1 ? 1.0 : -1.0};
@@ -93,7 +94,8 @@ QueryScene thin(Random& random, int k) {
 
 QueryScene touching(Random& random, int k) {
   QueryScene scene = scene_of(ordinary_text(random), ordinary_text(random));
-  scene.pose = k % 2 == 0 ? near_contact_pose(scene.a, scene.b, random, k / 2) : aligned_pose(scene.a, scene.b, random, k);
+  scene.pose =
+      k % 2 == 0 ? near_contact_pose(scene.a, scene.b, random, k / 2) : aligned_pose(scene.a, scene.b, random, k);
   move_somewhere(scene, random, k);
   return scene;
 }
@@ -142,7 +144,7 @@ QueryScene parallel(Random& random, int k) {
 }
 
 QueryScene coaxial(Random& random, int k) {
-  constexpr std::array kRound = {"cylinder:1,0.5", "cone:1,0.5",   "cone:0.2,1",     "disc:0.7",
+  constexpr std::array kRound = {"cylinder:1,0.5", "cone:1,0.5",     "cone:0.2,1",        "disc:0.7",
                                  "capsule:1,0.25", "hemisphere:0.8", "frustum:1,0.7,0.3", "ellipsoid:0.5,0.5,1.5",
                                  "needle:2",       "sphere:0.6"};
   QueryScene scene = scene_of(one_of(kRound, random), one_of(kRound, random));
@@ -172,8 +174,12 @@ QueryScene sizes(Random& random, int k) {
   const double scale_a = std::pow(10.0, exponent);
   const double scale_b = k % 3 == 0 ? scale_a * std::pow(10.0, static_cast<int>(random() % 13) - 6) : scale_a;
   const std::string a = one_of(kTestBodies, random), b = one_of(kTestBodies, random);
-  QueryScene scene{a + " * 1e" + std::to_string(exponent), b + " * " + length_text(scale_b), separation_body(a, scale_a),
-                   separation_body(b, scale_b), {}, {}};
+  QueryScene scene{a + " * 1e" + std::to_string(exponent),
+                   b + " * " + length_text(scale_b),
+                   separation_body(a, scale_a),
+                   separation_body(b, scale_b),
+                   {},
+                   {}};
   scene.pose = k % 2 == 0 ? random_pose(random, ball_domain(scene.a, scene.b), scene.b)
                           : near_contact_pose(scene.a, scene.b, random, k / 2);
   move_somewhere(scene, random, k);
@@ -214,10 +220,10 @@ std::string QueryScene::text() const {
 }
 
 const std::vector<QueryStratum>& query_strata() {
-  static const std::vector<QueryStratum> strata = {
-      {"ordinary", ordinary}, {"thin", thin},         {"touching", touching}, {"leaving", leaving},
-      {"grazing", grazing},   {"parallel", parallel}, {"coaxial", coaxial},   {"far", far},
-      {"sizes", sizes},       {"fast", fast},         {"hulls", hulls}};
+  static const std::vector<QueryStratum> strata = {{"ordinary", ordinary}, {"thin", thin},       {"touching", touching},
+                                                   {"leaving", leaving},   {"grazing", grazing}, {"parallel", parallel},
+                                                   {"coaxial", coaxial},   {"far", far},         {"sizes", sizes},
+                                                   {"fast", fast},         {"hulls", hulls}};
   return strata;
 }
 

@@ -25,7 +25,8 @@ struct QueryStratum {
   std::function<QueryScene(std::mt19937_64& random, int k)> scene;
 };
 
-/// ordinary, thin, touching, leaving, grazing, parallel, coaxial, far, tiny and huge, fast, hulls of up to 1000 vertices.
+/// ordinary, thin, touching, leaving, grazing, parallel, coaxial, far, tiny and huge, fast, hulls of up to 1000
+/// vertices.
 const std::vector<QueryStratum>& query_strata();
 
 }  // namespace vex

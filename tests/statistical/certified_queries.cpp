@@ -98,8 +98,8 @@ bool run(const Settings& settings) {
     if (!settings.strata.empty() && std::ranges::find(settings.strata, stratum.name) == settings.strata.end()) continue;
     for (const CertifiedQuery query : kCertifiedQueries) jobs.push_back({&stratum, query});
   }
-  std::printf("%-10s %-9s %8s %8s %8s %6s %6s %9s %9s %9s %8s %7s\n", "stratum", "query", "asked", "disjoint", "overlap",
-              "undec.", "wrong", "median us", "99.9 %", "slowest", "widest", "calls");
+  std::printf("%-10s %-9s %8s %8s %8s %6s %6s %9s %9s %9s %8s %7s\n", "stratum", "query", "asked", "disjoint",
+              "overlap", "undec.", "wrong", "median us", "99.9 %", "slowest", "widest", "calls");
   std::atomic<std::size_t> next = 0;
   std::uint64_t n = 0, n_unproven = 0;
   std::mutex printing;

@@ -122,7 +122,8 @@ class TurningMotion {
   }
 
  private:
-  // E23 with no rounding: about the middle the gap along n is no less than a concave function of time, less a remainder.
+  // E23 with no rounding: about the middle the gap along n is no less than a concave function of time, less a
+  // remainder.
   bool leans_apart(const DyadicVector& n, const Dyadic& from, const Dyadic& to) const {
     const Dyadic n_sq = dot(n, n), a_half(1, -1);
     const Dyadic middle = a_half * (from + to), half = a_half * (to - from);
@@ -134,8 +135,7 @@ class TurningMotion {
     const Dyadic remainder = a_half * half * half * checker::root_from_above(dot(turning, turning)) * across_;
     for (const Dyadic& time : {-half, half}) {
       const DyadicVector leaning = n + times(time, turning);
-      const Dyadic gap =
-          time * (dot(n, v_) - dot(turning, origin)) - pair.support_of_b(-leaning) - of_a - remainder;
+      const Dyadic gap = time * (dot(n, v_) - dot(turning, origin)) - pair.support_of_b(-leaning) - of_a - remainder;
       if (!checker::is_more_than(gap, pair.radii(), n_sq)) return false;
     }
     return true;
@@ -193,7 +193,8 @@ std::string fault_of(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
   }
   if (outcome == Outcome::disjoint || claimed.lower > 0.0) {
     for (const Apart& interval : certificate.apart) {
-      if (!motion.stays_apart(interval)) return "a direction does not keep the bodies apart for as long as it is said to";
+      if (!motion.stays_apart(interval))
+        return "a direction does not keep the bodies apart for as long as it is said to";
     }
     if (!are_apart_before(motion, certificate, claimed)) return "not every time before a contact is proven";
   }
@@ -218,8 +219,9 @@ CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, con
   return {fault.empty(), std::move(fault)};
 }
 
-CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
-                                   const FirstContact& claimed, const ContactCertificate& certificate) {
+CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
+                                   const RigidMotion& motion, const FirstContact& claimed,
+                                   const ContactCertificate& certificate) {
   if (norm_1(motion.angular_velocity) == 0.0) {
     return check_certificate(a, b, pose, motion.velocity, claimed, certificate);
   }

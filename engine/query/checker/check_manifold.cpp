@@ -57,7 +57,8 @@ std::string fault_of_polygon(const DyadicVector& normal, const std::vector<Conta
   const auto at = [&](std::size_t k) { return whole::exactly(contacts[k % n].point_a); };
   for (std::size_t k = 0; k < n; ++k) {
     for (std::size_t j = 2; j < n; ++j) {
-      if (is_outside(normal, at(k), at(k + 1), at(k + j), Dyadic(tolerance))) return "the contacts are no convex polygon";
+      if (is_outside(normal, at(k), at(k + 1), at(k + j), Dyadic(tolerance)))
+        return "the contacts are no convex polygon";
     }
     if (is_outside(normal, at(k), at(k + 1), whole::exactly(found.point_a), Dyadic(tolerance + off_polygon))) {
       return "the nearest points are outside the polygon";

@@ -22,8 +22,7 @@ std::string fault_of_bounds(const ConvexBody& a, const ConvexBody& b, const Pose
                             const Separation& claimed, const SeparationCertificate& certificate) {
   const Outcome outcome = claimed.verdict.outcome;
   const bool sign_is_proven =
-      outcome != Outcome::undecided &&
-      check_certificate(a, b, pose.a_from_b(), outcome, certificate.sign).is_proven;
+      outcome != Outcome::undecided && check_certificate(a, b, pose.a_from_b(), outcome, certificate.sign).is_proven;
   const bool lower_by_sign = sign_is_proven && outcome == Outcome::disjoint && claimed.lower <= 0.0;
   const bool upper_by_sign = sign_is_proven && outcome == Outcome::overlap && claimed.upper >= 0.0;
   if (!lower_by_sign && claimed.lower > -HUGE_VAL) {
@@ -54,7 +53,8 @@ std::string fault_of_points(const ConvexBody& a, const ConvexBody& b, const Pose
                      point_b = whole::exactly(claimed.point_b);
   const Dyadic stretch = dot(normal, normal) - one;
   if (few < stretch || stretch < -few) return "the normal is no unit vector";
-  const double far = norm_1(claimed.point_a) + norm_1(claimed.point_b) + b.reach() + norm_1(pose.a_from_b().translation);
+  const double far =
+      norm_1(claimed.point_a) + norm_1(claimed.point_b) + b.reach() + norm_1(pose.a_from_b().translation);
   const Dyadic near_enough = accuracy + Dyadic(16.0 * kUnitRoundoff * far);
   const Dyadic distance(claimed.signed_distance);
   const DyadicVector off =
@@ -74,8 +74,8 @@ double promised_accuracy(const ConvexBody& a, const ConvexBody& b, const Separat
   return std::fmax(relative * size, width < HUGE_VAL ? width : 0.0);
 }
 
-CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Separation& claimed,
-                                   const SeparationCertificate& certificate) {
+CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
+                                   const Separation& claimed, const SeparationCertificate& certificate) {
   std::string fault;
   const std::optional<ExactPair> pair = ExactPair::of(a, b, pose.a_from_b(), fault);
   if (fault.empty() && !(claimed.lower <= claimed.upper)) fault = "the bounds exclude each other";

@@ -43,8 +43,8 @@ Dyadic reach_from(const DyadicVector& centre, std::span<const DyadicVector> poin
   for (const ExactForm::Piece& piece : pieces) {
     const DyadicVector q = whole::exactly(piece.centre) - centre;
     const Dyadic most = largest_axis(piece);
-    most_sq = larger(most_sq, square_of(q) +
-                                  Dyadic(2.0) * root_from_above(square_of(image_of(piece, q))) + most * most);
+    most_sq =
+        larger(most_sq, square_of(q) + Dyadic(2.0) * root_from_above(square_of(image_of(piece, q))) + most * most);
   }
   return root_from_above(most_sq);
 }
@@ -168,8 +168,11 @@ DyadicVector ExactPose::direction_to_b(const DyadicVector& dir) const {
 }
 
 ExactPose exactly(const Transformd& pose) {
-  return {whole::exactly(pose.row_x), whole::exactly(pose.row_y), whole::exactly(pose.row_z),
-          whole::exactly(pose.translation), {}};
+  return {whole::exactly(pose.row_x),
+          whole::exactly(pose.row_y),
+          whole::exactly(pose.row_z),
+          whole::exactly(pose.translation),
+          {}};
 }
 
 ExactPair::ExactPair(ExactForm a, ExactForm b, ExactPose pose)
@@ -182,9 +185,12 @@ ExactPair::ExactPair(ExactForm a, ExactForm b, ExactPose pose)
 std::optional<ExactPair> ExactPair::of(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
                                        std::string& fault) {
   std::optional<ExactForm> form_a = a.exact_form(), form_b = b.exact_form();
-  if (!form_a || !form_b) fault = "a body has no exact form";
-  else if (!is_finite(a_from_b.translation)) fault = "the pose is not finite";
-  else if (!is_rotation(a_from_b)) fault = "the pose is no rotation";
+  if (!form_a || !form_b)
+    fault = "a body has no exact form";
+  else if (!is_finite(a_from_b.translation))
+    fault = "the pose is not finite";
+  else if (!is_rotation(a_from_b))
+    fault = "the pose is no rotation";
   if (!fault.empty()) return std::nullopt;
   for (const Vec3d& p : form_b->points) {
     if (is_finite(a_from_b(p))) continue;
@@ -227,8 +233,8 @@ DyadicVector ExactPair::point_of_a(const Witness& witness) const {
 }
 
 DyadicVector ExactPair::point_of_b(const Witness& witness) const {
-  const Meant meant = meant_point(b_, points_b_, witness.point_b,
-                                  whole::exactly(witness.dir_b) + whole::exactly(witness.dir_b_low));
+  const Meant meant =
+      meant_point(b_, points_b_, witness.point_b, whole::exactly(witness.dir_b) + whole::exactly(witness.dir_b_low));
   return meant.vertex ? placed_vertex(*meant.vertex) : pose_(meant.point);
 }
 
@@ -265,8 +271,7 @@ Dyadic ExactPair::reach_of_b_across(const DyadicVector& axis, const DyadicVector
     own_sq = larger(own_sq, square_of(of_centre) + Dyadic(2.0) * root_from_above(square_of(image)) + most * most);
   }
   // Or as of a ball about the core.
-  const Dyadic of_ball =
-      root_from_above(square_of(across(centre))) + turned * reach_from(centre, points_b_, b_.pieces);
+  const Dyadic of_ball = root_from_above(square_of(across(centre))) + turned * reach_from(centre, points_b_, b_.pieces);
   const Dyadic own = root_from_above(own_sq);
   return own < of_ball ? own : of_ball;
 }

@@ -67,8 +67,8 @@ class ExactPair {
   /// More than any of these points is off by, for 2^-240 of all lengths that are rounded, and for the pose (E16). 0 of
   /// rounded polytopes at rest.
   whole::Dyadic margin() const;
-  /// Of B's core, from the origin of its frame; and a bound of |axis x R x| over it, by a ball about `centre` where that
-  /// is less.
+  /// Of B's core, from the origin of its frame; and a bound of |axis x R x| over it, by a ball about `centre` where
+  /// that is less.
   whole::Dyadic reach_of_b() const;
   whole::Dyadic reach_of_b_across(const whole::DyadicVector& axis, const whole::DyadicVector& centre) const;
   /// No point of A is farther from `centre`.

@@ -27,8 +27,7 @@ Matrix product(const Matrix& p, const Matrix& q) {
   Matrix result;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      result[i][j] =
-          shifted_down(Integer(p[i][0] * q[0][j] + p[i][1] * q[1][j] + p[i][2] * q[2][j]), kFraction);
+      result[i][j] = shifted_down(Integer(p[i][0] * q[0][j] + p[i][1] * q[1][j] + p[i][2] * q[2][j]), kFraction);
     }
   }
   return result;
@@ -40,10 +39,10 @@ Integer fixed(const Dyadic& x, int halvings) {
   return shifted_down(x.mantissa, -shift);
 }
 
-// exp([angle]), by its series for an angle that is halved until it is below 2^-8, and squared as often. As an operator X
-// of the series is off by 3 * 2^-kFraction, and each of its 20 terms by less than 2^5 of that; the rest of the series is
-// below 2^-168 / 21! < 2^-230. All that is below 2^(10 - kFraction). A square of a matrix that is off by e,
-// of a length of 1 + e, is off by 2.1 e and 9 * 2^-kFraction for its own rounding.
+// exp([angle]), by its series for an angle that is halved until it is below 2^-8, and squared as often. As an operator
+// X of the series is off by 3 * 2^-kFraction, and each of its 20 terms by less than 2^5 of that; the rest of the series
+// is below 2^-168 / 21! < 2^-230. All that is below 2^(10 - kFraction). A square of a matrix that is off by e, of a
+// length of 1 + e, is off by 2.1 e and 9 * 2^-kFraction for its own rounding.
 Matrix exponential(const DyadicVector& angle, int halvings) {
   const Integer x = fixed(angle.x, halvings), y = fixed(angle.y, halvings), z = fixed(angle.z, halvings);
   const Matrix generator = {{{0, Integer(-z), y}, {z, 0, Integer(-x)}, {Integer(-y), x, 0}}};
@@ -81,8 +80,7 @@ std::optional<ExactPose> pose_at(const Transformd& a_from_b, const RigidMotion& 
   const auto row = [&](std::size_t i) {
     const auto coefficient = [&](std::size_t j) { return Dyadic(turn[i][j], -kFraction); };
     const auto times = [](const Dyadic& s, const DyadicVector& r) { return DyadicVector{s * r.x, s * r.y, s * r.z}; };
-    return times(coefficient(0), start.row_x) + times(coefficient(1), start.row_y) +
-           times(coefficient(2), start.row_z);
+    return times(coefficient(0), start.row_x) + times(coefficient(1), start.row_y) + times(coefficient(2), start.row_z);
   };
   ExactPose pose{row(0), row(1), row(2), start.translation + DyadicVector{time * v.x, time * v.y, time * v.z}, {}};
   // 2.1^halvings (2^10 + 9 halvings), and a rotation that is one to 1e-6.

@@ -37,9 +37,8 @@ bool is_apart_by(const ExactPair& pair, const ExactVector& vector, const Dyadic&
   return whole::sign(dir_sq) > 0 && is_at_least(pair.gap_of_cores(dir), distance + pair.radii(), dir_sq);
 }
 
-bool comes_as_near_as(const std::vector<DyadicVector>& core_points,
-                      std::span<const std::array<std::uint32_t, 3>> faces, const Dyadic& radii, const Dyadic& margin,
-                      const Dyadic& distance) {
+bool comes_as_near_as(const std::vector<DyadicVector>& core_points, std::span<const std::array<std::uint32_t, 3>> faces,
+                      const Dyadic& radii, const Dyadic& margin, const Dyadic& distance) {
   const Dyadic near = distance + radii - margin;  // of the points as they are computed
   if (faces.empty()) return whole::sign(near) >= 0 && comes_within(core_points, near);
   return surrounds_ball(core_points, faces, whole::sign(near) >= 0 ? Dyadic() : -near);

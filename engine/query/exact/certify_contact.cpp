@@ -33,8 +33,7 @@ Vec3e way(double time, const Vec3d& motion, int exponent) {
   return {times(motion.x), times(motion.y), times(motion.z)};
 }
 
-void take(WitnessHull hull, const std::vector<bool>& is_late, double from, double to,
-          ContactCertificate& certificate) {
+void take(WitnessHull hull, const std::vector<bool>& is_late, double from, double to, ContactCertificate& certificate) {
   certificate.hull = std::move(hull);
   certificate.times.clear();
   for (const bool late : is_late) certificate.times.push_back(late ? to : from);
@@ -62,9 +61,7 @@ class CastCertifier {
 
  private:
   double until() const { return found_.verdict.outcome == Outcome::disjoint ? HUGE_VAL : found_.lower; }
-  bool is_proven() const {
-    return check_certificate(a_, b_, pose_, motion_, found_, certificate_).is_proven;
-  }
+  bool is_proven() const { return check_certificate(a_, b_, pose_, motion_, found_, certificate_).is_proven; }
   // Whether the directions are enough, whatever proves the contact.
   bool is_apart(const ContactCertificate& certificate) const {
     FirstContact only_apart = found_;

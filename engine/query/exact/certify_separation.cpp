@@ -1,4 +1,5 @@
-// Finds the certificates of distances, depths and manifolds. Nothing here is believed: the checker judges what is found.
+// Finds the certificates of distances, depths and manifolds. Nothing here is believed: the checker judges what is
+// found.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -25,8 +25,8 @@ struct ExactOverlap {
 /// `forms.are_rounded_polytopes()`.
 ExactOverlap exact_overlap(const PlacedForms& forms);
 
-/// The same without the balls, and down to the nearest point: `dir` receives the direction from the origin's side, along
-/// which the polytopes are as far apart as they are; 0 where they share a point.
+/// The same without the balls, and down to the nearest point: `dir` receives the direction from the origin's side,
+/// along which the polytopes are as far apart as they are; 0 where they share a point.
 ExactOverlap exact_nearest(const PlacedForms& forms, whole::Vector& dir);
 
 }  // namespace vex

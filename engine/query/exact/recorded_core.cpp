@@ -42,8 +42,7 @@ RecordedCore::Point RecordedCore::support(const Vec3e& normal) const {
   const LocalForms::Farthest a = forms_.farthest_of_a(normal), b = forms_.farthest_of_b(-normal, dir_b);
   const bool is_late = dot(normal, to_ - from_) < Extended(0.0);
   const Vec3e w = ((a.point - b.point) - forms_.a_from_b().translation) - (is_late ? to_ : from_);
-  records_.push_back(
-      {{high_part(normal), low_part(normal), high_part(dir_b), low_part(dir_b), a.own, b.own}, is_late});
+  records_.push_back({{high_part(normal), low_part(normal), high_part(dir_b), low_part(dir_b), a.own, b.own}, is_late});
   const Extended gap = -(dot(normal, w) / norm(normal));
   if (gap > best_gap_) {
     best_gap_ = gap;
@@ -60,8 +59,8 @@ CoreProof prove_nearness(const RecordedCore& core, const Vec3d& first_dir, doubl
   const auto wanted = [gap](const Extended&) { return Extended(gap); };
   const QueryError<Extended> error = RecordedCore::error();
   using Descent = NearestDescent<Extended, Point>;
-  const Descent descent = descend_to_origin<Extended, Point>(
-      core, first, {}, error, wanted, Extended(0.0), DescentGoal::nearest, max_support_calls);
+  const Descent descent = descend_to_origin<Extended, Point>(core, first, {}, error, wanted, Extended(0.0),
+                                                             DescentGoal::nearest, max_support_calls);
   CoreProof proof;
   proof.is_capped = descent.end == Descent::End::capped;
   for (int k = 0; k < descent.simplex.size(); ++k) add(core, descent.simplex.point(k), proof.hull, proof.is_late);
