@@ -123,22 +123,46 @@ Answer Question::answer_of_query(const Transformd& a_from_b) const {
   switch (settings_.query) {
     case Query::overlap: return overlap_answer(a_from_b);
     case Query::ray: return ray_answer(a_from_b);
-    case Query::cast: return contact_answer(linear_cast(a_, b_, a_from_b, settings_.velocity));
+    case Query::cast:
+      return contact_answer_of(linear_cast(a_, b_, a_from_b, settings_.velocity), a_from_b, settings_.velocity);
     case Query::time_of_impact: {
       const RigidMotion motion{settings_.velocity, (std::numbers::pi / 180.0) * settings_.angular_velocity_degrees};
-      return contact_answer(time_of_impact(a_, b_, a_from_b, motion));
+      return contact_answer_of(time_of_impact(a_, b_, a_from_b, motion), a_from_b, motion);
     }
     case Query::manifold: {
       ContactManifold manifold = contact_manifold(a_, b_, a_from_b, settings_.margin);
       result = separation_answer(manifold.separation);
+      if (settings_.with_certificate) {
+        ManifoldCertificate certificate = certify(a_, b_, a_from_b, manifold);
+        result.check = check_certificate(a_, b_, a_from_b, manifold, certificate, settings_.margin);
+        result.query_certificate = std::move(certificate);
+      }
       result.contacts = std::move(manifold.contacts);
       return result;
     }
-    case Query::distance: result = separation_answer(distance(a_, b_, a_from_b)); break;
-    case Query::depth: result = separation_answer(penetration_depth(a_, b_, a_from_b)); break;
-    case Query::signed_distance: result = separation_answer(vex::signed_distance(a_, b_, a_from_b)); break;
+    case Query::distance:
+    case Query::depth:
+    case Query::signed_distance: break;
   }
-  if (settings_.with_certificate) add_certificate(result, a_from_b);
+  const Separation found = settings_.query == Query::distance ? distance(a_, b_, a_from_b)
+                           : settings_.query == Query::depth  ? penetration_depth(a_, b_, a_from_b)
+                                                              : vex::signed_distance(a_, b_, a_from_b);
+  result = separation_answer(found);
+  if (settings_.with_certificate) {
+    SeparationCertificate certificate = certify(a_, b_, a_from_b, found);
+    result.check = check_certificate(a_, b_, a_from_b, found, certificate);
+    result.query_certificate = std::move(certificate);
+  }
+  return result;
+}
+
+template <class Motion>
+Answer Question::contact_answer_of(const FirstContact& found, const Transformd& a_from_b, const Motion& motion) const {
+  Answer result = contact_answer(found);
+  if (!settings_.with_certificate) return result;
+  ContactCertificate certificate = certify(a_, b_, a_from_b, motion, found);
+  result.check = check_certificate(a_, b_, a_from_b, motion, found, certificate);
+  result.query_certificate = std::move(certificate);
   return result;
 }
 
@@ -231,14 +255,16 @@ Answer Question::ray_answer(const Transformd& a_from_b) const {
   } else {
     result.verdict = Verdict::disjoint(std::max(on_a.verdict.by, on_b.verdict.by));  // both had to be missed
   }
+  if (settings_.with_certificate) {
+    RayCertificate certificate{certify_ray(a_, settings_.ray_origin, settings_.velocity, on_a),
+                               certify(*ray_origin_body_, b_, a_from_b, -settings_.velocity, on_b)};
+    result.check = check_ray_certificate(a_, settings_.ray_origin, settings_.velocity, on_a, certificate.of_a);
+    if (result.check->is_proven) {
+      result.check = check_certificate(*ray_origin_body_, b_, a_from_b, -settings_.velocity, on_b, certificate.of_b);
+    }
+    result.query_certificate = std::move(certificate);
+  }
   return result;
-}
-
-// Of the verdict that the query has, as `overlap` finds it.
-void Question::add_certificate(Answer& answer, const Transformd& a_from_b) const {
-  if (answer.is_undecided()) return;
-  overlap(a_, b_, a_from_b, &answer.certificate);
-  answer.check = check_certificate(a_, b_, a_from_b, answer.verdict.outcome, answer.certificate);
 }
 
 void Counts::add(const Answer& answer) {

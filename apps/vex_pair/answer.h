@@ -10,6 +10,7 @@
 
 #include "apps/vex_pair/margin.h"
 #include "apps/vex_pair/query.h"
+#include "apps/vex_pair/query_certificate.h"
 #include "engine/query/certificate.h"
 #include "engine/query/contact_manifold.h"
 #include "engine/query/first_contact.h"
@@ -32,8 +33,9 @@ struct Answer {
   enum class RayHit : std::uint8_t { nothing, a, b, either };
   RayHit ray_hit = RayHit::nothing;
   std::vector<ContactManifold::Contact> contacts{};
-  OverlapCertificate certificate{};
-  std::optional<CertificateCheck> check{};  // of a verdict that was proven, where it was asked for
+  OverlapCertificate certificate{};         // of an overlap query
+  QueryCertificate query_certificate{};     // of any other one
+  std::optional<CertificateCheck> check{};  // of what is claimed, where it was asked for
 
   bool is_undecided() const { return verdict.outcome == Outcome::undecided; }
   /// Of a motion: there is contact before anything has moved.
@@ -67,7 +69,8 @@ class Question {
   Answer overlap_of(const WidenedPair& pair, const Transformd& a_from_b) const;
   Answer separation_answer(const Separation& found) const;
   Answer ray_answer(const Transformd& a_from_b) const;
-  void add_certificate(Answer& answer, const Transformd& a_from_b) const;
+  template <class Motion>
+  Answer contact_answer_of(const FirstContact& found, const Transformd& a_from_b, const Motion& motion) const;
 
   QuerySettings settings_;
   ConvexBody a_, b_;

@@ -28,7 +28,16 @@ std::string line(const std::string& name, const std::string& value) {
   return "   " + name + std::string(34 - name.size(), ' ') + value + "\n";
 }
 
-std::string certificate_text(const Answer& answer) {
+std::string check_text(const Answer& answer) {
+  if (!answer.check) return "";
+  return line("proven again from these",
+              answer.check->is_proven ? "yes, in exact arithmetic" : "no: " + answer.check->fault);
+}
+
+std::string certificate_text(Query query, const Answer& answer) {
+  if (query != Query::overlap) {
+    return line("certificate", certificate_summary(answer.query_certificate)) + check_text(answer);
+  }
   if (answer.is_undecided()) return line("certificate", "none: nothing is proven");
   const OverlapCertificate& certificate = answer.certificate;
   std::string text;
@@ -43,11 +52,7 @@ std::string certificate_text(const Answer& answer) {
     text += line("   point of A", vector_text(witness.point_a));
     text += line("   point of B, in B's frame", vector_text(witness.point_b));
   }
-  if (answer.check) {
-    text += line("proven again from these",
-                 answer.check->is_proven ? "yes, in exact arithmetic" : "no: " + answer.check->fault);
-  }
-  return text;
+  return text + check_text(answer);
 }
 
 // Of A and B, in capitals what was found.
@@ -136,7 +141,7 @@ std::string report_text(const PairRun& run) {
                                 : line("proven by", in_words(answer.verdict.by));
   text += value_text(query, answer) + witness_text(query, answer);
   text += line("support calls", std::to_string(answer.n_support_calls));
-  if (run.options.layout.with_certificate) text += certificate_text(answer);
+  if (run.options.layout.with_certificate) text += certificate_text(query, answer);
   return text;
 }
 

@@ -46,7 +46,7 @@ struct QuerySettings {
   Vec3d velocity;                  // of the ray, or of B: what happens in a unit of time
   Vec3d angular_velocity_degrees;  // of B about its origin
   double margin = 0.0;             // a gap up to this counts as contact
-  bool with_certificate = false;   // the verdict on the overlap is proven again
+  bool with_certificate = false;   // what is answered is proven again
 };
 
 }  // namespace vex

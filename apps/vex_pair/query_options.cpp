@@ -52,10 +52,6 @@ void require_own_options(const QueryWords& words, Query query) {
     throw UsageError("a margin goes with overlap and manifold (--margin with " + asked +
                      ") - leave it out; --query distance tells how near the bodies are");
   }
-  if (words.certificate && (is_of_motion(query) || query == Query::manifold)) {
-    throw UsageError("a certificate proves whether the bodies share a point (--certificate with " + asked +
-                     ") - leave it out, or ask for overlap, distance, depth or signed");
-  }
 }
 
 double margin_of_word(const std::string& word) {
@@ -122,8 +118,8 @@ void declare_query_options(OptionParser& options, QueryWords& words, const std::
       .group(heading);
   options
       .add_flag("--certificate", words.certificate,
-                "Give what proves each verdict on the overlap, and whether exact arithmetic has proven it again from "
-                "that; with overlap, distance, depth and signed")
+                "Give what proves each answer, verdict and bounds, and whether exact arithmetic has proven it again "
+                "from that")
       .group(heading);
 }
 

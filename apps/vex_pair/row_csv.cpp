@@ -87,9 +87,13 @@ class CsvFields {
   std::string& text_;
 };
 
-// Header or row.
+// Header or row. What proves other queries than an overlap has no columns: JSON lines have it.
 template <class Writer>
-void write_certificate(Writer& writer, const Answer& answer) {
+void write_certificate(Writer& writer, Query query, const Answer& answer) {
+  if (query != Query::overlap) {
+    writer.word("reproven", !answer.check ? "" : answer.check->is_proven ? "true" : "false");
+    return;
+  }
   const bool is_disjoint = answer.verdict.outcome == Outcome::disjoint;
   const auto where = [](bool is_there, const Vec3d& v) { return is_there ? std::optional(v) : std::nullopt; };
   writer.vector("separating_direction", where(is_disjoint, answer.certificate.separating_dir));
@@ -118,7 +122,7 @@ std::string csv_header(const RowLayout& layout) {
   std::string text = "index";
   CsvHeader header(text);
   write_fields(header, layout.query, {});
-  if (layout.with_certificate) write_certificate(header, {});
+  if (layout.with_certificate) write_certificate(header, layout.query, {});
   return text + (layout.with_error ? ",error\n" : "\n");
 }
 
@@ -126,7 +130,7 @@ void append_csv_row(std::string& text, const RowLayout& layout, std::uint64_t in
   append_integer(text, index);
   CsvFields fields(text);
   write_fields(fields, layout.query, answer);
-  if (layout.with_certificate) write_certificate(fields, answer);
+  if (layout.with_certificate) write_certificate(fields, layout.query, answer);
   text += layout.with_error ? ",\n" : "\n";
 }
 

@@ -92,8 +92,19 @@ void append_witnesses(std::string& text, const OverlapCertificate& certificate) 
   text += ']';
 }
 
-void append_certificate(std::string& text, const Answer& answer) {
+void append_check(std::string& text, const Answer& answer) {
+  if (!answer.check) return;
+  text += answer.check->is_proven ? ",\"reproven\":true" : ",\"reproven\":false,\"not_reproven_reason\":";
+  if (!answer.check->is_proven) text += nlohmann::json(answer.check->fault).dump();
+}
+
+void append_certificate(std::string& text, Query query, const Answer& answer) {
   text += ",\"certificate\":";
+  if (query != Query::overlap) {
+    text += certificate_json(answer.query_certificate).dump();
+    append_check(text, answer);
+    return;
+  }
   if (answer.is_undecided()) {
     text += "null,\"reproven\":null";
     return;
@@ -112,9 +123,7 @@ void append_certificate(std::string& text, const Answer& answer) {
     append_witnesses(text, certificate);
   }
   text += '}';
-  if (!answer.check) return;
-  text += answer.check->is_proven ? ",\"reproven\":true" : ",\"reproven\":false,\"not_reproven_reason\":";
-  if (!answer.check->is_proven) text += nlohmann::json(answer.check->fault).dump();
+  append_check(text, answer);
 }
 
 }  // namespace
@@ -124,7 +133,7 @@ void append_json_row(std::string& text, const RowLayout& layout, std::uint64_t i
   append_integer(text, index);
   JsonFields fields(text);
   write_fields(fields, layout.query, answer);
-  if (layout.with_certificate) append_certificate(text, answer);
+  if (layout.with_certificate) append_certificate(text, layout.query, answer);
   text += "}\n";
 }
 

@@ -285,6 +285,32 @@ TEST_F(PairOnePose, ACertificateOfADistance) {
   }
 }
 
+TEST_F(PairOnePose, ACertificateOfEveryQuery) {
+  const std::vector<Words> queries = {{"manifold"},
+                                      {"cast", "--cast", "-1,0,0"},
+                                      {"cast", "--cast", "1,0,0"},
+                                      {"toi", "--toi", "-1,0,0,0,0,30"},
+                                      {"toi", "--toi", "1,0,0,0,0,30"},
+                                      {"ray", "--ray", "-3,0.1,0.2,1,0,0"},
+                                      {"ray", "--ray", "-3,0.1,0.2,-1,0,0"}};
+  for (const Words& query : queries) {
+    for (const char* centre : {"1.5,0,0", "0.75,0,0"}) {
+      Words words = query;
+      words.push_back("--certificate");
+      const json row = cube_and_ball(centre, words);
+      EXPECT_EQ(row.at("reproven"), true) << row.dump();
+      EXPECT_TRUE(row.at("certificate").is_object());
+      words.insert(words.begin(), {"box:1,1,1", "sphere:0.5", "--translation", centre, "--query"});
+      const Finished in_words = run(words);
+      EXPECT_NE(in_words.out.find("yes, in exact arithmetic"), std::string::npos) << in_words.out;
+      words.push_back("--csv");
+      const Finished columns = run(words);
+      EXPECT_NE(columns.out.find(",reproven\n"), std::string::npos) << columns.out;
+      EXPECT_NE(columns.out.find(",true\n"), std::string::npos) << columns.out;
+    }
+  }
+}
+
 TEST_F(PairOnePose, InWords) {
   const auto report = [this](const std::string& translation, Words words) {
     words.insert(words.begin(), {"box:1,1,1", "sphere:0.5", "--translation", translation, "--query"});

@@ -62,8 +62,6 @@ TEST_F(PairRefusal, AQueryAndItsOptionsBelongTogether) {
   expect_wrong_query({"--query", "distance", "--cast", "1,0,0"}, 2, "(--cast with --query distance)");
   expect_wrong_query({"--query", "ray", "--ray", "0,0,0,1,0,0", "--toi", "1,0,0,0,0,0"}, 2, "(--toi with --query ray)");
   expect_wrong_query({"--query", "signed", "--margin", "0.1"}, 2, "(--margin with --query signed)");
-  expect_wrong_query({"--query", "cast", "--cast", "1,0,0", "--certificate"}, 2, "(--certificate with --query cast)");
-  expect_wrong_query({"--query", "manifold", "--certificate"}, 2, "(--certificate with --query manifold)");
   expect_wrong_query({"--margin", "-1"}, 2, "a margin below 0 (-1 for --margin)");
   expect_wrong_query({"--margin", "inf"}, 3, "not finite (\"inf\" for --margin)");
   expect_wrong_query({"--query", "ray", "--ray", "0,0,0,1,0"}, 2, "wrong number of numbers (5 for --ray)");

@@ -157,7 +157,7 @@ TEST_P(Certificates, NoneProvesAWrongManifold) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Strata, Certificates, testing::ValuesIn(query_strata()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& one) { return one.param.name; });
 
 // --- distorted certificates of what is false by a little
 
