@@ -50,7 +50,8 @@ Json overlap_json(const OverlapCertificate& certificate) {
 Json hull_json(const WitnessHull& hull) {
   Json json;
   json["witnesses"] = witnesses_json(hull.witnesses);
-  json["faces"] = hull.faces;
+  Json& faces = json["faces"] = Json::array();
+  for (const auto& [i, j, k] : hull.faces) faces.push_back(Json::array({i, j, k}));
   return json;
 }
 
