@@ -102,7 +102,7 @@ void expect_no_wrong_contact(const QueryScene& at, const Motion& motion, const F
   claim.verdict = Verdict::disjoint(DecidedBy::gjk);
   claim.lower = claim.time = claim.upper = HUGE_VAL;
   refuses(claim, "a miss");
-  const bool is_narrow = truth.upper - truth.lower <= 1e-8 * truth.lower;
+  const bool is_narrow = truth.lower > 0.0 && truth.upper - truth.lower <= 1e-8 * truth.lower;
   if (!is_narrow) return;
   claim = truth;
   claim.lower = claim.time = truth.upper * (1.0 + 1e-6);
