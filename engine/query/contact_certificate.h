@@ -26,24 +26,28 @@ struct ContactCertificate {
   std::vector<double> times;  // of each witness
 };
 
-/// Find a certificate for an answer of `linear_cast`, or of `time_of_impact`; slow. What is not found is left out, and
-/// the checker says so. Of an undecided answer nothing is looked for but what proves `lower`.
+/// Find a certificate for an answer of `linear_cast`, or of `time_of_impact`, with the end that they were given; slow.
+/// What is not found is left out, and the checker says so. Of an undecided answer nothing is looked for but what proves
+/// `lower`.
 ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& motion,
-                           const FirstContact& found);
+                           const FirstContact& found, double until = HUGE_VAL);
 ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
-                           const FirstContact& found);
+                           const FirstContact& found, double until = HUGE_VAL);
 
 /// Of `cast_ray`: B is the ray's origin, a point.
-ContactCertificate certify_ray(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir, const FirstContact& found);
+ContactCertificate certify_ray(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir, const FirstContact& found,
+                               double until = HUGE_VAL);
 CertificateCheck check_ray_certificate(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir,
-                                       const FirstContact& claimed, const ContactCertificate& certificate);
+                                       const FirstContact& claimed, const ContactCertificate& certificate,
+                                       double until = HUGE_VAL);
 
 /// Proves verdict and bounds again, in exact arithmetic, from the bodies' exact forms and the certificate alone. An
 /// undecided answer claims `lower`.
 CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& motion,
-                                   const FirstContact& claimed, const ContactCertificate& certificate);
+                                   const FirstContact& claimed, const ContactCertificate& certificate,
+                                   double until = HUGE_VAL);
 CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
                                    const RigidMotion& motion, const FirstContact& claimed,
-                                   const ContactCertificate& certificate);
+                                   const ContactCertificate& certificate, double until = HUGE_VAL);
 
 }  // namespace vex

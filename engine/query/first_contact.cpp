@@ -62,8 +62,8 @@ void touch_by_balls(const ConvexBody& a, const ConvexBody& b, const Transformd& 
 
 // What the search left open.
 void decide_exactly(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Vec3d& motion,
-                    double latest, FirstContact& contact) {
-  const ExactCast exact = cast_exactly(a, b, a_from_b, motion, contact.lower, latest);
+                    double latest, double until, FirstContact& contact) {
+  const ExactCast exact = cast_exactly(a, b, a_from_b, motion, contact.lower, latest, until);
   contact.n_support_calls += exact.n_support_calls;
   if (exact.outcome == Outcome::undecided) return;
   if (exact.outcome == Outcome::disjoint) {
@@ -87,10 +87,16 @@ void decide_exactly(const ConvexBody& a, const ConvexBody& b, const Transformd& 
   contact.point_b = apart.point_b;
 }
 
+void require_end(double until) {
+  if (!(until >= 0.0)) throw UsageError("the end of a motion is negative or no number - give a time from 0 up");
+}
+
 }  // namespace
 
-FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& motion) {
+FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& motion,
+                         double until) {
   const Transformd& a_from_b = pose.a_from_b();
+  require_end(until);
   if (!(norm_1(motion) > 0.0 && is_finite(motion))) {
     throw InputError("a direction of motion is zero or not finite - give a finite vector of any other length");
   }
@@ -109,6 +115,7 @@ FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Pose& p
   const int motion_exponent =
       std::ilogb(std::fmax(std::fabs(motion.x), std::fmax(std::fabs(motion.y), std::fabs(motion.z))));
   RaySearch search(a, b, a_from_b, times_power_of_two(motion, -motion_exponent));
+  search.look_until(scaled_up(until, search.exponent() + motion_exponent));
   const RayBounds bounds = search.run(start.separating_dir, at_start.outcome == Outcome::disjoint);
   const int n_support_calls = start.n_support_calls + search.n_support_calls();
   if (bounds.is_miss) {
@@ -122,9 +129,10 @@ FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Pose& p
   contact.lower = scaled_down(bounds.lower, exponent);
   const RaySearch::Touch touch = search.touch();
   contact.normal = touch.normal;
-  if (bounds.is_hit) {
+  const double upper = scaled_up(bounds.upper, exponent);
+  if (bounds.is_hit && upper <= until) {
     contact.verdict = Verdict::overlap(DecidedBy::gjk);
-    contact.upper = scaled_up(bounds.upper, exponent);
+    contact.upper = upper;
     contact.time = between(contact.lower, contact.upper);
     contact.point_a = touch.point_a;
     contact.point_b = touch.point_b + contact.time * motion;
@@ -136,16 +144,16 @@ FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Pose& p
   contact.time = contact.lower;
   contact.upper = HUGE_VAL;
   if (at_start.outcome == Outcome::disjoint) {
-    decide_exactly(a, b, a_from_b, motion, scaled_up(bounds.latest, exponent), contact);
+    decide_exactly(a, b, a_from_b, motion, scaled_up(bounds.latest, exponent), until, contact);
   }
   return contact;
 }
 
-FirstContact cast_ray(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir) {
+FirstContact cast_ray(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir, double until) {
   static const ConvexBody kPoint = PointBody{};
   Transformd a_from_point;
   a_from_point.translation = origin;
-  return linear_cast(a, kPoint, a_from_point, dir);
+  return linear_cast(a, kPoint, a_from_point, dir, until);
 }
 
 }  // namespace vex

@@ -2,6 +2,8 @@
 // body that turns while it moves.
 #pragma once
 
+#include <cmath>
+
 #include "engine/numeric/pose.h"
 #include "engine/query/verdict.h"
 #include "engine/support/convex_body.h"
@@ -28,11 +30,13 @@ struct FirstContact {
 };
 
 /// The ray origin + t dir, t >= 0, against a body in its own frame; `dir` has any length but 0. The normal points out
-/// of the body.
-FirstContact cast_ray(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir);
+/// of the body. What all three are given as `until`, a time from 0 on, is the last one that is looked at: `disjoint`
+/// then says that there is no contact until then, and an overlap's `upper` is not later.
+FirstContact cast_ray(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir, double until = HUGE_VAL);
 
 /// B moving without turning: at time t >= 0 it is where the pose has it plus t * motion.
-FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& motion);
+FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& motion,
+                         double until = HUGE_VAL);
 
 /// In A's frame; a screw about B's origin, which moves straight.
 struct RigidMotion {
@@ -43,7 +47,8 @@ struct RigidMotion {
 /// B at time t: x -> exp(t [w]) R x + (translation + t v). By conservative advancement (B. Mirtich, 1996): as long as
 /// the bodies' gap is larger than what any point of B can move along the separating direction, they do not touch. Ends
 /// where they touch, once circumscribed balls part for good, or, of a body that only turns, after one turn.
-FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion);
+FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
+                            double until = HUGE_VAL);
 
 /// B's pose at a time of the motion.
 Transformd pose_at(const Transformd& a_from_b, const RigidMotion& motion, double time);

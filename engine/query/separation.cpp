@@ -76,7 +76,8 @@ struct DoubleQuery {
                  a.circumradius() + b.circumradius(),
                  std::max(given.relative_gap, are_rounded_polytopes(a, b) ? kPolytopeGap : kCurvedGap),
                  given.max_support_calls,
-                 max_hull_points(a, b, given)} {}
+                 max_hull_points(a, b, given),
+                 given.max_distance} {}
 
   // The bodies' answer from that of their cores.
   void take(const Vec3d& normal, double distance, double lower, double upper, const Vec3d& core_a, const Vec3d& core_b,
@@ -171,7 +172,8 @@ Separation search_in_extended(const PlacedForms& placed, const ConvexBody& a, co
       Extended(std::ldexp(a.circumradius() + b.circumradius(), -forms.exponent())),
       Extended(std::max(settings.relative_gap, placed.are_rounded_polytopes() ? 0x1p-60 : kCurvedGap)),
       settings.max_support_calls,
-      max_hull_points(a, b, settings)};
+      max_hull_points(a, b, settings),
+      Extended(std::ldexp(settings.max_distance, -forms.exponent()))};
   const QueryError<Extended> error{Extended(8.0), Extended(kExtendedError)};
   CoreSearch<Extended, ExtendedCore::Point, ExtendedCore> search(difference, error, search_settings,
                                                                  broadcast<Extended>(first_dir), {});
@@ -229,7 +231,9 @@ Separation concluded(const ConvexBody& a, const ConvexBody& b, const Transformd&
 
 // Whether twice the precision has nothing to add: where it is calls that ended a search, or where the bounds are as
 // near as asked for and a sign that they leave open is all that they leave open.
-bool is_settled(const Separation& found, SeparationGoal goal, double wanted, bool is_capped, bool is_rough) {
+bool is_settled(const Separation& found, SeparationGoal goal, double wanted, double max_distance, bool is_capped,
+                bool is_rough) {
+  if (goal == SeparationGoal::distance && found.lower > max_distance) return true;
   if (goal == SeparationGoal::depth && found.lower > 0.0) return true;
   if (goal == SeparationGoal::distance && found.upper < 0.0) return true;
   if (is_capped) return true;
@@ -250,6 +254,9 @@ Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd
   if (!(settings.relative_gap >= 0.0)) {
     throw UsageError("the relative gap of a distance is negative or no number - give one from 0 up");
   }
+  if (!(settings.max_distance >= 0.0)) {
+    throw UsageError("the largest distance of interest is negative or no number - give one from 0 up");
+  }
   const double relative_gap = std::max(settings.relative_gap, are_rounded_polytopes(a, b) ? 0x1p-40 : 1e-9);
   const auto wanted = [&](const Separation& found) {
     return relative_gap * (std::fabs(found.signed_distance) + (a.circumradius() + b.circumradius()));
@@ -266,7 +273,8 @@ Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd
       if (seen.verdict.outcome == Outcome::overlap) return seen;
       return separation(a, b, a_from_b, SeparationGoal::signed_distance, settings, warm_start);
     }
-    if (is_settled(in_double, goal, wanted(in_double), found.is_capped, settings.relative_gap > kRoughGap)) {
+    if (is_settled(in_double, goal, wanted(in_double), settings.max_distance, found.is_capped,
+                   settings.relative_gap > kRoughGap)) {
       return concluded(a, b, a_from_b, goal, DecidedBy::gjk, in_double);
     }
   }

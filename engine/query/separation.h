@@ -53,6 +53,8 @@ struct SeparationSettings {
   /// less, 1e-3 or even 0.1: the bounds tell what it got, and the verdict is proven all the same.
   double relative_gap = 0.0;
   int max_support_calls = kMaxSupportCalls;  // of each search
+  /// `distance` ends once it is known to be larger: `lower` is then above it, and the rest as near as it came.
+  double max_distance = HUGE_VAL;
 };
 
 /// Distance or depth, as the case is. For bodies of points and balls (polytopes, spheres, capsules, rounded polytopes)

@@ -54,23 +54,25 @@ int exponent_of_motion(const ConvexBody& a, const ConvexBody& b, const Transform
 
 class Advancement {
  public:
-  /// `ends`: the velocity is known well enough for the sweep's window to be one.
+  /// `ends`: the velocity is known well enough for the sweep's window to be one. Nothing after `last` is looked at.
   Advancement(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion,
-              bool ends, std::vector<ApartDuring>* record)
+              bool ends, double last, std::vector<ApartDuring>* record)
       : a_(a),
         b_(b),
         record_(record),
         sweep_(a, b, a_from_b, motion),
         size_(a.circumradius() + b.circumradius()),
         is_curved_(!a.is_rounded_polytope() || !b.is_rounded_polytope()),
-        ends_(ends) {}
+        ends_(ends),
+        last_(last) {}
 
   FirstContact run() {
     const RigidSweep::Window window = sweep_.window();
     if (ends_ && !(window.from <= window.to)) return nothing();
     time_ = ends_ ? std::fmin(window.from, std::numeric_limits<double>::max()) : 0.0;
-    until_ = std::fmin(window.to, kLatest);
-    ends_ = ends_ && window.to < kLatest;
+    until_ = std::fmin(window.to, std::fmin(last_, kLatest));
+    if (time_ > last_) return nothing();
+    ends_ = until_ >= last_ || (ends_ && window.to < kLatest);
     for (int n_advances = 0; n_advances < kMostAdvances; ++n_advances) {
       if (time_ >= until_) return touched_ || !ends_ ? undecided(UndecidedReason::rounding) : nothing();
       if (touched_ && n_calls() - n_calls_before_touch_ > kMostCallsOfTouch) {
@@ -285,6 +287,7 @@ class Advancement {
   // Distances of polytopes and balls come to an end by themselves; small ones of curved bodies are dear.
   bool is_curved_;
   bool ends_;
+  double last_;  // that is looked at
   double time_ = 0.0, until_ = 0.0;
   double last_gap_ = HUGE_VAL;
   Vec3d last_normal_;
@@ -294,14 +297,15 @@ class Advancement {
   int n_support_calls_ = 0, n_calls_before_touch_ = 0, n_short_advances_ = 0;
 };
 
-FirstContact impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
+FirstContact impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion, double until,
                     std::vector<ApartDuring>* record) {
   const Transformd& a_from_b = pose.a_from_b();
   if (!is_finite(motion.velocity) || !is_finite(motion.angular_velocity)) {
     throw InputError("a velocity is not finite - give finite numbers");
   }
+  if (!(until >= 0.0)) throw UsageError("the end of a motion is negative or no number - give a time from 0 up");
   const bool moves = norm_1(motion.velocity) > 0.0, turns = norm_1(motion.angular_velocity) > 0.0;
-  if (moves && !turns) return linear_cast(a, b, pose, motion.velocity);
+  if (moves && !turns) return linear_cast(a, b, pose, motion.velocity, until);
   const OverlapAnswer start = overlap_answer(a, b, pose);
   const Verdict at_start = start.verdict;
   if (at_start.outcome == Outcome::overlap) {
@@ -321,7 +325,7 @@ FirstContact impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, 
   const RigidMotion scaled{times_power_of_two(motion.velocity, -exponent),
                            times_power_of_two(motion.angular_velocity, -exponent)};
   const bool ends = !moves || norm_1(scaled.velocity) > kLeastSpeed;
-  FirstContact contact = Advancement(a, b, a_from_b, scaled, ends, record).run();
+  FirstContact contact = Advancement(a, b, a_from_b, scaled, ends, scaled_up(until, exponent), record).run();
   if (exponent != 0) {
     if (contact.verdict.outcome != Outcome::disjoint) contact.lower = scaled_down(contact.lower, -exponent);
     contact.time = contact.verdict.outcome != Outcome::disjoint ? contact.lower : HUGE_VAL;
@@ -331,20 +335,25 @@ FirstContact impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, 
       (*record)[k].to = std::ldexp((*record)[k].to, -exponent);
     }
   }
+  if (contact.verdict.outcome == Outcome::overlap && contact.upper > until) {
+    contact.verdict = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);
+    contact.upper = HUGE_VAL;
+  }
   contact.n_support_calls += start.n_support_calls;
   return contact;
 }
 
 }  // namespace
 
-FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion) {
-  return impact(a, b, pose, motion, nullptr);
+FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
+                            double until) {
+  return impact(a, b, pose, motion, until, nullptr);
 }
 
 FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
-                            std::vector<ApartDuring>& record) {
+                            double until, std::vector<ApartDuring>& record) {
   record.clear();
-  return impact(a, b, pose, motion, &record);
+  return impact(a, b, pose, motion, until, &record);
 }
 
 }  // namespace vex

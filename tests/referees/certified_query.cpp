@@ -52,7 +52,12 @@ void take(const QueryScene& scene, bool turns, const FirstContact& found, Certif
 CertifiedAnswer ask_separation(const QueryScene& scene, CertifiedQuery query) {
   CertifiedAnswer answer;
   const Separation found = timed(answer, [&] {
-    if (query == CertifiedQuery::distance) return distance(scene.a, scene.b, scene.pose);
+    if (query == CertifiedQuery::distance) {
+      // A distance may be of interest only up to some size.
+      SeparationSettings settings;
+      if (scene.until < HUGE_VAL) settings.max_distance = 0.1 * size_of(scene);
+      return distance(scene.a, scene.b, scene.pose, settings);
+    }
     if (query == CertifiedQuery::depth) return penetration_depth(scene.a, scene.b, scene.pose);
     return signed_distance(scene.a, scene.b, scene.pose);
   });
@@ -63,24 +68,26 @@ CertifiedAnswer ask_separation(const QueryScene& scene, CertifiedQuery query) {
 
 CertifiedAnswer ask_contact(const QueryScene& scene, CertifiedQuery query) {
   CertifiedAnswer answer;
-  const auto& [a_text, b_text, a, b, pose, motion] = scene;
+  const auto& [a_text, b_text, a, b, pose, motion, until] = scene;
   if (query == CertifiedQuery::ray) {
-    const FirstContact found = timed(answer, [&] { return cast_ray(a, pose.translation, motion.velocity); });
+    const FirstContact found = timed(answer, [&] { return cast_ray(a, pose.translation, motion.velocity, until); });
     take(scene, false, found, answer);
     take(check_ray_certificate(a, pose.translation, motion.velocity, found,
-                               certify_ray(a, pose.translation, motion.velocity, found)),
+                               certify_ray(a, pose.translation, motion.velocity, found, until), until),
          answer);
     return answer;
   }
   if (query == CertifiedQuery::cast) {
-    const FirstContact found = timed(answer, [&] { return linear_cast(a, b, pose, motion.velocity); });
+    const FirstContact found = timed(answer, [&] { return linear_cast(a, b, pose, motion.velocity, until); });
     take(scene, false, found, answer);
-    take(check_certificate(a, b, pose, motion.velocity, found, certify(a, b, pose, motion.velocity, found)), answer);
+    take(check_certificate(a, b, pose, motion.velocity, found, certify(a, b, pose, motion.velocity, found, until),
+                           until),
+         answer);
     return answer;
   }
-  const FirstContact found = timed(answer, [&] { return time_of_impact(a, b, pose, motion); });
+  const FirstContact found = timed(answer, [&] { return time_of_impact(a, b, pose, motion, until); });
   take(scene, true, found, answer);
-  take(check_certificate(a, b, pose, motion, found, certify(a, b, pose, motion, found)), answer);
+  take(check_certificate(a, b, pose, motion, found, certify(a, b, pose, motion, found, until), until), answer);
   return answer;
 }
 

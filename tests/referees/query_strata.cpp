@@ -36,7 +36,7 @@ std::string length_text(double x) {
 }
 
 QueryScene scene_of(const std::string& a, const std::string& b) {
-  return {a, b, body_of(a), body_of(b), Transformd{}, RigidMotion{}};
+  return {a, b, body_of(a), body_of(b), Transformd{}, RigidMotion{}, HUGE_VAL};
 }
 
 double size_of(const QueryScene& scene) { return scene.a.circumradius() + scene.b.circumradius(); }
@@ -77,7 +77,7 @@ QueryScene thin(Random& random, int k) {
     }
   };
   const std::string a = text(), b = text();
-  QueryScene scene{a, b, separation_body(a), separation_body(b), {}, {}};
+  QueryScene scene{a, b, separation_body(a), separation_body(b), {}, {}, HUGE_VAL};
   if (k % 2 == 0) {
     scene.pose = random_pose(random, ball_domain(scene.a, scene.b), scene.b);
   } else {
@@ -179,7 +179,8 @@ QueryScene sizes(Random& random, int k) {
                    separation_body(a, scale_a),
                    separation_body(b, scale_b),
                    {},
-                   {}};
+                   {},
+                   HUGE_VAL};
   scene.pose = k % 2 == 0 ? random_pose(random, ball_domain(scene.a, scene.b), scene.b)
                           : near_contact_pose(scene.a, scene.b, random, k / 2);
   move_somewhere(scene, random, k);
@@ -205,6 +206,18 @@ QueryScene hulls(Random& random, int k) {
   return scene;
 }
 
+// Every fourth motion has an end, before or after what may happen.
+using MakeScene = QueryScene (*)(Random& random, int k);
+template <MakeScene make>
+QueryScene with_end(Random& random, int k) {
+  QueryScene scene = make(random, k);
+  if (k % 4 != 2) return scene;
+  const double speed = safe_norm(scene.motion.velocity), spin = safe_norm(scene.motion.angular_velocity);
+  const double way = safe_norm(scene.pose.translation) + size_of(scene);
+  scene.until = 2.0 * random_in_unit_interval(random) * (speed > 0.0 ? way / speed : 7.0 / spin);
+  return scene;
+}
+
 std::string vector_text(const Vec3d& v) {
   std::array<char, 96> text;
   std::snprintf(text.data(), text.size(), "%a,%a,%a", v.x, v.y, v.z);
@@ -216,14 +229,15 @@ std::string vector_text(const Vec3d& v) {
 std::string QueryScene::text() const {
   return "'" + a_text + "' '" + b_text + "' --matrix " + vector_text(pose.row_x) + "," + vector_text(pose.row_y) + "," +
          vector_text(pose.row_z) + "," + vector_text(pose.translation) + " velocity " + vector_text(motion.velocity) +
-         " radians " + vector_text(motion.angular_velocity);
+         " radians " + vector_text(motion.angular_velocity) + " until " + length_text(until);
 }
 
 const std::vector<QueryStratum>& query_strata() {
-  static const std::vector<QueryStratum> strata = {{"ordinary", ordinary}, {"thin", thin},       {"touching", touching},
-                                                   {"leaving", leaving},   {"grazing", grazing}, {"parallel", parallel},
-                                                   {"coaxial", coaxial},   {"far", far},         {"sizes", sizes},
-                                                   {"fast", fast},         {"hulls", hulls}};
+  static const std::vector<QueryStratum> strata = {
+      {"ordinary", with_end<ordinary>}, {"thin", with_end<thin>},       {"touching", with_end<touching>},
+      {"leaving", with_end<leaving>},   {"grazing", with_end<grazing>}, {"parallel", with_end<parallel>},
+      {"coaxial", with_end<coaxial>},   {"far", with_end<far>},         {"sizes", with_end<sizes>},
+      {"fast", with_end<fast>},         {"hulls", with_end<hulls>}};
   return strata;
 }
 

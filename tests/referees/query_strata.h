@@ -1,6 +1,7 @@
 // What queries are asked about where they are hardest: pairs of bodies, poses and motions in strata.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <random>
 #include <string>
@@ -15,7 +16,8 @@ struct QueryScene {
   std::string a_text, b_text;
   ConvexBody a, b;
   Transformd pose;
-  RigidMotion motion;  // of a cast the velocity alone
+  RigidMotion motion;       // of a cast the velocity alone
+  double until = HUGE_VAL;  // of motions
 
   std::string text() const;  // enough to ask again
 };

@@ -164,24 +164,28 @@ class TurningMotion {
   Dyadic across_, reach_;
 };
 
-bool are_apart_before(const TurningMotion& motion, const ContactCertificate& certificate, const FirstContact& claimed) {
+// At every time before the claimed contact, or until the end that was asked for.
+bool are_apart_before(const TurningMotion& motion, const ContactCertificate& certificate, const FirstContact& claimed,
+                      double until) {
   const std::vector<Apart>& apart = certificate.apart;
-  const bool is_for_ever = claimed.verdict.outcome == Outcome::disjoint;
-  if (apart.empty()) return is_for_ever ? motion.are_far_after(0.0) : motion.are_far_until(claimed.lower);
+  const bool is_for_ever = claimed.verdict.outcome == Outcome::disjoint && until == HUGE_VAL;
+  const double end = claimed.verdict.outcome == Outcome::disjoint ? until : claimed.lower;
+  if (apart.empty()) return is_for_ever ? motion.are_far_after(0.0) : motion.are_far_until(end);
   const double from = apart.front().from > 0.0 && motion.are_far_until(apart.front().from) ? apart.front().from : 0.0;
-  const double until = apart.back().to;
-  if (!cover(apart, from, is_for_ever ? until : claimed.lower)) return false;
-  return !is_for_ever || motion.are_far_after(until) || (from == 0.0 && motion.has_turned_once(until));
+  const double last = apart.back().to;
+  if (!cover(apart, from, std::fmin(last, end))) return false;
+  return last >= end || motion.are_far_after(last) || (from == 0.0 && motion.has_turned_once(last));
 }
 
 bool are_apart_before(const StraightMotion& /*motion*/, const ContactCertificate& certificate,
-                      const FirstContact& claimed) {
-  return cover(certificate.apart, 0.0, claimed.verdict.outcome == Outcome::disjoint ? HUGE_VAL : claimed.lower);
+                      const FirstContact& claimed, double until) {
+  if (claimed.verdict.outcome != Outcome::disjoint) return cover(certificate.apart, 0.0, claimed.lower);
+  return cover(certificate.apart, 0.0, std::nextafter(until, HUGE_VAL));  // the last time is one of them
 }
 
 template <class Motion>
 std::string fault_of(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Motion& motion,
-                     const FirstContact& claimed, const ContactCertificate& certificate) {
+                     const FirstContact& claimed, const ContactCertificate& certificate, double until) {
   const Outcome outcome = claimed.verdict.outcome;
   if (outcome != Outcome::disjoint) {
     if (!(claimed.lower >= 0.0 && claimed.lower < HUGE_VAL)) return "the lower bound is no time";
@@ -196,10 +200,11 @@ std::string fault_of(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
       if (!motion.stays_apart(interval))
         return "a direction does not keep the bodies apart for as long as it is said to";
     }
-    if (!are_apart_before(motion, certificate, claimed)) return "not every time before a contact is proven";
+    if (!are_apart_before(motion, certificate, claimed, until)) return "not every time before a contact is proven";
   }
   if (outcome != Outcome::overlap) return {};
   if (!(claimed.upper < HUGE_VAL)) return "the upper bound is no time";
+  if (claimed.upper > until) return "the contact is after the end";
   const WitnessHull& hull = certificate.hull;
   if (hull.witnesses.empty() || hull.witnesses.size() != certificate.times.size() ||
       !checker::are_finite(hull.witnesses) || !motion.meets(claimed, certificate)) {
@@ -211,19 +216,19 @@ std::string fault_of(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
 }  // namespace
 
 CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& motion,
-                                   const FirstContact& claimed, const ContactCertificate& certificate) {
+                                   const FirstContact& claimed, const ContactCertificate& certificate, double until) {
   std::string fault;
   const std::optional<ExactPair> pair = ExactPair::of(a, b, pose.a_from_b(), fault);
   if (fault.empty() && !is_finite(motion)) fault = "the motion is not finite";
-  if (fault.empty()) fault = fault_of(a, b, pose, StraightMotion(*pair, motion), claimed, certificate);
+  if (fault.empty()) fault = fault_of(a, b, pose, StraightMotion(*pair, motion), claimed, certificate, until);
   return {fault.empty(), std::move(fault)};
 }
 
 CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
                                    const RigidMotion& motion, const FirstContact& claimed,
-                                   const ContactCertificate& certificate) {
+                                   const ContactCertificate& certificate, double until) {
   if (norm_1(motion.angular_velocity) == 0.0) {
-    return check_certificate(a, b, pose, motion.velocity, claimed, certificate);
+    return check_certificate(a, b, pose, motion.velocity, claimed, certificate, until);
   }
   std::string fault;
   const std::optional<ExactPair> pair = ExactPair::of(a, b, pose.a_from_b(), fault);
@@ -232,16 +237,17 @@ CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, con
   }
   if (fault.empty()) {
     const TurningMotion turning(*pair, pose.a_from_b(), motion, a.centre(), b.centre());
-    fault = fault_of(a, b, pose, turning, claimed, certificate);
+    fault = fault_of(a, b, pose, turning, claimed, certificate, until);
   }
   return {fault.empty(), std::move(fault)};
 }
 
 CertificateCheck check_ray_certificate(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir,
-                                       const FirstContact& claimed, const ContactCertificate& certificate) {
+                                       const FirstContact& claimed, const ContactCertificate& certificate,
+                                       double until) {
   Transformd at_origin;
   at_origin.translation = origin;
-  return check_certificate(a, ConvexBody(PointBody{}), at_origin, dir, claimed, certificate);
+  return check_certificate(a, ConvexBody(PointBody{}), at_origin, dir, claimed, certificate, until);
 }
 
 }  // namespace vex

@@ -43,8 +43,8 @@ void take(WitnessHull hull, const std::vector<bool>& is_late, double from, doubl
 class CastCertifier {
  public:
   CastCertifier(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& motion,
-                const FirstContact& found)
-      : a_(a), b_(b), pose_(pose), motion_(motion), found_(found) {}
+                const FirstContact& found, double until)
+      : a_(a), b_(b), pose_(pose), motion_(motion), found_(found), until_(until) {}
 
   ContactCertificate run() {
     const Outcome outcome = found_.verdict.outcome;
@@ -60,15 +60,18 @@ class CastCertifier {
   }
 
  private:
-  double until() const { return found_.verdict.outcome == Outcome::disjoint ? HUGE_VAL : found_.lower; }
-  bool is_proven() const { return check_certificate(a_, b_, pose_, motion_, found_, certificate_).is_proven; }
+  // Of a miss the end is one of the times.
+  double until() const {
+    return found_.verdict.outcome == Outcome::disjoint ? std::nextafter(until_, HUGE_VAL) : found_.lower;
+  }
+  bool is_proven() const { return check_certificate(a_, b_, pose_, motion_, found_, certificate_, until_).is_proven; }
   // Whether the directions are enough, whatever proves the contact.
   bool is_apart(const ContactCertificate& certificate) const {
     FirstContact only_apart = found_;
     if (found_.verdict.outcome != Outcome::disjoint) {
       only_apart.verdict = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);
     }
-    return check_certificate(a_, b_, pose_, motion_, only_apart, certificate).is_proven;
+    return check_certificate(a_, b_, pose_, motion_, only_apart, certificate, until_).is_proven;
   }
   bool offer_apart(std::vector<Apart> apart) {
     ContactCertificate only;
@@ -144,26 +147,27 @@ class CastCertifier {
   const Pose& pose_;
   const Vec3d& motion_;
   const FirstContact& found_;
+  double until_;
   ContactCertificate certificate_;
 };
 
 }  // namespace
 
 ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& motion,
-                           const FirstContact& found) {
-  return CastCertifier(a, b, pose, motion, found).run();
+                           const FirstContact& found, double until) {
+  return CastCertifier(a, b, pose, motion, found, until).run();
 }
 
 ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
-                           const FirstContact& found) {
-  if (norm_1(motion.angular_velocity) == 0.0) return certify(a, b, pose, motion.velocity, found);
+                           const FirstContact& found, double until) {
+  if (norm_1(motion.angular_velocity) == 0.0) return certify(a, b, pose, motion.velocity, found, until);
   ContactCertificate certificate;
   if (found.verdict.outcome == Outcome::overlap && found.upper == 0.0) {
     overlap(a, b, pose, &certificate.at_start);
     return certificate;
   }
   std::vector<ApartDuring> record;
-  time_of_impact(a, b, pose, motion, record);
+  time_of_impact(a, b, pose, motion, until, record);
   for (const ApartDuring& step : record) certificate.apart.push_back({step.from, step.to, {{{step.normal, 0}}}});
   if (found.verdict.outcome != Outcome::overlap || !(found.upper < HUGE_VAL)) return certificate;
   const std::optional<PlacedForms> placed = placed_forms(a, b, pose_at(pose.a_from_b(), motion, found.upper));
@@ -178,16 +182,17 @@ ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose&
       if (hull->witnesses.empty()) continue;
       certificate.hull = *hull;
       certificate.times.assign(hull->witnesses.size(), found.upper);
-      if (check_certificate(a, b, pose, motion, only_contact, certificate).is_proven) return certificate;
+      if (check_certificate(a, b, pose, motion, only_contact, certificate, until).is_proven) return certificate;
     }
   }
   return certificate;
 }
 
-ContactCertificate certify_ray(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir, const FirstContact& found) {
+ContactCertificate certify_ray(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir, const FirstContact& found,
+                               double until) {
   Transformd at_origin;
   at_origin.translation = origin;
-  return certify(a, ConvexBody(PointBody{}), at_origin, dir, found);
+  return certify(a, ConvexBody(PointBody{}), at_origin, dir, found, until);
 }
 
 }  // namespace vex

@@ -65,27 +65,32 @@ class ExactMotion {
 }  // namespace
 
 ExactCast cast_exactly(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Vec3d& motion,
-                       double lower, double latest) {
+                       double lower, double latest, double until) {
   ExactCast result;
   if (!a.is_rounded_polytope() || !b.is_rounded_polytope()) return result;
   const std::optional<PlacedForms> forms = placed_forms(a, b, a_from_b);
   if (!forms) return result;
   if (forms->a.is_polytope() && forms->b.is_polytope()) {
-    const FirstMeeting found = first_meeting(*forms, motion);
-    return {found.is_hit ? Outcome::overlap : Outcome::disjoint, found.lower, found.upper, found.n_support_calls};
+    const FirstMeeting found = first_meeting(*forms, motion, nullptr, until);
+    return {found.is_hit && !found.is_late ? Outcome::overlap : Outcome::disjoint, found.lower, found.upper,
+            found.n_support_calls};
   }
+  latest = std::fmin(latest, until);
   if (!(latest > 0.0 && std::isfinite(latest))) return result;
   ExactMotion exact(a, b, a_from_b, motion, forms->b.points);
   for (const int digits : kTimeDigits) {
     const double unit = std::ldexp(1.0, std::ilogb(latest) - digits);
     // The nearest such time, which may be the only one of contact; and others, up to the last.
     double together = std::round(lower / unit) * unit;
+    if (together > latest) continue;
     std::optional<bool> meets = exact.meets_at(together);
     if (!meets) continue;
     for (int k = 0; k < kMostTimes && meets && !*meets; ++k) {
       together = std::round((lower + std::ldexp(latest - lower, -k)) / unit) * unit;
+      if (together > latest) break;
       meets = exact.meets_at(together);
     }
+    if (together > latest) continue;
     if (!meets || !*meets) continue;
     result.outcome = Outcome::overlap;
     result.upper = together;

@@ -117,7 +117,7 @@ class Programme {
   // Costs are pairs, of which the first counts more than any of the second: what the slacks hold, and the time. Rows of
   // the inverse decide between rows that reach 0 at once, so no basis comes again (G. Dantzig, A. Orden, P. Wolfe,
   // Pacific J. Math. 5, 183, 1955), and the search ends.
-  FirstMeeting solve(FirstMeetingProof* proof) {
+  FirstMeeting solve(FirstMeetingProof* proof, double until) {
     FirstMeeting result;
     while (true) {
       Integer determinant;
@@ -135,7 +135,7 @@ class Programme {
         entering = better_point(of_slacks, of_time);
       }
       if (!entering) {
-        conclude(inverse, determinant, result);
+        conclude(inverse, determinant, until, result);
         if (proof != nullptr) {
           // No point and no time gains: y . w + y_4 <= 0 for all w of K, with y_4 the least sum of slacks, or the time;
           // and y . m >= 0, or >= -1.
@@ -195,7 +195,7 @@ class Programme {
     return false;
   }
 
-  void conclude(const Matrix& inverse, const Integer& determinant, FirstMeeting& result) const {
+  void conclude(const Matrix& inverse, const Integer& determinant, double until, FirstMeeting& result) const {
     result.is_hit = true;
     for (std::size_t k = 0; k < 4; ++k) {
       const Integer& value = inverse[k][3];
@@ -205,6 +205,9 @@ class Programme {
       const int exponent = points_.unit() - exponent_of_motion_;
       result.lower = quotient(value, determinant, exponent, -1.0);
       result.upper = quotient(value, determinant, exponent, 1.0);
+      if (until == HUGE_VAL) continue;
+      result.is_late = whole::Dyadic(until) * whole::Dyadic(determinant, 0) < whole::Dyadic(value, exponent);
+      if (!result.is_late) result.upper = std::fmin(result.upper, until);
     }
   }
 
@@ -217,9 +220,9 @@ class Programme {
 
 }  // namespace
 
-FirstMeeting first_meeting(const PlacedForms& forms, const Vec3d& motion, FirstMeetingProof* proof) {
+FirstMeeting first_meeting(const PlacedForms& forms, const Vec3d& motion, FirstMeetingProof* proof, double until) {
   VEX_EXPECT(forms.a.is_polytope() && forms.b.is_polytope());
-  return Programme(forms, motion).solve(proof);
+  return Programme(forms, motion).solve(proof, until);
 }
 
 }  // namespace vex

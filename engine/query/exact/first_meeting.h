@@ -5,6 +5,7 @@
 // solved by the simplex method, the columns found by support mappings, in exact arithmetic (E22).
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@ namespace vex {
 
 struct FirstMeeting {
   bool is_hit = false;
+  bool is_late = false;             // after the end that was given
   double lower = 0.0, upper = 0.0;  // of the least t, a few roundings apart; 0 only where it is 0
   int n_support_calls = 0;
 };
@@ -30,6 +32,7 @@ struct FirstMeetingProof {
 
 /// Of polytopes, without balls: K is of A's points and of B's as they are placed. Everything is exact: flat bodies, and
 /// motions along faces, edges, or past them by any little, are answered as they are.
-FirstMeeting first_meeting(const PlacedForms& forms, const Vec3d& motion, FirstMeetingProof* proof = nullptr);
+FirstMeeting first_meeting(const PlacedForms& forms, const Vec3d& motion, FirstMeetingProof* proof = nullptr,
+                           double until = HUGE_VAL);
 
 }  // namespace vex

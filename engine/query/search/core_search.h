@@ -20,6 +20,7 @@ struct CoreSearchSettings {
   L relative_gap;
   int max_support_calls;
   int max_hull_points;
+  L max_distance;  // of the bodies; distances that are larger need not be known
 
   /// How near to each other bounds shall be for this signed distance of the cores.
   L wanted(const L& signed_distance) const { return relative_gap * (absolute(signed_distance - radii) + size); }
@@ -59,7 +60,8 @@ class CoreSearch {
         settings_(settings),
         descent_(descend_to_origin<L, Point>(
             difference, first_dir, simplex, error, [&](const L& distance) { return settings.wanted(distance); },
-            settings.radii, settings.goal == SeparationGoal::depth ? DescentGoal::separated : DescentGoal::nearest,
+            settings.goal == SeparationGoal::depth ? settings.radii : settings.radii + settings.max_distance,
+            settings.goal == SeparationGoal::signed_distance ? DescentGoal::nearest : DescentGoal::separated,
             settings.max_support_calls)),
         n_support_calls_(descent_.n_support_calls) {
     found_.lower = descent_.lower;

@@ -135,8 +135,8 @@ class GrowingHull {
   /// Takes a point into the hull: the faces that it is in front of give way to those from their rim to it. False, and
   /// nothing changes, where rounding has torn the rim.
   bool grow(std::uint32_t start, std::uint32_t added) {
-    // Faces in whose plane the point is stay: of a cap of many corners all of them would be made again with each new one.
-    // Where that tears the rim they go too.
+    // Faces in whose plane the point is stay: of a cap of many corners all of them would be made again with each new
+    // one. Where that tears the rim they go too.
     for (const double side : {1.0, 0.0, -1.0}) {
       hide(start, added, L(side));
       if (!is_one_round()) continue;

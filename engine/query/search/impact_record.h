@@ -15,6 +15,6 @@ struct ApartDuring {
 
 /// `time_of_impact`, and how it was found that there is no contact before the one that it tells.
 FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
-                            std::vector<ApartDuring>& record);
+                            double until, std::vector<ApartDuring>& record);
 
 }  // namespace vex

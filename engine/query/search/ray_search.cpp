@@ -78,7 +78,7 @@ DifferencePoint RaySearch::cut(const Vec3d& normal) {
   } else if (along - rounding > 0.0) {
     bounds_.latest = std::fmin(bounds_.latest, height / (along - rounding) * (1.0 + gamma(4)));
   }
-  if (bounds_.lower > bounds_.latest) bounds_.is_miss = true;
+  if (bounds_.lower > std::fmin(bounds_.latest, until_)) bounds_.is_miss = true;
   return w;
 }
 

@@ -29,7 +29,7 @@ struct DifferencePoint {
 struct RayBounds {
   double lower = 0.0, upper = HUGE_VAL;  // of its least t; where `upper` is finite there is a t of at most that
   bool is_hit = false;                   // there is a t from 0 on, proven: that one may be before the start
-  bool is_miss = false;                  // there is none from 0 on, proven
+  bool is_miss = false;                  // there is none from 0 on, or until the end that was given, proven
   double latest = HUGE_VAL;              // no t is above it
 };
 
@@ -37,6 +37,9 @@ struct RayBounds {
 class RaySearch {
  public:
   RaySearch(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Vec3d& dir);
+
+  /// What is later counts as a miss; of t as it is searched for.
+  void look_until(double latest) { until_ = latest; }
 
   /// Closes in as far as rounding allows. `separating_dir`: one that is known to separate the bodies, or zero.
   RayBounds run(const Vec3d& separating_dir, bool is_apart_at_start);
@@ -90,6 +93,7 @@ class RaySearch {
   Vec3d dir_;
   int exponent_;
   double scale_;
+  double until_ = HUGE_VAL;
   QueryError<double> error_;
   double shadow_error_;
   Vec3d across_x_, across_y_, along_;
