@@ -106,7 +106,7 @@ Question::Question(const ConvexBody& a, const ConvexBody& b, const QuerySettings
     : settings_(settings), a_(a), b_(b), with_margin_(a, b, settings.query == Query::overlap ? settings.margin : 0.0) {
   if (settings.query == Query::ray) {
     ray_origin_body_ = Polytope(std::array{settings.ray_origin}, settings.ray_origin, 0.0);
-    ray_on_a_ = cast_ray(a, settings.ray_origin, settings.velocity);
+    ray_on_a_ = cast_ray(a, settings.ray_origin, settings.velocity, settings.until);
   }
 }
 
@@ -124,10 +124,11 @@ Answer Question::answer_of_query(const Transformd& a_from_b) const {
     case Query::overlap: return overlap_answer(a_from_b);
     case Query::ray: return ray_answer(a_from_b);
     case Query::cast:
-      return contact_answer_of(linear_cast(a_, b_, a_from_b, settings_.velocity), a_from_b, settings_.velocity);
+      return contact_answer_of(linear_cast(a_, b_, a_from_b, settings_.velocity, settings_.until), a_from_b,
+                               settings_.velocity);
     case Query::time_of_impact: {
       const RigidMotion motion{settings_.velocity, (std::numbers::pi / 180.0) * settings_.angular_velocity_degrees};
-      return contact_answer_of(time_of_impact(a_, b_, a_from_b, motion), a_from_b, motion);
+      return contact_answer_of(time_of_impact(a_, b_, a_from_b, motion, settings_.until), a_from_b, motion);
     }
     case Query::manifold: {
       ContactManifold manifold = contact_manifold(a_, b_, a_from_b, settings_.margin);
@@ -144,9 +145,10 @@ Answer Question::answer_of_query(const Transformd& a_from_b) const {
     case Query::depth:
     case Query::signed_distance: break;
   }
-  const Separation found = settings_.query == Query::distance ? distance(a_, b_, a_from_b)
-                           : settings_.query == Query::depth  ? penetration_depth(a_, b_, a_from_b)
-                                                              : vex::signed_distance(a_, b_, a_from_b);
+  const Separation found = settings_.query == Query::distance
+                               ? distance(a_, b_, a_from_b, {.max_distance = settings_.max_distance})
+                           : settings_.query == Query::depth ? penetration_depth(a_, b_, a_from_b)
+                                                             : vex::signed_distance(a_, b_, a_from_b);
   result = separation_answer(found);
   if (settings_.with_certificate) {
     SeparationCertificate certificate = certify(a_, b_, a_from_b, found);
@@ -160,8 +162,8 @@ template <class Motion>
 Answer Question::contact_answer_of(const FirstContact& found, const Transformd& a_from_b, const Motion& motion) const {
   Answer result = contact_answer(found);
   if (!settings_.with_certificate) return result;
-  ContactCertificate certificate = certify(a_, b_, a_from_b, motion, found);
-  result.check = check_certificate(a_, b_, a_from_b, motion, found, certificate);
+  ContactCertificate certificate = certify(a_, b_, a_from_b, motion, found, settings_.until);
+  result.check = check_certificate(a_, b_, a_from_b, motion, found, certificate, settings_.until);
   result.query_certificate = std::move(certificate);
   return result;
 }
@@ -229,7 +231,7 @@ Answer Question::separation_answer(const Separation& found) const {
 // which would round.
 Answer Question::ray_answer(const Transformd& a_from_b) const {
   const FirstContact& on_a = ray_on_a_;
-  const FirstContact on_b = linear_cast(*ray_origin_body_, b_, a_from_b, -settings_.velocity);
+  const FirstContact on_b = linear_cast(*ray_origin_body_, b_, a_from_b, -settings_.velocity, settings_.until);
   const bool hits_a = on_a.verdict.outcome == Outcome::overlap, hits_b = on_b.verdict.outcome == Outcome::overlap;
   Answer result;
   result.n_support_calls = on_a.n_support_calls + on_b.n_support_calls;
@@ -256,11 +258,13 @@ Answer Question::ray_answer(const Transformd& a_from_b) const {
     result.verdict = Verdict::disjoint(std::max(on_a.verdict.by, on_b.verdict.by));  // both had to be missed
   }
   if (settings_.with_certificate) {
-    RayCertificate certificate{certify_ray(a_, settings_.ray_origin, settings_.velocity, on_a),
-                               certify(*ray_origin_body_, b_, a_from_b, -settings_.velocity, on_b)};
-    result.check = check_ray_certificate(a_, settings_.ray_origin, settings_.velocity, on_a, certificate.of_a);
+    RayCertificate certificate{certify_ray(a_, settings_.ray_origin, settings_.velocity, on_a, settings_.until),
+                               certify(*ray_origin_body_, b_, a_from_b, -settings_.velocity, on_b, settings_.until)};
+    result.check =
+        check_ray_certificate(a_, settings_.ray_origin, settings_.velocity, on_a, certificate.of_a, settings_.until);
     if (result.check->is_proven) {
-      result.check = check_certificate(*ray_origin_body_, b_, a_from_b, -settings_.velocity, on_b, certificate.of_b);
+      result.check = check_certificate(*ray_origin_body_, b_, a_from_b, -settings_.velocity, on_b, certificate.of_b,
+                                       settings_.until);
     }
     result.query_certificate = std::move(certificate);
   }

@@ -55,6 +55,10 @@ std::string certificate_text(Query query, const Answer& answer) {
   return text + check_text(answer);
 }
 
+std::string end_text(const QuerySettings& asked) {
+  return asked.until < HUGE_VAL ? " until " + shortest_number(asked.until) : "";
+}
+
 // Of A and B, in capitals what was found.
 std::string headline(const PairRun& run) {
   const Answer& answer = *run.one;
@@ -63,7 +67,7 @@ std::string headline(const PairRun& run) {
   const bool found = answer.verdict.outcome == Outcome::overlap;
   if (asked.query == Query::ray) {
     if (answer.is_undecided()) return "UNDECIDED whether the ray hits " + a + " or " + b;
-    if (!found) return "The ray MISSES " + a + " and " + b;
+    if (!found) return "The ray MISSES " + a + " and " + b + end_text(asked);
     const bool at_start = answer.is_at_start();
     if (answer.ray_hit == Answer::RayHit::either) {
       if (at_start) return "The ray HITS " + a + " or " + b + ": it starts in one of them, or in both";
@@ -73,7 +77,7 @@ std::string headline(const PairRun& run) {
   }
   if (is_of_motion(asked.query)) {
     if (answer.is_undecided()) return "UNDECIDED whether " + b + " meets " + a;
-    if (!found) return b + " NEVER MEETS " + a;
+    if (!found) return b + (asked.until < HUGE_VAL ? " DOES NOT MEET " : " NEVER MEETS ") + a + end_text(asked);
     return b + " MEETS " + a + (answer.is_at_start() ? " at the start: they share a point before it moves" : "");
   }
   const bool with_margin = asked.query == Query::overlap && asked.margin > 0.0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string_view>
 
@@ -46,6 +47,8 @@ struct QuerySettings {
   Vec3d velocity;                  // of the ray, or of B: what happens in a unit of time
   Vec3d angular_velocity_degrees;  // of B about its origin
   double margin = 0.0;             // a gap up to this counts as contact
+  double until = HUGE_VAL;         // the last time, or parameter, of a motion that is looked at
+  double max_distance = HUGE_VAL;  // larger distances need not be known
   bool with_certificate = false;   // what is answered is proven again
 };
 

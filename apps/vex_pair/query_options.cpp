@@ -52,6 +52,32 @@ void require_own_options(const QueryWords& words, Query query) {
     throw UsageError("a margin goes with overlap and manifold (--margin with " + asked +
                      ") - leave it out; --query distance tells how near the bodies are");
   }
+  if (!words.until.empty() && !is_of_motion(query)) {
+    throw UsageError("an end goes with motions (--until with " + asked +
+                     ") - leave it out, or ask for ray, cast or toi");
+  }
+  if (!words.max_distance.empty() && query != Query::distance) {
+    throw UsageError("a largest distance goes with distance (--max-distance with " + asked +
+                     ") - leave it out, or add --query distance");
+  }
+}
+
+// The numbers of a ray or a motion.
+void read_motion(const std::string& word, const char* option, std::span<double> numbers) {
+  read_numbers(word, option, numbers);
+  for (const double number : numbers) {
+    if (std::fabs(number) <= kFarthest) continue;
+    throw InputError("a number out of range (" + short_number(number) + " for " + option + ", and " +
+                     short_number(kFarthest) + " is the most) - choose another unit of length or of time");
+  }
+}
+
+// A time or a distance, from 0 up.
+double end_of_word(const std::string& word, const char* option) {
+  std::array<double, 1> number{};
+  read_motion(word, option, number);
+  if (number[0] < 0.0) throw UsageError("an end below 0 (" + word + " for " + option + ") - give 0 or more");
+  return number[0];
 }
 
 double margin_of_word(const std::string& word) {
@@ -63,16 +89,6 @@ double margin_of_word(const std::string& word) {
     throw InputError("a margin out of range (" + word + " for --margin) - choose another unit of length");
   }
   return margin;
-}
-
-// The numbers of a ray or a motion.
-void read_motion(const std::string& word, const char* option, std::span<double> numbers) {
-  read_numbers(word, option, numbers);
-  for (const double number : numbers) {
-    if (std::fabs(number) <= kFarthest) continue;
-    throw InputError("a number out of range (" + short_number(number) + " for " + option + ", and " +
-                     short_number(kFarthest) + " is the most) - choose another unit of length or of time");
-  }
 }
 
 Vec3d direction_of(const Vec3d& dir, const char* option) {
@@ -117,6 +133,18 @@ void declare_query_options(OptionParser& options, QueryWords& words, const std::
       .type_name("M")
       .group(heading);
   options
+      .add_option("--until", words.until,
+                  "Of ray, cast and toi: the last parameter or time that is looked at. That there is no contact then "
+                  "means until this one")
+      .type_name("T")
+      .group(heading);
+  options
+      .add_option("--max-distance", words.max_distance,
+                  "Of --query distance: larger ones need not be known. The search ends once it is proven that the "
+                  "bodies are farther apart")
+      .type_name("D")
+      .group(heading);
+  options
       .add_flag("--certificate", words.certificate,
                 "Give what proves each answer, verdict and bounds, and whether exact arithmetic has proven it again "
                 "from that")
@@ -143,6 +171,8 @@ QuerySettings interpret_query(const QueryWords& words) {
     settings.angular_velocity_degrees = {n[3], n[4], n[5]};
   }
   if (!words.margin.empty()) settings.margin = margin_of_word(words.margin);
+  if (!words.until.empty()) settings.until = end_of_word(words.until, "--until");
+  if (!words.max_distance.empty()) settings.max_distance = end_of_word(words.max_distance, "--max-distance");
   settings.with_certificate = words.certificate;
   return settings;
 }

@@ -17,9 +17,9 @@ std::string plural(std::uint64_t n, const std::string& one, const std::string& m
 }
 
 // Disjoint and overlap.
-std::pair<std::string, std::string> words_of_verdicts(Query query) {
-  if (query == Query::ray) return {"missed", "hit"};
-  if (is_of_motion(query)) return {"never meet", "meet"};
+std::pair<std::string, std::string> words_of_verdicts(const QuerySettings& asked) {
+  if (asked.query == Query::ray) return {"missed", "hit"};
+  if (is_of_motion(asked.query)) return {asked.until < HUGE_VAL ? "do not meet until then" : "never meet", "meet"};
   return {"disjoint", "overlap"};
 }
 
@@ -31,6 +31,8 @@ std::string name_of_values(Query query) {
 void add_query(Json& json, const QuerySettings& asked) {
   json["query"] = name_of(asked.query);
   const Vec3d &o = asked.ray_origin, &v = asked.velocity, &w = asked.angular_velocity_degrees;
+  if (asked.until < HUGE_VAL) json["until"] = asked.until;
+  if (asked.max_distance < HUGE_VAL) json["max_distance"] = asked.max_distance;
   switch (asked.query) {
     case Query::ray: json["ray"] = {o.x, o.y, o.z, v.x, v.y, v.z}; break;
     case Query::cast: json["cast"] = {v.x, v.y, v.z}; break;
@@ -47,7 +49,7 @@ void add_query(Json& json, const QuerySettings& asked) {
 
 std::string summary_text(const PairRun& run) {
   const Counts& counts = run.found.counts;
-  const auto [disjoint, overlap] = words_of_verdicts(run.options.query.query);
+  const auto [disjoint, overlap] = words_of_verdicts(run.options.query);
   std::string text = plural(counts.n_rows, "pose", "poses") + ": " + std::to_string(counts.n_disjoint) + " " +
                      disjoint + ", " + std::to_string(counts.n_overlap) + " " + overlap + ", " +
                      std::to_string(counts.n_undecided) + " undecided";

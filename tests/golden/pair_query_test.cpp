@@ -285,6 +285,48 @@ TEST_F(PairOnePose, ACertificateOfADistance) {
   }
 }
 
+TEST_F(PairOnePose, MotionsHaveAnEnd) {
+  // They meet at 0.5.
+  for (const Words& query : {Words{"cast", "--cast", "-1,0,0"}, Words{"toi", "--toi", "-1,0,0,0,0,30"},
+                             Words{"ray", "--ray", "-1,0.1,0.2,1,0,0"}}) {
+    const auto asked_until = [&](const char* until) {
+      Words words = query;
+      words.insert(words.end(), {"--until", until, "--certificate"});
+      const json row = cube_and_ball("1.5,0,0", words);
+      EXPECT_EQ(row.at("reproven"), true) << row.dump();
+      return row.at("verdict").get<std::string>();
+    };
+    EXPECT_EQ(asked_until("0.25"), "disjoint");
+    EXPECT_EQ(asked_until("0"), "disjoint");
+    EXPECT_EQ(asked_until("0.75"), "overlap");
+    EXPECT_EQ(asked_until("1e300"), "overlap");
+  }
+}
+
+TEST_F(PairOnePose, OfPolytopesTheEndIsOneOfTheTimes) {
+  const auto verdict = [this](const char* until) {
+    return row_of({"box:1,1,1", "box:1,1,1", "--translation", "2,0.25,0.125", "--query", "cast", "--cast", "-2,0,0",
+                   "--until", until, "--jsonl"})
+        .at("verdict")
+        .get<std::string>();
+  };
+  EXPECT_EQ(verdict("0.5"), "overlap");
+  EXPECT_EQ(verdict("0.49999999999999994"), "disjoint");
+}
+
+TEST_F(PairOnePose, ADistanceThatIsLargeEnoughIsNotLookedForFurther) {
+  const auto row = [this](const char* most) {
+    return row_of({"ellipsoid:1,2,3", "cone:1,0.5", "--translation", "5,4,1", "--rotation", "0.9,0.1,0.2,0.3",
+                   "--query", "distance", "--max-distance", most, "--jsonl", "--certificate"});
+  };
+  const json all = row("100"), some = row("1");
+  EXPECT_GT(some.at("lower").get<double>(), 1.0);
+  EXPECT_LT(some.at("iterations").get<int>(), all.at("iterations").get<int>());
+  EXPECT_EQ(some.at("reproven"), true);
+  EXPECT_LE(some.at("lower").get<double>(), all.at("upper").get<double>());
+  EXPECT_GE(some.at("upper").get<double>(), all.at("lower").get<double>());
+}
+
 TEST_F(PairOnePose, ACertificateOfEveryQuery) {
   const std::vector<Words> queries = {{"manifold"},
                                       {"cast", "--cast", "-1,0,0"},
