@@ -126,10 +126,7 @@ Answer Question::answer_of_query(const Transformd& a_from_b) const {
     case Query::cast:
       return contact_answer_of(linear_cast(a_, b_, a_from_b, settings_.velocity, settings_.until), a_from_b,
                                settings_.velocity);
-    case Query::time_of_impact: {
-      const RigidMotion motion{settings_.velocity, (std::numbers::pi / 180.0) * settings_.angular_velocity_degrees};
-      return contact_answer_of(time_of_impact(a_, b_, a_from_b, motion, settings_.until), a_from_b, motion);
-    }
+    case Query::time_of_impact: return impact_answer(a_from_b);
     case Query::manifold: {
       ContactManifold manifold = contact_manifold(a_, b_, a_from_b, settings_.margin);
       result = separation_answer(manifold.separation);
@@ -155,6 +152,22 @@ Answer Question::answer_of_query(const Transformd& a_from_b) const {
     result.check = check_certificate(a_, b_, a_from_b, found, certificate);
     result.query_certificate = std::move(certificate);
   }
+  return result;
+}
+
+Answer Question::impact_answer(const Transformd& a_from_b) const {
+  constexpr double kRadians = std::numbers::pi / 180.0;
+  const RigidMotion of_a{settings_.velocity_a, kRadians * settings_.angular_velocity_a_degrees};
+  const RigidMotion of_b{settings_.velocity, kRadians * settings_.angular_velocity_degrees};
+  if (norm_1(of_a.velocity) + norm_1(of_a.angular_velocity) == 0.0) {
+    return contact_answer_of(time_of_impact(a_, b_, a_from_b, of_b, settings_.until), a_from_b, of_b);
+  }
+  const FirstContact found = time_of_impact(a_, b_, a_from_b, of_a, of_b, settings_.until);
+  Answer result = contact_answer(found);
+  if (!settings_.with_certificate) return result;
+  ContactCertificate certificate = certify(a_, b_, a_from_b, of_a, of_b, found, settings_.until);
+  result.check = check_certificate(a_, b_, a_from_b, of_a, of_b, found, certificate, settings_.until);
+  result.query_certificate = std::move(certificate);
   return result;
 }
 

@@ -69,6 +69,7 @@ class Question {
   Answer overlap_of(const WidenedPair& pair, const Transformd& a_from_b) const;
   Answer separation_answer(const Separation& found) const;
   Answer ray_answer(const Transformd& a_from_b) const;
+  Answer impact_answer(const Transformd& a_from_b) const;
   template <class Motion>
   Answer contact_answer_of(const FirstContact& found, const Transformd& a_from_b, const Motion& motion) const;
 

@@ -43,13 +43,14 @@ inline constexpr double kFarthest = 1e300;
 
 struct QuerySettings {
   Query query = Query::overlap;
-  Vec3d ray_origin;                // in A's frame, as all below
-  Vec3d velocity;                  // of the ray, or of B: what happens in a unit of time
-  Vec3d angular_velocity_degrees;  // of B about its origin
-  double margin = 0.0;             // a gap up to this counts as contact
-  double until = HUGE_VAL;         // the last time, or parameter, of a motion that is looked at
-  double max_distance = HUGE_VAL;  // larger distances need not be known
-  bool with_certificate = false;   // what is answered is proven again
+  Vec3d ray_origin;                              // in A's frame, as all below
+  Vec3d velocity;                                // of the ray, or of B: what happens in a unit of time
+  Vec3d angular_velocity_degrees;                // of B about its origin
+  Vec3d velocity_a, angular_velocity_a_degrees;  // of A, where it moves as well
+  double margin = 0.0;                           // a gap up to this counts as contact
+  double until = HUGE_VAL;                       // the last time, or parameter, of a motion that is looked at
+  double max_distance = HUGE_VAL;                // larger distances need not be known
+  bool with_certificate = false;                 // what is answered is proven again
 };
 
 }  // namespace vex

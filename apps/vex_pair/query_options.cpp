@@ -52,6 +52,9 @@ void require_own_options(const QueryWords& words, Query query) {
     throw UsageError("a margin goes with overlap and manifold (--margin with " + asked +
                      ") - leave it out; --query distance tells how near the bodies are");
   }
+  if (!words.toi_a.empty() && query != Query::time_of_impact) {
+    throw UsageError("a motion of A goes with toi (--toi-a with " + asked + ") - leave it out, or add --query toi");
+  }
   if (!words.until.empty() && !is_of_motion(query)) {
     throw UsageError("an end goes with motions (--until with " + asked +
                      ") - leave it out, or ask for ray, cast or toi");
@@ -127,6 +130,12 @@ void declare_query_options(OptionParser& options, QueryWords& words, const std::
       .type_name("vx,vy,vz,wx,wy,wz")
       .group(heading);
   options
+      .add_option("--toi-a", words.toi_a,
+                  "Of --query toi: the same of A, which moves as well, in its own frame as it is at first. Two bodies "
+                  "that turn and stay where they are need --until")
+      .type_name("vx,vy,vz,wx,wy,wz")
+      .group(heading);
+  options
       .add_option("--margin", words.margin,
                   "Of --query overlap: a gap up to this counts as an overlap. Of manifold: contacts are given up to "
                   "this gap (default 0)")
@@ -169,6 +178,11 @@ QuerySettings interpret_query(const QueryWords& words) {
     read_motion(words.toi, "--toi", n);
     settings.velocity = {n[0], n[1], n[2]};
     settings.angular_velocity_degrees = {n[3], n[4], n[5]};
+  }
+  if (!words.toi_a.empty()) {
+    read_motion(words.toi_a, "--toi-a", n);
+    settings.velocity_a = {n[0], n[1], n[2]};
+    settings.angular_velocity_a_degrees = {n[3], n[4], n[5]};
   }
   if (!words.margin.empty()) settings.margin = margin_of_word(words.margin);
   if (!words.until.empty()) settings.until = end_of_word(words.until, "--until");

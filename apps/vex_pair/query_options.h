@@ -10,7 +10,7 @@ namespace vex {
 
 /// The words of the command line, as they stand.
 struct QueryWords {
-  std::string query, ray, cast, toi, margin, until, max_distance;
+  std::string query, ray, cast, toi, toi_a, margin, until, max_distance;
   bool certificate = false;
 };
 

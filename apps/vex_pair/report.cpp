@@ -36,7 +36,12 @@ void add_query(Json& json, const QuerySettings& asked) {
   switch (asked.query) {
     case Query::ray: json["ray"] = {o.x, o.y, o.z, v.x, v.y, v.z}; break;
     case Query::cast: json["cast"] = {v.x, v.y, v.z}; break;
-    case Query::time_of_impact: json["toi"] = {v.x, v.y, v.z, w.x, w.y, w.z}; break;
+    case Query::time_of_impact: {
+      json["toi"] = {v.x, v.y, v.z, w.x, w.y, w.z};
+      const Vec3d &v_a = asked.velocity_a, &w_a = asked.angular_velocity_a_degrees;
+      if (norm_1(v_a) + norm_1(w_a) > 0.0) json["toi_a"] = {v_a.x, v_a.y, v_a.z, w_a.x, w_a.y, w_a.z};
+      break;
+    }
     case Query::overlap:
     case Query::manifold: json["margin"] = asked.margin; break;
     case Query::distance:

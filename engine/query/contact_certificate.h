@@ -34,6 +34,14 @@ ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose&
 ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
                            const FirstContact& found, double until = HUGE_VAL);
 
+/// Of two bodies that move.
+ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion_a,
+                           const RigidMotion& motion_b, const FirstContact& found, double until = HUGE_VAL);
+CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
+                                   const RigidMotion& motion_a, const RigidMotion& motion_b,
+                                   const FirstContact& claimed, const ContactCertificate& certificate,
+                                   double until = HUGE_VAL);
+
 /// Of `cast_ray`: B is the ray's origin, a point.
 ContactCertificate certify_ray(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir, const FirstContact& found,
                                double until = HUGE_VAL);

@@ -50,6 +50,12 @@ struct RigidMotion {
 FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
                             double until = HUGE_VAL);
 
+/// The same where A moves as well: x -> exp(t [w]) x + t v, in its own frame as it is at first, in which points and
+/// normal are given. Of bodies whose origins keep their distance and that both turn nothing ends the search but `until`
+/// or its cap.
+FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion_a,
+                            const RigidMotion& motion_b, double until = HUGE_VAL);
+
 /// B's pose at a time of the motion.
 Transformd pose_at(const Transformd& a_from_b, const RigidMotion& motion, double time);
 

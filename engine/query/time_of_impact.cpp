@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "engine/numeric/double_double.h"
 #include "engine/numeric/errors.h"
 #include "engine/numeric/rounding.h"
 #include "engine/numeric/scaled_bound.h"
@@ -43,11 +44,12 @@ int exponent_of(double x) { return x > 0.0 ? std::ilogb(x) : 0; }
 double largest_of(const Vec3d& a) { return std::fmax(std::fabs(a.x), std::fmax(std::fabs(a.y), std::fabs(a.z))); }
 
 // E23: the unit of time is 2^-result of the motion's, so that its speeds are neither tiny nor huge.
-int exponent_of_motion(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
-                       const RigidMotion& motion) {
-  const double moving = largest_of(motion.velocity), turning = largest_of(motion.angular_velocity);
+int exponent_of_motion(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion,
+                       const Vec3d& spin_of_a) {
+  const double moving = largest_of(motion.velocity);
+  const double turning = std::fmax(largest_of(motion.angular_velocity), largest_of(spin_of_a));
   const int size = exponent_of(a.reach() + b.reach() + norm_1(a_from_b.translation));
-  const int by_turning = std::ilogb(turning);
+  const int by_turning = turning > 0.0 ? std::ilogb(turning) : std::numeric_limits<int>::min();
   const int exponent = moving > 0.0 ? std::max(std::ilogb(moving) - size, by_turning) : by_turning;
   return std::abs(exponent) > kMostExponent ? exponent : 0;
 }
@@ -56,11 +58,11 @@ class Advancement {
  public:
   /// `ends`: the velocity is known well enough for the sweep's window to be one. Nothing after `last` is looked at.
   Advancement(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion,
-              bool ends, double last, std::vector<ApartDuring>* record)
+              const Vec3d& spin_of_a, bool ends, double last, std::vector<ApartDuring>* record)
       : a_(a),
         b_(b),
         record_(record),
-        sweep_(a, b, a_from_b, motion),
+        sweep_(a, b, a_from_b, motion, spin_of_a),
         size_(a.circumradius() + b.circumradius()),
         is_curved_(!a.is_rounded_polytope() || !b.is_rounded_polytope()),
         ends_(ends),
@@ -114,8 +116,9 @@ class Advancement {
   Separation separation_at(double time, double relative_gap) {
     SeparationSettings settings;
     settings.relative_gap = relative_gap;
-    const Separation found = distance(a_, b_, Pose::unchecked(sweep_.pose(time)), settings, &warm_start_);
+    Separation found = distance(a_, b_, Pose::unchecked(sweep_.relative_pose(time)), settings, &warm_start_);
     n_support_calls_ += found.n_support_calls;
+    for (Vec3d* const v : {&found.normal, &found.point_a, &found.point_b}) *v = sweep_.turned_with_a(time, *v);
     return found;
   }
 
@@ -142,11 +145,12 @@ class Advancement {
     // Of bodies that touch a rough answer's points may be far apart, and its normal far off.
     if (apart.verdict.outcome == Outcome::undecided) apart = separation_at(time_, 0.0);
     if (!apart.has_witnesses || apart.verdict.outcome != Outcome::disjoint) return;
-    const Vec3d dir = -scaled_to_unit_exponent(apart.normal);
-    RaySearch search(a_, b_, sweep_.pose(time_), dir);
-    const RayBounds bounds = search.run(apart.normal, true);
+    const Vec3d normal = sweep_.turned_back(time_, apart.normal), dir = -scaled_to_unit_exponent(normal);
+    RaySearch search(a_, b_, sweep_.relative_pose(time_), dir);
+    const RayBounds bounds = search.run(normal, true);
     n_support_calls_ += search.n_support_calls();
-    const RaySearch::Touch touch = search.touch();
+    RaySearch::Touch touch = search.touch();
+    for (Vec3d* const v : {&touch.normal, &touch.point_a, &touch.point_b}) *v = sweep_.turned_with_a(time_, *v);
     if (bounds.is_miss || !(bounds.upper < HUGE_VAL) || !(norm_1(touch.normal) > 0.0)) {
       apart = separation_at(time_, 0.0);
       return;
@@ -297,15 +301,42 @@ class Advancement {
   int n_support_calls_ = 0, n_calls_before_touch_ = 0, n_short_advances_ = 0;
 };
 
-FirstContact impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion, double until,
-                    std::vector<ApartDuring>* record) {
+// B's motion relative to A's origin, as far as doubles tell it.
+struct RelativeMotion {
+  RigidMotion of_b;
+  bool is_exact;
+};
+RelativeMotion relative_to(const RigidMotion& of_a, const RigidMotion& of_b) {
+  const Vec3d velocity = of_b.velocity - of_a.velocity;
+  const auto is_exact = [](double x, double y) { return two_sum(x, -y).low == 0.0; };
+  return {{velocity, of_b.angular_velocity},
+          is_exact(of_b.velocity.x, of_a.velocity.x) && is_exact(of_b.velocity.y, of_a.velocity.y) &&
+              is_exact(of_b.velocity.z, of_a.velocity.z)};
+}
+
+// Points in the frame that A's origin takes along, as A's frame at first has them.
+FirstContact in_frame_of_a(FirstContact contact, const RigidMotion& motion_a) {
+  if (contact.verdict.outcome != Outcome::overlap || !(norm_1(motion_a.velocity) > 0.0)) return contact;
+  const Vec3d way = contact.time * motion_a.velocity;
+  contact.point_a = contact.point_a + way;
+  contact.point_b = contact.point_b + way;
+  return contact;
+}
+
+FirstContact impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion_a,
+                    const RigidMotion& motion_b, double until, std::vector<ApartDuring>* record) {
   const Transformd& a_from_b = pose.a_from_b();
-  if (!is_finite(motion.velocity) || !is_finite(motion.angular_velocity)) {
+  for (const RigidMotion* const motion : {&motion_a, &motion_b}) {
+    if (is_finite(motion->velocity) && is_finite(motion->angular_velocity)) continue;
     throw InputError("a velocity is not finite - give finite numbers");
   }
+  const auto& [motion, is_exact] = relative_to(motion_a, motion_b);
+  if (!is_finite(motion.velocity)) throw InputError("velocities are too far apart - choose another unit of time");
+  const Vec3d& spin_of_a = motion_a.angular_velocity;
   if (!(until >= 0.0)) throw UsageError("the end of a motion is negative or no number - give a time from 0 up");
-  const bool moves = norm_1(motion.velocity) > 0.0, turns = norm_1(motion.angular_velocity) > 0.0;
-  if (moves && !turns) return linear_cast(a, b, pose, motion.velocity, until);
+  const bool moves = norm_1(motion.velocity) > 0.0;
+  const bool turns = norm_1(motion.angular_velocity) > 0.0 || norm_1(spin_of_a) > 0.0;
+  if (moves && !turns && is_exact) return in_frame_of_a(linear_cast(a, b, pose, motion.velocity, until), motion_a);
   const OverlapAnswer start = overlap_answer(a, b, pose);
   const Verdict at_start = start.verdict;
   if (at_start.outcome == Outcome::overlap) {
@@ -321,11 +352,13 @@ FirstContact impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, 
     const Verdict undecided = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);
     return {undecided, 0.0, 0.0, HUGE_VAL, {}, {}, {}, start.n_support_calls};
   }
-  const int exponent = exponent_of_motion(a, b, a_from_b, motion);
+  const int exponent = exponent_of_motion(a, b, a_from_b, motion, spin_of_a);
   const RigidMotion scaled{times_power_of_two(motion.velocity, -exponent),
                            times_power_of_two(motion.angular_velocity, -exponent)};
   const bool ends = !moves || norm_1(scaled.velocity) > kLeastSpeed;
-  FirstContact contact = Advancement(a, b, a_from_b, scaled, ends, scaled_up(until, exponent), record).run();
+  FirstContact contact = Advancement(a, b, a_from_b, scaled, times_power_of_two(spin_of_a, -exponent), ends,
+                                     scaled_up(until, exponent), record)
+                             .run();
   if (exponent != 0) {
     if (contact.verdict.outcome != Outcome::disjoint) contact.lower = scaled_down(contact.lower, -exponent);
     contact.time = contact.verdict.outcome != Outcome::disjoint ? contact.lower : HUGE_VAL;
@@ -340,20 +373,25 @@ FirstContact impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, 
     contact.upper = HUGE_VAL;
   }
   contact.n_support_calls += start.n_support_calls;
-  return contact;
+  return in_frame_of_a(contact, motion_a);
 }
 
 }  // namespace
 
 FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
                             double until) {
-  return impact(a, b, pose, motion, until, nullptr);
+  return impact(a, b, pose, {}, motion, until, nullptr);
 }
 
-FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
-                            double until, std::vector<ApartDuring>& record) {
+FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion_a,
+                            const RigidMotion& motion_b, double until) {
+  return impact(a, b, pose, motion_a, motion_b, until, nullptr);
+}
+
+FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion_a,
+                            const RigidMotion& motion_b, double until, std::vector<ApartDuring>& record) {
   record.clear();
-  return impact(a, b, pose, motion, until, &record);
+  return impact(a, b, pose, motion_a, motion_b, until, &record);
 }
 
 }  // namespace vex

@@ -303,6 +303,29 @@ TEST_F(PairOnePose, MotionsHaveAnEnd) {
   }
 }
 
+TEST_F(PairOnePose, BothBodiesMove) {
+  // Towards each other, 1 apart, at 1 and 3; and the same by the motion of one.
+  json row = cube_and_ball("2,0,0", {"toi", "--toi", "-3,0,0,0,0,90", "--toi-a", "1,0,0,0,0,0", "--certificate"});
+  EXPECT_EQ(row.at("reproven"), true);
+  expect_value(row, "time", 0.25);
+  expect_vector(row, "point_a", 0.75, 0, 0);
+  expect_vector(row, "point_b", 0.75, 0, 0);
+  expect_vector(row, "normal", 1, 0, 0);
+  // A cube whose corner comes round: after an eighth of a turn its edge is where the ball is.
+  row = cube_and_ball("1.2071067811865475,0,0", {"toi", "--toi", "0,0,0,0,0,0", "--toi-a", "0,0,0,0,0,45"});
+  EXPECT_NEAR(row.at("time").get<double>(), 1.0, 1e-6);
+  EXPECT_NEAR(row.at("normal").at(0).get<double>(), 1.0, 1e-6);
+  EXPECT_NEAR(row.at("point_a").at(0).get<double>(), std::sqrt(0.5), 1e-6);
+  row = cube_and_ball("1.25,0,0", {"toi", "--toi", "0,0,0,0,0,0", "--toi-a", "0,0,0,0,0,45", "--certificate"});
+  EXPECT_EQ(row.at("verdict"), "disjoint");
+  EXPECT_EQ(row.at("reproven"), true);
+  // Side by side for ever, both turning: nothing but an end ends it.
+  row = cube_and_ball("1.25,0,0",
+                      {"toi", "--toi", "1,0,0,0,0,30", "--toi-a", "1,0,0,0,0,45", "--until", "20", "--certificate"});
+  EXPECT_EQ(row.at("verdict"), "disjoint");
+  EXPECT_EQ(row.at("reproven"), true);
+}
+
 TEST_F(PairOnePose, OfPolytopesTheEndIsOneOfTheTimes) {
   const auto verdict = [this](const char* until) {
     return row_of({"box:1,1,1", "box:1,1,1", "--translation", "2,0.25,0.125", "--query", "cast", "--cast", "-2,0,0",

@@ -34,7 +34,7 @@ bool cover(const std::vector<Apart>& intervals, double from, double until) {
 
 class StraightMotion {
  public:
-  StraightMotion(const ExactPair& pair, const Vec3d& motion) : pair_(pair), motion_(whole::exactly(motion)) {}
+  StraightMotion(const ExactPair& pair, DyadicVector motion) : pair_(pair), motion_(std::move(motion)) {}
 
   // From `from` on, and until `to`, which is not one of them: the gap along a direction changes at one rate.
   bool stays_apart(const Apart& interval) const {
@@ -65,21 +65,25 @@ class StraightMotion {
 
 // --- a motion that turns
 
+// In the frame that A's origin takes along.
 class TurningMotion {
  public:
-  TurningMotion(const ExactPair& pair, const Transformd& a_from_b, const RigidMotion& motion, const Vec3d& centre_a,
-                const Vec3d& centre_b)
+  TurningMotion(const ExactPair& pair, const Transformd& a_from_b, const RigidMotion& motion_a,
+                const RigidMotion& motion_b, const Vec3d& centre_a, const Vec3d& centre_b)
       : pair_(pair),
         a_from_b_(a_from_b),
-        motion_(motion),
-        v_(whole::exactly(motion.velocity)),
-        w_(whole::exactly(motion.angular_velocity)),
-        across_(pair.moved(checker::exactly(a_from_b)).reach_of_b_across(w_, whole::exactly(centre_b))) {
-    const DyadicVector centre = whole::exactly(centre_a);
+        turn_a_{{}, motion_a.angular_velocity},
+        turn_b_{{}, motion_b.angular_velocity},
+        a_turns_(norm_1(motion_a.angular_velocity) > 0.0),
+        v_(whole::exactly(motion_b.velocity) - whole::exactly(motion_a.velocity)),
+        w_a_(whole::exactly(motion_a.angular_velocity)),
+        w_b_(whole::exactly(motion_b.angular_velocity)),
+        across_a_(a_turns_ ? pair.reach_of_a_across(w_a_, whole::exactly(centre_a)) : Dyadic()),
+        across_b_(pair.moved(checker::exactly(a_from_b)).reach_of_b_across(w_b_, whole::exactly(centre_b))) {
+    // A ball about A's centre, or about its origin, about which it turns.
+    const DyadicVector centre = a_turns_ ? DyadicVector{} : whole::exactly(centre_a);
     from_a_ = whole::exactly(a_from_b.translation) - centre;
-    // A rotation to within 1e-6 makes nothing longer than this.
-    const Dyadic stretch(1.0000016);
-    reach_ = pair.reach_of_a_from(centre) + stretch * pair.reach_of_b() + Dyadic(pair.b().ball_radius);
+    reach_ = pair.reach_of_a_from(centre) + stretch() * pair.reach_of_b() + Dyadic(pair.b().ball_radius);
   }
 
   bool stays_apart(const Apart& interval) const {
@@ -89,6 +93,7 @@ class TurningMotion {
     const Dyadic from(interval.from), to(interval.to);
     return leans_apart(n, from, to) || comes_no_nearer(n, from, to);
   }
+
   // Balls about the bodies, B's about the origin of its frame, which moves straight, are apart until then, and from
   // then on.
   bool are_far_until(double time) const {
@@ -106,62 +111,94 @@ class TurningMotion {
     const DyadicVector off = checker::cross(from_a_, v_);
     return reach_ * reach_ * dot(v_, v_) < dot(off, off);
   }
-  // Without a velocity what has not happened in one turn never does: 2 pi < 6.2831853071795866.
+  // Of one body that only turns: what has not happened in one turn never does, and 2 pi < 6.283185307179588.
   bool has_turned_once(double time) const {
-    const Dyadic turns = Dyadic(time) * Dyadic(time) * dot(w_, w_), once(6.283185307179588);
+    const Dyadic spin_a = dot(w_a_, w_a_), spin_b = dot(w_b_, w_b_);
+    if (whole::sign(spin_a) > 0 && whole::sign(spin_b) > 0) return false;
+    const Dyadic turns = Dyadic(time) * Dyadic(time) * (spin_a + spin_b), once(6.283185307179588);
     return whole::sign(dot(v_, v_)) == 0 && !(turns < once * once);
   }
 
   bool meets(const FirstContact& claimed, const ContactCertificate& certificate) const {
-    std::optional<checker::ExactPose> pose = checker::pose_at(a_from_b_, motion_, Dyadic(claimed.upper));
-    if (!pose) return false;
-    for (const double time : certificate.times) {
-      if (time != claimed.upper) return false;
+    const std::optional<Place> place = at(Dyadic(claimed.upper));
+    if (!place) return false;
+    std::vector<DyadicVector> points;
+    for (std::size_t k = 0; k < certificate.times.size(); ++k) {
+      if (certificate.times[k] != claimed.upper) return false;
+      const Witness& witness = certificate.hull.witnesses[k];
+      points.push_back(place->pose_a(pair_.point_of_a(witness)) - place->pair.point_of_b(witness));
     }
-    return comes_as_near_as(pair_.moved(std::move(*pose)), certificate.hull, Dyadic());
+    const Dyadic margin = place->pair.margin() + place->pose_a.error * pair_.reach_of_a_from({});
+    return checker::comes_as_near_as(points, certificate.hull.faces, pair_.radii(), margin, Dyadic());
   }
 
  private:
+  struct Place {
+    ExactPair pair;  // B where it is
+    checker::ExactPose pose_a;
+    DyadicVector origin;
+  };
+  static Dyadic stretch() { return Dyadic(1.0000016); }  // of a rotation to within 1e-6
+
+  std::optional<Place> at(const Dyadic& time) const {
+    std::optional<checker::ExactPose> of_b = checker::pose_at(a_from_b_, turn_b_, time);
+    std::optional<checker::ExactPose> of_a = checker::pose_at({}, turn_a_, time);
+    if (!of_b || !of_a) return std::nullopt;
+    of_b->translation = of_b->translation + times(time, v_);
+    const DyadicVector origin = of_b->translation;
+    return Place{pair_.moved(std::move(*of_b)), std::move(*of_a), origin};
+  }
+  Dyadic support_of_a(const Place& place, const DyadicVector& dir) const {
+    const Dyadic support = pair_.support_of_a(place.pose_a.direction_to_b(dir));
+    if (!a_turns_) return support;
+    return support + place.pose_a.error * pair_.reach_of_a_from({}) * checker::root_from_above(dot(dir, dir));
+  }
+
   // E23 with no rounding: about the middle the gap along n is no less than a concave function of time, less a
   // remainder.
   bool leans_apart(const DyadicVector& n, const Dyadic& from, const Dyadic& to) const {
     const Dyadic n_sq = dot(n, n), a_half(1, -1);
     const Dyadic middle = a_half * (from + to), half = a_half * (to - from);
-    std::optional<checker::ExactPose> pose = checker::pose_at(a_from_b_, motion_, middle);
-    if (!pose) return false;
-    const DyadicVector origin = pose->translation, turning = checker::cross(n, w_);
-    const ExactPair pair = pair_.moved(std::move(*pose));
-    const Dyadic of_a = pair.support_of_a(n);
-    const Dyadic remainder = a_half * half * half * checker::root_from_above(dot(turning, turning)) * across_;
+    const std::optional<Place> place = at(middle);
+    if (!place) return false;
+    const DyadicVector turning_a = checker::cross(n, w_a_), turning_b = checker::cross(n, w_b_);
+    const Dyadic bent = checker::root_from_above(dot(turning_a, turning_a)) * across_a_ +
+                        checker::root_from_above(dot(turning_b, turning_b)) * across_b_;
+    const Dyadic remainder = a_half * half * half * bent;
+    const Dyadic rate = dot(n, v_) - dot(turning_b, place->origin);
     for (const Dyadic& time : {-half, half}) {
-      const DyadicVector leaning = n + times(time, turning);
-      const Dyadic gap = time * (dot(n, v_) - dot(turning, origin)) - pair.support_of_b(-leaning) - of_a - remainder;
-      if (!checker::is_more_than(gap, pair.radii(), n_sq)) return false;
+      const Dyadic gap = time * rate - place->pair.support_of_b(-(n + times(time, turning_b))) -
+                         support_of_a(*place, n + times(time, turning_a)) - remainder;
+      if (!checker::is_more_than(gap, pair_.radii(), n_sq)) return false;
     }
     return true;
   }
 
-  // Of first order: no point of B moves against n faster than -n . v + |n x w| |w x y| / |w|.
+  // Of first order: no point of B moves against n, nor one of A along it, faster than |n x w| |w x y| / |w|.
   bool comes_no_nearer(const DyadicVector& n, const Dyadic& from, const Dyadic& to) const {
-    std::optional<checker::ExactPose> pose = checker::pose_at(a_from_b_, motion_, from);
-    if (!pose) return false;
-    const ExactPair pair = pair_.moved(std::move(*pose));
-    const DyadicVector turning = checker::cross(n, w_);
-    const Dyadic by_turning = checker::root_from_above(dot(turning, turning)) * across_;
-    // The root is from above, so the quotient may be below by as little.
-    const Dyadic upwards(1.0 + 0x1p-50), spin = checker::root_from_above(dot(w_, w_));
-    const Dyadic speed = upwards * checker::quotient(by_turning, spin) - dot(n, v_);
+    const std::optional<Place> place = at(from);
+    if (!place) return false;
+    const auto by_turning = [&n](const DyadicVector& w, const Dyadic& across) {
+      const DyadicVector turning = checker::cross(n, w);
+      if (whole::sign(dot(w, w)) == 0) return Dyadic();
+      // The root is from above, so the quotient may be below by as little.
+      return Dyadic(1.0 + 0x1p-50) * checker::quotient(checker::root_from_above(dot(turning, turning)) * across,
+                                                       checker::root_from_above(dot(w, w)));
+    };
+    const Dyadic speed = by_turning(w_a_, across_a_) + by_turning(w_b_, across_b_) - dot(n, v_);
     const Dyadic faster = whole::sign(speed) > 0 ? speed : Dyadic();
-    return checker::is_more_than(pair.gap_of_cores(n) - (to - from) * faster, pair.radii(), dot(n, n));
+    const Dyadic gap = -(support_of_a(*place, n) + place->pair.support_of_b(-n));
+    return checker::is_more_than(gap - (to - from) * faster, pair_.radii(), dot(n, n));
   }
 
   bool is_far(const DyadicVector& off) const { return reach_ * reach_ < dot(off, off); }
 
   const ExactPair& pair_;
   const Transformd& a_from_b_;
-  const RigidMotion& motion_;
-  DyadicVector v_, w_, from_a_;
-  Dyadic across_, reach_;
+  RigidMotion turn_a_, turn_b_;
+  bool a_turns_;
+  DyadicVector v_, w_a_, w_b_, from_a_;
+  Dyadic across_a_, across_b_, reach_;
 };
 
 // At every time before the claimed contact, or until the end that was asked for.
@@ -220,7 +257,8 @@ CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, con
   std::string fault;
   const std::optional<ExactPair> pair = ExactPair::of(a, b, pose.a_from_b(), fault);
   if (fault.empty() && !is_finite(motion)) fault = "the motion is not finite";
-  if (fault.empty()) fault = fault_of(a, b, pose, StraightMotion(*pair, motion), claimed, certificate, until);
+  if (fault.empty())
+    fault = fault_of(a, b, pose, StraightMotion(*pair, whole::exactly(motion)), claimed, certificate, until);
   return {fault.empty(), std::move(fault)};
 }
 
@@ -230,13 +268,24 @@ CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, con
   if (norm_1(motion.angular_velocity) == 0.0) {
     return check_certificate(a, b, pose, motion.velocity, claimed, certificate, until);
   }
+  return check_certificate(a, b, pose, RigidMotion{}, motion, claimed, certificate, until);
+}
+
+CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
+                                   const RigidMotion& motion_a, const RigidMotion& motion_b,
+                                   const FirstContact& claimed, const ContactCertificate& certificate, double until) {
   std::string fault;
   const std::optional<ExactPair> pair = ExactPair::of(a, b, pose.a_from_b(), fault);
-  if (fault.empty() && !(is_finite(motion.velocity) && is_finite(motion.angular_velocity))) {
-    fault = "the motion is not finite";
+  for (const RigidMotion* const motion : {&motion_a, &motion_b}) {
+    if (fault.empty() && !(is_finite(motion->velocity) && is_finite(motion->angular_velocity))) {
+      fault = "a motion is not finite";
+    }
   }
-  if (fault.empty()) {
-    const TurningMotion turning(*pair, pose.a_from_b(), motion, a.centre(), b.centre());
+  if (fault.empty() && norm_1(motion_a.angular_velocity) + norm_1(motion_b.angular_velocity) == 0.0) {
+    const StraightMotion straight(*pair, whole::exactly(motion_b.velocity) - whole::exactly(motion_a.velocity));
+    fault = fault_of(a, b, pose, straight, claimed, certificate, until);
+  } else if (fault.empty()) {
+    const TurningMotion turning(*pair, pose.a_from_b(), motion_a, motion_b, a.centre(), b.centre());
     fault = fault_of(a, b, pose, turning, claimed, certificate, until);
   }
   return {fault.empty(), std::move(fault)};

@@ -258,22 +258,35 @@ Dyadic ExactPair::margin() const {
 
 Dyadic ExactPair::reach_of_b() const { return reach_from({}, points_b_, b_.pieces); }
 
-Dyadic ExactPair::reach_of_b_across(const DyadicVector& axis, const DyadicVector& centre) const {
-  const auto across = [&](const DyadicVector& p) { return cross(axis, pose_(p) - pose_.translation); };
+namespace {
+
+// |axis x (pose(x) - t)| over a body in its own frame, or of a ball about it.
+Dyadic reach_across(const ExactPose& pose, const DyadicVector& axis, const DyadicVector& centre,
+                    std::span<const DyadicVector> points, std::span<const ExactForm::Piece> pieces) {
+  const auto across = [&](const DyadicVector& p) { return cross(axis, pose(p) - pose.translation); };
   Dyadic own_sq;
-  for (const DyadicVector& p : points_b_) own_sq = larger(own_sq, square_of(across(p)));
+  for (const DyadicVector& p : points) own_sq = larger(own_sq, square_of(across(p)));
   const Dyadic turned = kMostStretch * root_from_above(square_of(axis));
-  for (const ExactForm::Piece& piece : b_.pieces) {
+  for (const ExactForm::Piece& piece : pieces) {
     // |w x R(c + D x)|^2 <= |w x R c|^2 + 2 max R^T ((w x R c) x w) . D x + (|w| |R| max D)^2.
     const DyadicVector of_centre = across(whole::exactly(piece.centre));
-    const DyadicVector image = image_of(piece, pose_.direction_to_b(cross(of_centre, axis)));
+    const DyadicVector image = image_of(piece, pose.direction_to_b(cross(of_centre, axis)));
     const Dyadic most = turned * largest_axis(piece);
     own_sq = larger(own_sq, square_of(of_centre) + Dyadic(2.0) * root_from_above(square_of(image)) + most * most);
   }
-  // Or as of a ball about the core.
-  const Dyadic of_ball = root_from_above(square_of(across(centre))) + turned * reach_from(centre, points_b_, b_.pieces);
+  const Dyadic of_ball = root_from_above(square_of(across(centre))) + turned * reach_from(centre, points, pieces);
   const Dyadic own = root_from_above(own_sq);
   return own < of_ball ? own : of_ball;
+}
+
+}  // namespace
+
+Dyadic ExactPair::reach_of_b_across(const DyadicVector& axis, const DyadicVector& centre) const {
+  return reach_across(pose_, axis, centre, points_b_, b_.pieces);
+}
+
+Dyadic ExactPair::reach_of_a_across(const DyadicVector& axis, const DyadicVector& centre) const {
+  return reach_across(exactly(Transformd{}), axis, centre, points_a_, a_.pieces);
 }
 
 Dyadic ExactPair::reach_of_a_from(const DyadicVector& centre) const {

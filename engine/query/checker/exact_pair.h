@@ -71,6 +71,8 @@ class ExactPair {
   /// that is less.
   whole::Dyadic reach_of_b() const;
   whole::Dyadic reach_of_b_across(const whole::DyadicVector& axis, const whole::DyadicVector& centre) const;
+  /// The same of A, which lies in its own frame.
+  whole::Dyadic reach_of_a_across(const whole::DyadicVector& axis, const whole::DyadicVector& centre) const;
   /// No point of A is farther from `centre`.
   whole::Dyadic reach_of_a_from(const whole::DyadicVector& centre) const;
 

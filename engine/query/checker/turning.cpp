@@ -71,12 +71,17 @@ DyadicVector cross(const DyadicVector& p, const DyadicVector& q) {
 std::optional<ExactPose> pose_at(const Transformd& a_from_b, const RigidMotion& motion, const Dyadic& time) {
   const DyadicVector w = whole::exactly(motion.angular_velocity), v = whole::exactly(motion.velocity);
   const DyadicVector angle{time * w.x, time * w.y, time * w.z};
+  const ExactPose start = exactly(a_from_b);
+  if (whole::sign(dot(angle, angle)) == 0) {
+    ExactPose pose = start;
+    pose.translation = pose.translation + DyadicVector{time * v.x, time * v.y, time * v.z};
+    return pose;
+  }
   const int exponent =
       std::max({whole::exponent_of(angle.x), whole::exponent_of(angle.y), whole::exponent_of(angle.z)});
   const int halvings = std::max(0, exponent + 9);  // each coordinate below 2^-9
   if (halvings > kMostHalvings) return std::nullopt;
   const Matrix turn = exponential(angle, halvings);
-  const ExactPose start = exactly(a_from_b);
   const auto row = [&](std::size_t i) {
     const auto coefficient = [&](std::size_t j) { return Dyadic(turn[i][j], -kFraction); };
     const auto times = [](const Dyadic& s, const DyadicVector& r) { return DyadicVector{s * r.x, s * r.y, s * r.z}; };

@@ -15,6 +15,7 @@
 #include "engine/query/search/impact_record.h"
 #include "engine/query/search/point_body.h"
 #include "engine/query/search/ray_search.h"
+#include "engine/query/search/rigid_sweep.h"
 
 namespace vex {
 namespace {
@@ -161,16 +162,27 @@ ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose&
 ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
                            const FirstContact& found, double until) {
   if (norm_1(motion.angular_velocity) == 0.0) return certify(a, b, pose, motion.velocity, found, until);
+  return certify(a, b, pose, RigidMotion{}, motion, found, until);
+}
+
+ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion_a,
+                           const RigidMotion& motion_b, const FirstContact& found, double until) {
+  const Vec3d velocity = motion_b.velocity - motion_a.velocity;
+  if (norm_1(motion_a.angular_velocity) + norm_1(motion_b.angular_velocity) == 0.0) {
+    const ContactCertificate straight = certify(a, b, pose, velocity, found, until);
+    if (check_certificate(a, b, pose, motion_a, motion_b, found, straight, until).is_proven) return straight;
+  }
   ContactCertificate certificate;
   if (found.verdict.outcome == Outcome::overlap && found.upper == 0.0) {
     overlap(a, b, pose, &certificate.at_start);
     return certificate;
   }
   std::vector<ApartDuring> record;
-  time_of_impact(a, b, pose, motion, until, record);
+  time_of_impact(a, b, pose, motion_a, motion_b, until, record);
   for (const ApartDuring& step : record) certificate.apart.push_back({step.from, step.to, {{{step.normal, 0}}}});
   if (found.verdict.outcome != Outcome::overlap || !(found.upper < HUGE_VAL)) return certificate;
-  const std::optional<PlacedForms> placed = placed_forms(a, b, pose_at(pose.a_from_b(), motion, found.upper));
+  const RigidSweep sweep(a, b, pose.a_from_b(), {velocity, motion_b.angular_velocity}, motion_a.angular_velocity);
+  const std::optional<PlacedForms> placed = placed_forms(a, b, sweep.relative_pose(found.upper));
   if (!placed) return certificate;
   const LocalForms forms(*placed);
   const RecordedCore core(forms);
@@ -182,7 +194,9 @@ ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose&
       if (hull->witnesses.empty()) continue;
       certificate.hull = *hull;
       certificate.times.assign(hull->witnesses.size(), found.upper);
-      if (check_certificate(a, b, pose, motion, only_contact, certificate, until).is_proven) return certificate;
+      if (check_certificate(a, b, pose, motion_a, motion_b, only_contact, certificate, until).is_proven) {
+        return certificate;
+      }
     }
   }
   return certificate;

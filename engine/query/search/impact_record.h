@@ -14,7 +14,7 @@ struct ApartDuring {
 };
 
 /// `time_of_impact`, and how it was found that there is no contact before the one that it tells.
-FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
-                            double until, std::vector<ApartDuring>& record);
+FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion_a,
+                            const RigidMotion& motion_b, double until, std::vector<ApartDuring>& record);
 
 }  // namespace vex

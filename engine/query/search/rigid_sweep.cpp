@@ -48,33 +48,75 @@ Transformd pose_at(const Transformd& a_from_b, const RigidMotion& motion, double
   return pose;
 }
 
-RigidSweep::RigidSweep(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion)
+namespace {
+
+// No point of a body's core is farther from the origin of its frame, and from an axis through that. The core lies in
+// the ball about the centre that is smaller than the body's by the radius of its own.
+struct Reach {
+  double from_origin, from_axis;
+};
+Reach reach_of(const ConvexBody& body, const Transformd& turn, const Vec3d& angular_velocity) {
+  const double core = (body.circumradius() - body.ball_radius()) + 8.0 * kUnitRoundoff * body.circumradius();
+  const Vec3d centre = body.centre();
+  const double from_origin = std::fmax(0.0, safe_norm(centre) + core) * (1.0 + 2e-6);
+  if (!(norm_1(angular_velocity) > 0.0)) return {from_origin, from_origin};
+  const double off_axis =
+      safe_norm(cross(unit(angular_velocity), turn(centre))) + 16.0 * kUnitRoundoff * norm_1(centre);
+  return {from_origin, std::fmin(from_origin, std::fmax(0.0, off_axis * kUp + core) * (1.0 + 2e-6))};
+}
+
+}  // namespace
+
+RigidSweep::RigidSweep(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion,
+                       const Vec3d& spin_of_a)
     : a_(a),
       b_(b),
       a_from_b_(a_from_b),
       motion_(motion),
       spin_(safe_norm(motion.angular_velocity) * kUp),
-      speed_1_(norm_1(motion.velocity) * kUp) {
-  // The core lies in the ball about the centre that is smaller than B's by the radius of its own.
-  const double core = (b.circumradius() - b.ball_radius()) + 8.0 * kUnitRoundoff * b.circumradius();
-  const Vec3d centre = b.centre();
-  from_origin_ = std::fmax(0.0, safe_norm(centre) + core) * (1.0 + 2e-6);
-  from_axis_ = from_origin_;
-  if (spin_ > 0.0) {
-    Transformd turn = a_from_b;
-    turn.translation = {};
-    const Vec3d axis = unit(motion.angular_velocity);
-    const double off_axis = safe_norm(cross(axis, turn(centre))) + 16.0 * kUnitRoundoff * norm_1(centre);
-    from_axis_ = std::fmin(from_origin_, std::fmax(0.0, off_axis * kUp + core) * (1.0 + 2e-6));
-  }
+      speed_1_(norm_1(motion.velocity) * kUp),
+      motion_of_a_{{}, spin_of_a},
+      spin_of_a_(safe_norm(spin_of_a) * kUp) {
+  Transformd turn = a_from_b;
+  turn.translation = {};
+  const Reach of_b = reach_of(b, turn, motion.angular_velocity);
+  from_origin_ = of_b.from_origin;
+  from_axis_ = of_b.from_axis;
+  if (!a_turns()) return;
+  const Reach of_a = reach_of(a, {}, spin_of_a);
+  from_origin_a_ = of_a.from_origin;
+  from_axis_a_ = of_a.from_axis;
+}
+
+Vec3d RigidSweep::turned_with_a(double time, const Vec3d& vector) const {
+  return a_turns() ? turn_of_a(time)(vector) : vector;
+}
+Vec3d RigidSweep::turned_back(double time, const Vec3d& vector) const {
+  return a_turns() ? turn_of_a(time).direction_to_b(vector) : vector;
+}
+
+Transformd RigidSweep::relative_pose(double time) const {
+  const Transformd of_b = pose_at(a_from_b_, motion_, time);
+  if (!a_turns()) return of_b;
+  const Transformd of_a = turn_of_a(time);
+  const auto column = [&](double x, double y, double z) { return of_a.direction_to_b({x, y, z}); };
+  const Vec3d x = column(of_b.row_x.x, of_b.row_y.x, of_b.row_z.x),
+              y = column(of_b.row_x.y, of_b.row_y.y, of_b.row_z.y),
+              z = column(of_b.row_x.z, of_b.row_y.z, of_b.row_z.z);
+  return {{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}, of_a.direction_to_b(of_b.translation)};
 }
 
 // E23: what pose_at may be off by, at a point of B's core.
 double RigidSweep::pose_error(double time) const {
-  const double lost = time * kSubnormal * (1.0 + from_origin_);
-  return kUnitRoundoff *
-             ((8.0 * time * spin_ + 48.0) * from_origin_ + 4.0 * (norm_1(a_from_b_.translation) + time * speed_1_)) +
-         lost;
+  const double lost = time * kSubnormal * (1.0 + from_origin_ + from_origin_a_);
+  const double way = norm_1(a_from_b_.translation) + time * speed_1_;
+  double error = kUnitRoundoff * ((8.0 * time * spin_ + 48.0) * from_origin_ + 4.0 * way) + lost;
+  // Turned back with A, and A's own points.
+  if (a_turns()) {
+    const double turn_of_a = 8.0 * time * spin_of_a_ + 48.0;
+    error += kUnitRoundoff * ((turn_of_a + 8.0) * (from_origin_ + way) + turn_of_a * from_origin_a_);
+  }
+  return error;
 }
 
 // E1, for every place that B has until then.
@@ -87,9 +129,13 @@ double RigidSweep::rounding_at(double time) const { return 2.0 * support_error(t
 
 double RigidSweep::most_speed(const Vec3d& unit_normal) const {
   const double turning = safe_norm(cross(unit_normal, motion_.angular_velocity)) + 8.0 * kUnitRoundoff * spin_;
-  return (std::fmax(0.0, -dot(unit_normal, motion_.velocity)) + 8.0 * kUnitRoundoff * speed_1_ + turning * from_axis_) *
-             kUp +
-         kSubnormal * (1.0 + from_origin_);
+  const double straight = std::fmax(0.0, -dot(unit_normal, motion_.velocity)) + 8.0 * kUnitRoundoff * speed_1_;
+  double of_a = 0.0;
+  if (a_turns()) {
+    of_a = (safe_norm(cross(unit_normal, motion_of_a_.angular_velocity)) + 8.0 * kUnitRoundoff * spin_of_a_) *
+           from_axis_a_;
+  }
+  return (straight + turning * from_axis_ + of_a) * kUp + kSubnormal * (1.0 + from_origin_ + from_origin_a_);
 }
 
 double RigidSweep::gap_during(const Vec3d& unit_normal, double from, double duration) {
@@ -97,10 +143,10 @@ double RigidSweep::gap_during(const Vec3d& unit_normal, double from, double dura
   const double middle = from + 0.5 * duration;
   // The middle and the ends are rounded.
   const double half = 0.5 * duration + (duration > 0.0 ? 4.0 * kUnitRoundoff * until : 0.0);
-  Transformd turn = pose(middle);
+  Transformd turn = pose_at(a_from_b_, motion_, middle);
   const Vec3d origin = turn.translation;
   turn.translation = {};
-  if (n_support_calls_ == 0 || norm_1(last_normal_ - unit_normal) > 0.0) {
+  if (!a_turns() && (n_support_calls_ == 0 || norm_1(last_normal_ - unit_normal) > 0.0)) {
     last_normal_ = unit_normal;
     last_of_a_ = a_.core_support(unit_normal);
     ++n_support_calls_;
@@ -108,24 +154,39 @@ double RigidSweep::gap_during(const Vec3d& unit_normal, double from, double dura
   const Vec3d turning = cross(unit_normal, motion_.angular_velocity);
   // The part of n across the axis turns with it: |n x w| / |w|.
   const double across = (safe_norm(turning) + 8.0 * kUnitRoundoff * spin_) * spin_;
+  const Transformd turn_of_a = a_turns() ? this->turn_of_a(middle) : Transformd{};
+  const Vec3d turning_of_a = cross(unit_normal, motion_of_a_.angular_velocity);
   double least = HUGE_VAL, longest = 0.0;
   for (const double time : {-half, half}) {
     const Vec3d leaning = unit_normal + time * turning;
     const Vec3d of_b = turn(b_.core_support(-turn.direction_to_b(leaning)));
     ++n_support_calls_;
-    const double apart = dot(unit_normal, (origin + time * motion_.velocity) - last_of_a_) + dot(leaning, of_b);
-    least = std::fmin(least, apart);
     longest = std::fmax(longest, norm_1(leaning));
+    const Vec3d origin_then = origin + time * motion_.velocity;
+    if (!a_turns()) {
+      least = std::fmin(least, dot(unit_normal, origin_then - last_of_a_) + dot(leaning, of_b));
+    } else {
+      // The largest of linear functions is convex, and minus that concave.
+      const Vec3d leaning_of_a = unit_normal + time * turning_of_a;
+      const Vec3d of_a = turn_of_a(a_.core_support(turn_of_a.direction_to_b(leaning_of_a)));
+      ++n_support_calls_;
+      least = std::fmin(least, (dot(unit_normal, origin_then) + dot(leaning, of_b)) - dot(leaning_of_a, of_a));
+      longest = std::fmax(longest, norm_1(leaning_of_a));
+    }
     if (half == 0.0) break;
   }
-  const double remainder = 0.5 * half * half * across * from_axis_ * kUp;
+  double bent = across * from_axis_;
+  if (a_turns()) {
+    bent += (safe_norm(turning_of_a) + 8.0 * kUnitRoundoff * spin_of_a_) * spin_of_a_ * from_axis_a_;
+  }
+  const double remainder = 0.5 * half * half * bent * kUp;
   const double balls = (a_.ball_radius() + b_.ball_radius()) * (1.0 + gamma(8));
   return least - balls - remainder - support_error(until) * longest - pose_error(until);
 }
 
 // K holds the points of a tetrahedron about the origin, and with it the ball in the tetrahedron, a third as large.
 bool RigidSweep::meets_at(double time) {
-  const Transformd pose = this->pose(time);
+  const Transformd pose = relative_pose(time);
   const double reach = a_.reach() + 2.0 * b_.reach() + norm_1(pose.translation);
   // Vertices of polytopes are rounded as they are placed, and so are the places of the corners.
   const double radius = pose_error(time) + 16.0 * kUnitRoundoff * reach;
@@ -143,13 +204,18 @@ bool RigidSweep::meets_at(double time) {
 }
 
 RigidSweep::Window RigidSweep::window() const {
-  const Vec3d from_a = a_from_b_.translation - a_.centre();
-  const double rounding = 32.0 * kUnitRoundoff * (norm_1(a_from_b_.translation) + norm_1(a_.centre()));
-  const double radii = (a_.circumradius() + b_.ball_radius() + from_origin_) * (1.0 + 32.0 * kUnitRoundoff) + rounding;
+  // Of an A that turns the ball is about the origin of its frame, which stays.
+  const Vec3d centre_a = a_turns() ? Vec3d{} : a_.centre();
+  const double radius_a = a_turns() ? from_origin_a_ + a_.ball_radius() : a_.circumradius();
+  const Vec3d from_a = a_from_b_.translation - centre_a;
+  const double rounding = 32.0 * kUnitRoundoff * (norm_1(a_from_b_.translation) + norm_1(centre_a));
+  const double radii = (radius_a + b_.ball_radius() + from_origin_) * (1.0 + 32.0 * kUnitRoundoff) + rounding;
   const double speed = safe_norm(motion_.velocity);
   if (!(speed > 0.0)) {
-    const double turn = 2.0 * std::numbers::pi / spin_ * kUp;
-    return safe_norm(from_a) > radii ? Window{1.0, 0.0} : Window{0.0, turn * kUp};
+    if (safe_norm(from_a) > radii) return {1.0, 0.0};
+    if (a_turns() && spin_ > 0.0) return {0.0, HUGE_VAL};
+    const double turn = 2.0 * std::numbers::pi / (a_turns() ? spin_of_a_ : spin_) * kUp;
+    return {0.0, turn * kUp};
   }
   const Vec3d along = unit(motion_.velocity);
   const double least = safe_norm(cross(from_a, along));

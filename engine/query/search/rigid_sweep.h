@@ -17,10 +17,14 @@ namespace vex {
 
 class RigidSweep {
  public:
-  RigidSweep(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion);
+  /// `spin_of_a`: the angular velocity of A about its origin, which stays: what moves straight is B, relative to it.
+  /// All vectors below are in A's frame as it is at first, but for `relative_pose`.
+  RigidSweep(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion,
+             const Vec3d& spin_of_a = {});
 
   /// Times outside of which the circumscribed balls are apart, proven: B's is about the origin of its frame, which
-  /// moves straight. Nothing, from > to, where they never meet. Of a body that only turns, one turn.
+  /// moves straight, and so is A's if it turns. Nothing, from > to, where they never meet. Of one body that only turns,
+  /// one turn; of two, for ever.
   struct Window {
     double from, to;
   };
@@ -39,10 +43,15 @@ class RigidSweep {
   /// Of the gap along any vector: what rounding takes off the bounds.
   double rounding_at(double time) const;
 
-  Transformd pose(double time) const { return pose_at(a_from_b_, motion_, time); }
+  /// B's pose in A's frame as it is then; and vectors from that frame to the one at first, and back.
+  Transformd relative_pose(double time) const;
+  Vec3d turned_with_a(double time, const Vec3d& vector) const;
+  Vec3d turned_back(double time, const Vec3d& vector) const;
   int n_support_calls() const { return n_support_calls_; }
 
  private:
+  bool a_turns() const { return spin_of_a_ > 0.0; }
+  Transformd turn_of_a(double time) const { return pose_at({}, motion_of_a_, time); }
   double pose_error(double time) const;
   double support_error(double time) const;
 
@@ -53,6 +62,8 @@ class RigidSweep {
   double spin_, speed_1_;  // at least |w|; at least |v|
   double from_origin_;     // no point of B's core is farther from the origin of its frame
   double from_axis_;       // nor from the axis through it
+  RigidMotion motion_of_a_;
+  double spin_of_a_, from_origin_a_ = 0.0, from_axis_a_ = 0.0;  // where A turns
   Vec3d last_normal_, last_of_a_;
   int n_support_calls_ = 0;
 };
