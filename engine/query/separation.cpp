@@ -257,7 +257,7 @@ Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd
   if (!(settings.max_distance >= 0.0)) {
     throw UsageError("the largest distance of interest is negative or no number - give one from 0 up");
   }
-  const double relative_gap = std::max(settings.relative_gap, are_rounded_polytopes(a, b) ? 0x1p-40 : 1e-9);
+  const double relative_gap = std::max(settings.relative_gap, are_rounded_polytopes(a, b) ? 0x1p-40 : 0x1p-31);
   const auto wanted = [&](const Separation& found) {
     return relative_gap * (std::fabs(found.signed_distance) + (a.circumradius() + b.circumradius()));
   };

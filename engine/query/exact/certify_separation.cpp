@@ -70,12 +70,18 @@ void find_bounds(const ExactPair& pair, const PlacedForms& placed, const Separat
   const double width = std::isfinite(found.upper - found.lower) ? (found.upper - found.lower) * unit : 0.0;
   const double first = placed.are_rounded_polytopes() ? 0x1p-62 : std::clamp(0.5 * width, 0x1p-92, 0x1p-10);
   for (double gap = first; !(has_dir && has_hull); gap *= 0x1p-9) {
-    const RecordedCore core(forms);
-    CoreProof proof = prove_nearness(core, found.normal, gap, kMostCalls);
-    offer_dir(std::move(proof.dir));
-    offer_hull(std::move(proof.hull));
-    if (!proof.surface.faces.empty()) offer_hull(std::move(proof.surface));
-    if (gap < 0x1p-90 || proof.is_capped) break;
+    bool is_capped = false;
+    // Where rounding stalls one descent it may not stall another.
+    for (const Vec3d& first_dir : {found.normal, Vec3d{}}) {
+      const RecordedCore core(forms);
+      CoreProof proof = prove_nearness(core, first_dir, gap, kMostCalls);
+      is_capped = is_capped || proof.is_capped;
+      offer_dir(std::move(proof.dir));
+      offer_hull(std::move(proof.hull));
+      if (!proof.surface.faces.empty()) offer_hull(std::move(proof.surface));
+      if (has_dir && has_hull) return;
+    }
+    if (gap < 0x1p-90 || is_capped) break;
   }
 }
 

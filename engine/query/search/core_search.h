@@ -96,6 +96,12 @@ class CoreSearch {
     found_.normal = polytope.normal();
     found_.has_normal = true;
     found_.distance = -polytope.height();
+    // Of a K whose ways out tie the descent may have hit one, and the polytope none.
+    const bool is_of_descent = found_.lower + polytope.depth_upper() > settings_.wanted(found_.lower);
+    if (is_of_descent) {
+      found_.normal = descent_.normal_of_lower;
+      found_.distance = found_.lower;
+    }
     found_.lower = larger(found_.lower, -polytope.depth_upper());
     if (end == Polytope::End::separated) {
       found_.distance = square_root(descent_.simplex.square());
@@ -106,13 +112,14 @@ class CoreSearch {
     if (end != Polytope::End::flat) {
       const L depth_lower = polytope.depth_lower();
       if (-depth_lower < found_.upper) found_.upper = -depth_lower;
-      polytope.visit_foot([&](const L& weight, const Point& point) {
+      const auto add = [&](const L& weight, const Point& point) {
         found_.add(weight, point);
         foot = foot + weight * point.w;
-      });
+      };
+      is_of_descent ? polytope.visit_foot_along(found_.normal, add) : polytope.visit_foot(add);
     }
     // Of cores that hardly meet, the nearest points are those of the descent.
-    const Vec3<L> out = polytope.height() * polytope.normal();
+    const Vec3<L> out = -found_.distance * found_.normal;
     if (found_.n_points == 0 || norm_1(descent_.simplex.at() - out) < norm_1(foot - out)) {
       found_.take_points(descent_.simplex);
     }

@@ -86,8 +86,13 @@ class ExpandingPolytope {
   /// Where the hull ends along the normal, as a combination of a face's corners: `visit(weight, point)`.
   template <class Visit>
   void visit_foot(const Visit& visit) const {
+    visit_foot_along(normal_, visit);
+  }
+  /// The same along any direction.
+  template <class Visit>
+  void visit_foot_along(const Vec3<L>& dir, const Visit& visit) const {
     std::uint32_t at = nearest_;
-    if (is_of_face_) {
+    if (is_of_face_ && &dir == &normal_) {
       // Faces in one plane share a foot: it is in one of them, a few steps away.
       for (std::size_t step = 0; step < faces().size(); ++step) {
         const std::array<L, 3> weights = hull_.weights_along(faces()[at], normal_);
@@ -99,9 +104,9 @@ class ExpandingPolytope {
         at = next;
       }
     } else {
-      at = hull_.face_along(normal_).value_or(nearest_);
+      at = hull_.face_along(dir).value_or(nearest_);
     }
-    std::array<L, 3> weights = hull_.weights_along(faces()[at], normal_);
+    std::array<L, 3> weights = hull_.weights_along(faces()[at], dir);
     L sum(0.0);
     for (L& weight : weights) sum += weight = larger(weight, L(0.0));
     if (!(sum > L(0.0))) weights = {sum = L(1.0), L(0.0), L(0.0)};  // a sliver

@@ -27,7 +27,8 @@ struct NearestDescent {
   End end = End::stalled;
   NearestSimplex<L, Point> simplex;
   Vec3<L> normal;  // unit, from the simplex' nearest point to the origin; where separated, it separates
-  L lower{0.0};    // of the distance, rounding included; negative where nothing is known
+  Vec3<L> normal_of_lower;  // unit, the one that has shown `lower`; zero where none has
+  L lower{0.0};             // of the distance, rounding included; negative where nothing is known
   L upper{0.0};
   int n_support_calls = 0;
 };
@@ -49,7 +50,7 @@ NearestDescent<L, Point> descend_to_origin(const Difference& difference, const V
     result.n_support_calls = 1;
   }
   result.lower = -error.reach;
-  Vec3<L> best_normal;
+  Vec3<L>& best_normal = result.normal_of_lower;
   while (true) {
     const L length = square_root(result.simplex.square());
     result.upper = length + slack;
