@@ -311,11 +311,13 @@ TEST_F(PairOnePose, BothBodiesMove) {
   expect_vector(row, "point_a", 0.75, 0, 0);
   expect_vector(row, "point_b", 0.75, 0, 0);
   expect_vector(row, "normal", 1, 0, 0);
-  // A cube whose corner comes round: after an eighth of a turn its edge is where the ball is.
-  row = cube_and_ball("1.2071067811865475,0,0", {"toi", "--toi", "0,0,0,0,0,0", "--toi-a", "0,0,0,0,0,45"});
-  EXPECT_NEAR(row.at("time").get<double>(), 1.0, 1e-6);
-  EXPECT_NEAR(row.at("normal").at(0).get<double>(), 1.0, 1e-6);
-  EXPECT_NEAR(row.at("point_a").at(0).get<double>(), std::sqrt(0.5), 1e-6);
+  // A cube whose edge comes round: it is sqrt(1/2) from the axis, and meets the ball once 1/2 from its centre.
+  row = cube_and_ball("1.2,0,0", {"toi", "--toi", "0,0,0,0,0,0", "--toi-a", "0,0,0,0,0,45", "--certificate"});
+  EXPECT_EQ(row.at("reproven"), true);
+  const double before = std::acos(1.69 / (2.4 * std::sqrt(0.5)));
+  EXPECT_NEAR(row.at("time").get<double>(), 1.0 - before / std::atan(1.0), 1e-11);
+  EXPECT_NEAR(row.at("point_a").at(0).get<double>(), std::sqrt(0.5) * std::cos(before), 1e-9);
+  EXPECT_NEAR(row.at("point_a").at(1).get<double>(), -std::sqrt(0.5) * std::sin(before), 1e-9);
   row = cube_and_ball("1.25,0,0", {"toi", "--toi", "0,0,0,0,0,0", "--toi-a", "0,0,0,0,0,45", "--certificate"});
   EXPECT_EQ(row.at("verdict"), "disjoint");
   EXPECT_EQ(row.at("reproven"), true);

@@ -21,7 +21,7 @@ namespace {
 using checker::ExactPair;
 using whole::Dyadic;
 
-constexpr int kMostCalls = 1 << 11;
+constexpr int kMostCalls = 1 << 11, kMostCallsOfTies = 1 << 14;
 constexpr double kPointGap = 0x1p-52;
 
 // The points of a body that carry what is nearest to the other one, a point.
@@ -83,6 +83,12 @@ void find_bounds(const ExactPair& pair, const PlacedForms& placed, const Separat
     }
     if (gap < 0x1p-90 || is_capped) break;
   }
+  if (has_dir && has_hull) return;
+  // In ever so many directions, as of bodies of which ever so many are the shortest way out.
+  const RecordedCore core(forms);
+  CoreProof proof = prove_nearness(core, found.normal, first, kMostCallsOfTies);
+  offer_dir(std::move(proof.dir));
+  offer_hull(std::move(proof.surface.faces.empty() ? proof.hull : proof.surface));
 }
 
 }  // namespace
