@@ -32,7 +32,8 @@ struct Separation {
   /// normal brings them into contact.
   Vec3d normal;
   /// Points of A and of B with point_b - point_a = signed_distance * normal, all as well as the bounds were asked to be
-  /// near: to 1e-12 of |signed distance| + R_A + R_B for polytopes, to 1e-9 for curved bodies, or to `relative_gap`.
+  /// near: to 1e-12 of |signed distance| + R_A + R_B for polytopes, to 1e-9 for curved bodies, or to `relative_gap`; no
+  /// nearer than the bounds are, nor than 16 roundings of coordinates in A's frame (`promised_accuracy`).
   Vec3d point_a, point_b;
   int n_support_calls = 0;
 };
