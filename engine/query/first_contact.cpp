@@ -9,9 +9,9 @@
 #include "engine/numeric/scaled_bound.h"
 #include "engine/query/exact/exact_cast.h"
 #include "engine/query/overlap.h"
-#include "engine/query/search/point_body.h"
 #include "engine/query/search/ray_search.h"
 #include "engine/query/separation.h"
+#include "engine/support/point_body.h"
 
 namespace vex {
 namespace {

@@ -103,8 +103,6 @@ TEST(Structure, TheCheckerSharesNothingWithTheSearches) {
   const std::vector<Include> includes = includes_below("engine/query/checker");
   ASSERT_FALSE(includes.empty());
   for (const Include& include : includes) {
-    // A point is a body, and no search.
-    if (include.what == "engine/query/search/point_body.h") continue;
     for (const char* room : {"engine/query/search/", "engine/query/exact/", "engine/query/packets/"}) {
       EXPECT_EQ(include.what.rfind(room, 0), std::string::npos) << include.file << " includes " << include.what;
     }

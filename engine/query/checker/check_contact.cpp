@@ -9,7 +9,7 @@
 #include "engine/query/checker/turning.h"
 #include "engine/query/checker/witness_proof.h"
 #include "engine/query/contact_certificate.h"
-#include "engine/query/search/point_body.h"
+#include "engine/support/point_body.h"
 
 namespace vex {
 namespace {

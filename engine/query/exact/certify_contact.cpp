@@ -13,9 +13,9 @@
 #include "engine/query/exact/recorded_core.h"
 #include "engine/query/overlap.h"
 #include "engine/query/search/impact_record.h"
-#include "engine/query/search/point_body.h"
 #include "engine/query/search/ray_search.h"
 #include "engine/query/search/rigid_sweep.h"
+#include "engine/support/point_body.h"
 
 namespace vex {
 namespace {

@@ -12,8 +12,8 @@
 #include "engine/query/exact/placed_forms.h"
 #include "engine/query/exact/recorded_core.h"
 #include "engine/query/manifold_certificate.h"
-#include "engine/query/search/point_body.h"
 #include "engine/query/separation_certificate.h"
+#include "engine/support/point_body.h"
 
 namespace vex {
 namespace {
