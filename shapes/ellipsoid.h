@@ -29,7 +29,7 @@ class Ellipsoid {
     return {L(axes_.x) * unit.x, L(axes_.y) * unit.y, L(axes_.z) * unit.z};
   }
   bool rounds_as_kernels() const { return true; }
-  /// Each coordinate within 7 u of its own size: D d, its length, the quotient, and D again (E2).
+  /// Each coordinate within 7.6 u of its own size: D d, its length, the quotient, and D again (E2).
   double support_error() const { return 8.0 * kUnitRoundoff * circumradius(); }
   Vec3d centre() const { return {}; }
   double circumradius() const { return std::max({axes_.x, axes_.y, axes_.z}); }

@@ -42,7 +42,7 @@ struct BoxCore {
   Vec3d lower, upper;
 };
 
-/// D (D d / |D d|): each coordinate within 7 u of itself, as that of the body's own mapping (E2).
+/// D (D d / |D d|): each coordinate within 7.6 u of itself, as that of the body's own mapping (E2).
 struct EllipsoidCore {
   explicit EllipsoidCore(const CoreForm& form) : semi_axes(form.semi_axes) {
     double shortest = semi_axes.x < semi_axes.y ? semi_axes.x : semi_axes.y;
