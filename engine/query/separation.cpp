@@ -10,6 +10,7 @@
 #include "engine/query/exact/placed_forms.h"
 #include "engine/query/search/core_difference.h"
 #include "engine/query/search/core_search.h"
+#include "engine/query/search/way_out.h"
 #include "engine/query/search/zonotope.h"
 #include "engine/support/combinators.h"
 
@@ -60,14 +61,20 @@ NearestSimplex<double, CoreDifference::Point> warm_simplex(const CoreDifference&
 
 // What is asked, in double precision.
 struct DoubleQuery {
+  const ConvexBody& a;
+  const ConvexBody& b;
+  const Transformd& a_from_b;
   CoreDifference difference;
   QueryError<double> error;
   double radius_a, radius_b;
   CoreSearchSettings<double> settings;
 
-  DoubleQuery(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, SeparationGoal goal,
+  DoubleQuery(const ConvexBody& a_in, const ConvexBody& b_in, const Transformd& a_from_b_in, SeparationGoal goal,
               const SeparationSettings& given)
-      : difference(a, b, a_from_b),
+      : a(a_in),
+        b(b_in),
+        a_from_b(a_from_b_in),
+        difference(a_in, b_in, a_from_b_in),
         error(difference.error()),
         radius_a(difference.radius_a()),
         radius_b(difference.radius_b()),
@@ -149,6 +156,16 @@ Searched search_in_double(const DoubleQuery& query, const DifferenceZonotope* zo
   query.take(core.normal, core.distance, core.lower, core.upper, core_a, core_b, result);
   result.has_witnesses = core.has_normal;
   result.n_support_calls = search.n_support_calls();
+  if (core.is_capped && search.wants_depth() && core.lower > -HUGE_VAL) {
+    const double slack = 2.0 * query.error.support;
+    const WayOut way = shorter_way_out(query.a, query.b, query.a_from_b, difference, core.normal, -core.distance,
+                                       query.settings.wanted(core.distance));
+    result.n_support_calls += way.n_support_calls;
+    if (way.is_shorter) {
+      query.take(way.normal, -way.height, std::fmax(core.lower, -way.height - slack), core.upper, way.core_a,
+                 way.core_b, result);
+    }
+  }
   const bool is_good_start = core.has_normal && !difference.has_rolling() && core.distance > 0.0;
   if (warm_start != nullptr && is_good_start) {
     warm_start->n_points = core.n_points;
