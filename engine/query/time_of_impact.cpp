@@ -5,40 +5,22 @@
 
 #include "engine/numeric/double_double.h"
 #include "engine/numeric/errors.h"
-#include "engine/numeric/rounding.h"
 #include "engine/numeric/scaled_bound.h"
 #include "engine/query/first_contact.h"
 #include "engine/query/overlap.h"
+#include "engine/query/search/advancement.h"
 #include "engine/query/search/impact_record.h"
 #include "engine/query/search/ray_search.h"
-#include "engine/query/search/rigid_sweep.h"
 #include "engine/query/separation.h"
 
 namespace vex {
 namespace {
-
-// A motion that needs more is given up and said to be: some thousand turns on the way.
-constexpr int kMostAdvances = 1 << 14;
-// Support calls for a proof of contact where bodies touch to within rounding, as those that slide on each other may
-// for as long as they move.
-constexpr int kMostCallsOfTouch = 1 << 12;
-// Of the circumradii: an advance in which the bodies may come nearer by no more than this; and how many of them in a
-// row.
-constexpr double kShortAdvance = 0x1p-20;
-constexpr int kMostShortAdvances = 64;
-// Trials of the length of one advance; of how late there is contact; and of how early once it is found.
-constexpr int kMostTrials = 10, kMostDoublings = 64, kMostHalvings = 2;
-
-// Of the circumradii: nearer than this the normal has hardly turned since the last gap was measured.
-constexpr double kNearGap = 0x1p-12;
 
 // Units of time in which a pair moves by its size, or turns by some radians, in 2^-200 of them, or in 2^200, are as
 // good as others: no square of a time or a speed is subnormal or infinite.
 constexpr int kMostExponent = 200;
 // The directions of slower motions are not known to all digits.
 constexpr double kLeastSpeed = 0x1p-1000;
-// What happens later is not looked at.
-constexpr double kLatest = 0x1p480;
 
 int exponent_of(double x) { return x > 0.0 ? std::ilogb(x) : 0; }
 double largest_of(const Vec3d& a) { return std::fmax(std::fabs(a.x), std::fmax(std::fabs(a.y), std::fabs(a.z))); }
@@ -53,253 +35,6 @@ int exponent_of_motion(const ConvexBody& a, const ConvexBody& b, const Transform
   const int exponent = moving > 0.0 ? std::max(std::ilogb(moving) - size, by_turning) : by_turning;
   return std::abs(exponent) > kMostExponent ? exponent : 0;
 }
-
-class Advancement {
- public:
-  /// `ends`: the velocity is known well enough for the sweep's window to be one. Nothing after `last` is looked at.
-  Advancement(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion,
-              const Vec3d& spin_of_a, bool ends, double last, std::vector<ApartDuring>* record)
-      : a_(a),
-        b_(b),
-        record_(record),
-        sweep_(a, b, a_from_b, motion, spin_of_a),
-        size_(a.circumradius() + b.circumradius()),
-        is_curved_(!a.is_rounded_polytope() || !b.is_rounded_polytope()),
-        ends_(ends),
-        last_(last) {}
-
-  FirstContact run() {
-    const RigidSweep::Window window = sweep_.window();
-    if (ends_ && !(window.from <= window.to)) return nothing();
-    time_ = ends_ ? std::fmin(window.from, std::numeric_limits<double>::max()) : 0.0;
-    until_ = std::fmin(window.to, std::fmin(last_, kLatest));
-    if (time_ > last_) return nothing();
-    ends_ = until_ >= last_ || (ends_ && window.to < kLatest);
-    for (int n_advances = 0; n_advances < kMostAdvances; ++n_advances) {
-      if (time_ >= until_) return touched_ || !ends_ ? undecided(UndecidedReason::rounding) : nothing();
-      if (touched_ && n_calls() - n_calls_before_touch_ > kMostCallsOfTouch) {
-        return undecided(UndecidedReason::rounding);
-      }
-      const Separation apart = separation_now();
-      const double gap = apart.has_witnesses ? sweep_.gap_during(apart.normal, time_, 0.0) : 0.0;
-      last_gap_ = std::fmax(gap, 0.0);
-      last_normal_ = apart.normal;
-      // Bodies that slide by each other hardly farther away than rounding come on no more than they turn in, so slowly
-      // that they count as touching.
-      const bool creeps = n_short_advances_ > kMostShortAdvances;
-      if (gap > sweep_.rounding_at(time_) && !creeps) {
-        const double from = time_;
-        const double advance = longest_advance(apart.normal, gap);
-        time_ += advance;
-        const bool is_short = advance * sweep_.most_speed(apart.normal) < kShortAdvance * size_;
-        n_short_advances_ = is_short ? n_short_advances_ + 1 : 0;
-        if (record_ != nullptr && !touched_) record_->push_back({from, time_, apart.normal});
-        continue;
-      }
-      n_short_advances_ = 0;
-      // The first place where the bodies may touch is the answer's, and the least time of contact not before it.
-      if (!touched_) {
-        touched_ = true;
-        n_calls_before_touch_ = n_calls();
-        contact_.lower = time_;
-        contact_.normal = apart.normal;
-        contact_.point_a = apart.point_a;
-        contact_.point_b = apart.point_b;
-      }
-      if (finds_contact(apart)) return found();
-      if (!(time_ < until_)) return undecided(UndecidedReason::rounding);
-    }
-    return undecided(UndecidedReason::iteration_cap);
-  }
-
- private:
-  Separation separation_at(double time, double relative_gap) {
-    SeparationSettings settings;
-    settings.relative_gap = relative_gap;
-    Separation found = distance(a_, b_, Pose::unchecked(sweep_.relative_pose(time)), settings, &warm_start_);
-    n_support_calls_ += found.n_support_calls;
-    for (Vec3d* const v : {&found.normal, &found.point_a, &found.point_b}) *v = sweep_.turned_with_a(time, *v);
-    return found;
-  }
-
-  Separation separation_now() {
-    if (is_curved_ && last_gap_ < kNearGap * size_ && norm_1(last_normal_) > 0.0) {
-      Separation apart;
-      apart.verdict = Verdict::disjoint(DecidedBy::gjk);
-      apart.has_witnesses = true;
-      apart.normal = last_normal_;
-      apart.upper = HUGE_VAL;
-      look_closer(apart);
-      return apart;
-    }
-    // Gaps shrink as the squares of those before them; so much of the next one is left open.
-    const double last = std::fmin(1.0, last_gap_ / size_);
-    Separation apart = separation_at(time_, 0x1p-7 * last * last);
-    // Nearer than was thought: nothing is said of a gap before it is known as well as it can be, and along this normal.
-    if (!apart.has_witnesses || !(sweep_.gap_during(apart.normal, time_, 0.0) > 0.5 * apart.upper)) look_closer(apart);
-    return apart;
-  }
-
-  // Of bodies that nearly touch: B cast straight at A, which finds their planes of contact to rounding.
-  void look_closer(Separation& apart) {
-    // Of bodies that touch a rough answer's points may be far apart, and its normal far off.
-    if (apart.verdict.outcome == Outcome::undecided) apart = separation_at(time_, 0.0);
-    if (!apart.has_witnesses || apart.verdict.outcome != Outcome::disjoint) return;
-    const Vec3d normal = sweep_.turned_back(time_, apart.normal), dir = -scaled_to_unit_exponent(normal);
-    RaySearch search(a_, b_, sweep_.relative_pose(time_), dir);
-    const RayBounds bounds = search.run(normal, true);
-    n_support_calls_ += search.n_support_calls();
-    RaySearch::Touch touch = search.touch();
-    for (Vec3d* const v : {&touch.normal, &touch.point_a, &touch.point_b}) *v = sweep_.turned_with_a(time_, *v);
-    if (bounds.is_miss || !(bounds.upper < HUGE_VAL) || !(norm_1(touch.normal) > 0.0)) {
-      apart = separation_at(time_, 0.0);
-      return;
-    }
-    apart.normal = touch.normal;
-    apart.point_a = touch.point_a;
-    apart.point_b = touch.point_b;
-    apart.upper = std::fmin(apart.upper, std::ldexp(bounds.upper, -search.exponent()) * norm(dir));
-  }
-
-  // The longest time, nearly, in which the bodies are proven to stay apart along the normal: a secant search for where
-  // the bound is next to nought, as near to it as the gap after it will be. That no point of B moves faster than so
-  // much gives a first one.
-  double longest_advance(const Vec3d& normal, double gap) {
-    const double most_speed = sweep_.most_speed(normal), remaining = until_ - time_;
-    const double near_enough = gap * std::fmin(0.125, gap / size_) + sweep_.rounding_at(time_);
-    double proven = 0.0, gap_proven = gap, failed = remaining * (1.0 + 4.0 * kUnitRoundoff), gap_failed = 0.0;
-    bool has_failed = false;
-    if (!(gap < most_speed * remaining)) return failed;
-    double trial = std::fmin(failed, 4.0 * gap / most_speed);
-    for (int k = 0; k < kMostTrials; ++k) {
-      const double found = sweep_.gap_during(normal, time_, trial);
-      if (found > 0.0) {
-        if (trial >= failed) return trial;
-        proven = trial;
-        gap_proven = found;
-      } else {
-        failed = trial;
-        gap_failed = found;
-        has_failed = true;
-      }
-      if (!has_failed) {
-        trial = std::fmin(failed, 4.0 * trial);
-        continue;
-      }
-      if (gap_proven < near_enough || !(proven < failed * (1.0 - 0x1p-40))) break;
-      const double share = (gap_proven - 0.5 * near_enough) / (gap_proven - gap_failed);
-      // Where one end stays for long the middle is taken.
-      trial = proven + (k % 4 == 3 ? 0.5 : share) * (failed - proven);
-    }
-    // Added to the time it is rounded: gaps above the pose's own rounding are worth more than that.
-    const double surely = gap / most_speed;
-    return std::fmax(proven, surely * (1.0 - gamma(8)) - 2.0 * kUnitRoundoff * (time_ + surely));
-  }
-
-  // In which the bodies come to be in each other by some roundings, enough for double precision to see it, if they go
-  // on as they do at first and are as far apart as they may be.
-  double first_step(const Vec3d& normal, double most_apart) {
-    const double most_speed = norm_1(normal) > 0.0 ? sweep_.most_speed(normal) : 0.0;
-    if (!(most_speed > 0.0)) return 0.0;
-    const double a_moment = 0x1p-16 * size_ / most_speed;
-    const double speed =
-        (sweep_.gap_during(normal, time_, 0.0) - sweep_.gap_during(normal, time_ + a_moment, 0.0)) / a_moment;
-    return (16.0 * sweep_.rounding_at(time_) + most_apart) / std::fmax(speed, 0x1p-10 * most_speed);
-  }
-
-  // A time of contact, proven, as little after this one as doubling finds it. Where the bodies are seen to be apart
-  // again first, the motion goes on from there.
-  bool finds_contact(const Separation& apart) {
-    const Vec3d& normal = apart.normal;
-    const double most_apart = apart.has_witnesses ? std::fmax(apart.upper, 0.0) : 0.0;
-    const double remaining = until_ - time_;
-    const double least = least_step(normal);
-    double step = std::fmax(first_step(normal, most_apart), least);
-    double before = 0.0;
-    for (int k = 0; k < kMostDoublings; ++k, before = step, step *= 2.0) {
-      step = std::fmin(step, remaining);
-      if (sweep_.meets_at(time_ + step)) {
-        double after = step;
-        for (int h = 0; before > 0.0 && h < kMostHalvings; ++h) {
-          const double middle = 0.5 * (before + after);
-          (sweep_.meets_at(time_ + middle) ? after : before) = middle;
-        }
-        contact_.upper = time_ + after;
-        return true;
-      }
-      const double gap = k % 8 < 7 && norm_1(normal) > 0.0 ? sweep_.gap_during(normal, time_ + step, 0.0)
-                                                           : separation_at(time_ + step, 0.0).lower;
-      const bool is_apart = gap > 4.0 * sweep_.rounding_at(time_ + step);
-      if (k == 0 && is_apart && finds_contact_before(step, normal, least)) return true;
-      if (is_apart || step >= remaining) {
-        time_ += step;
-        return false;
-      }
-    }
-    time_ = until_;
-    return false;
-  }
-
-  // The shortest step worth a trial: of the times until now, or of one in which the bodies come as far as they are
-  // large.
-  double least_step(const Vec3d& normal) const {
-    const double most_speed = norm_1(normal) > 0.0 ? sweep_.most_speed(normal) : 0.0;
-    const double a_while = most_speed > 0.0 ? std::fmin(until_, size_ / most_speed) : until_;
-    return 0x1p-50 * std::fmax(time_, 0x1p-10 * a_while);
-  }
-
-  // Where the first step has gone too far: a thin part of one body may have passed through the other's rim meanwhile.
-  bool finds_contact_before(double step, const Vec3d& normal, double least) {
-    for (step *= 0x1p-4; step > least; step *= 0x1p-4) {
-      if (sweep_.gap_during(normal, time_ + step, 0.0) > 4.0 * sweep_.rounding_at(time_ + step)) continue;
-      if (!sweep_.meets_at(time_ + step)) continue;
-      contact_.upper = time_ + step;
-      return true;
-    }
-    return false;
-  }
-
-  int n_calls() const { return n_support_calls_ + sweep_.n_support_calls(); }
-  FirstContact counted(FirstContact contact) const {
-    contact.n_support_calls = n_calls();
-    return contact;
-  }
-  FirstContact nothing() const {
-    return counted({Verdict::disjoint(DecidedBy::gjk), HUGE_VAL, HUGE_VAL, HUGE_VAL, {}, {}, {}, 0});
-  }
-  FirstContact undecided(UndecidedReason reason) const {
-    FirstContact contact = contact_;
-    contact.verdict = Verdict::undecided(DecidedBy::gjk, reason);
-    if (!touched_) contact.lower = time_;
-    contact.time = contact.lower;
-    contact.upper = HUGE_VAL;
-    return counted(contact);
-  }
-  FirstContact found() const {
-    FirstContact contact = contact_;
-    contact.verdict = Verdict::overlap(DecidedBy::gjk);
-    // Normal and points are those of the bodies as they are then, however much later a contact is proven.
-    contact.time = contact.lower;
-    return counted(contact);
-  }
-
-  const ConvexBody& a_;
-  const ConvexBody& b_;
-  std::vector<ApartDuring>* record_;
-  RigidSweep sweep_;
-  double size_;
-  // Distances of polytopes and balls come to an end by themselves; small ones of curved bodies are dear.
-  bool is_curved_;
-  bool ends_;
-  double last_;  // that is looked at
-  double time_ = 0.0, until_ = 0.0;
-  double last_gap_ = HUGE_VAL;
-  Vec3d last_normal_;
-  bool touched_ = false;
-  FirstContact contact_;
-  WarmStart warm_start_;
-  int n_support_calls_ = 0, n_calls_before_touch_ = 0, n_short_advances_ = 0;
-};
 
 // B's motion relative to A's origin, as far as doubles tell it.
 struct RelativeMotion {
@@ -356,9 +91,8 @@ FirstContact impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, 
   const RigidMotion scaled{times_power_of_two(motion.velocity, -exponent),
                            times_power_of_two(motion.angular_velocity, -exponent)};
   const bool ends = !moves || norm_1(scaled.velocity) > kLeastSpeed;
-  FirstContact contact = Advancement(a, b, a_from_b, scaled, times_power_of_two(spin_of_a, -exponent), ends,
-                                     scaled_up(until, exponent), record)
-                             .run();
+  FirstContact contact = advance_to_contact(a, b, a_from_b, scaled, times_power_of_two(spin_of_a, -exponent), ends,
+                                            scaled_up(until, exponent), record);
   if (exponent != 0) {
     if (contact.verdict.outcome != Outcome::disjoint) contact.lower = scaled_down(contact.lower, -exponent);
     contact.time = contact.verdict.outcome != Outcome::disjoint ? contact.lower : HUGE_VAL;
