@@ -97,7 +97,7 @@ class CoreSearch {
     found_.has_normal = true;
     found_.distance = -polytope.height();
     // Of a K whose ways out tie the descent may have hit one, and the polytope none.
-    const bool is_of_descent = found_.lower + polytope.depth_upper() > settings_.wanted(found_.lower);
+    const bool is_of_descent = found_.lower + polytope.depth_upper() > L(4.0) * error_.support;
     if (is_of_descent) {
       found_.normal = descent_.normal_of_lower;
       found_.distance = found_.lower;
