@@ -12,6 +12,7 @@
 #include "engine/query/contact_manifold.h"
 #include "engine/query/first_contact.h"
 #include "engine/query/separation.h"
+#include "engine/query/separation_certificate.h"
 #include "shapes/box.h"
 #include "shapes/cylinder.h"
 #include "shapes/ellipsoid.h"
@@ -121,6 +122,18 @@ TEST(QueryExamples, TimeOfImpact) {
   EXPECT_NEAR(vex::signed_distance(box, bar, at_contact).signed_distance, 0.0, 1e-9);
 }
 
+TEST(QueryExamples, TimeOfImpactOfTwo) {
+  // [both]
+  const vex::ConvexBody box = vex::Box(1.0, 1.0, 1.0), bar = vex::Box(4.0, 0.1, 0.1);
+  const vex::Transformd start{.translation = {0.0, 3.0, 0.0}};
+  const vex::RigidMotion of_box{.velocity = {0.0, 0.5, 0.0}, .angular_velocity = {0.0, 0.0, 0.2}};
+  const vex::RigidMotion of_bar{.velocity = {}, .angular_velocity = {0.0, 0.0, 1.0}};
+  const vex::FirstContact hit = vex::time_of_impact(box, bar, start, of_box, of_bar, 0.5);
+  const bool is_free_until_then = hit.verdict.outcome == vex::Outcome::disjoint;
+  // [end]
+  EXPECT_TRUE(is_free_until_then);
+}
+
 TEST(QueryExamples, ContactManifold) {
   // [manifold]
   const vex::ConvexBody box = vex::Box(1.0, 1.0, 1.0);
@@ -133,9 +146,20 @@ TEST(QueryExamples, ContactManifold) {
   EXPECT_NEAR(deepest, -0.001, 1e-15);
 }
 
+TEST(QueryExamples, Certificates) {
+  // [certificate]
+  const vex::ConvexBody box = vex::Box(1.0, 1.0, 1.0), can = vex::Cylinder(1.0, 0.5);
+  const vex::Transformd pose{.translation = {0.0, 0.0, 1.25}};
+  const vex::Separation found = vex::distance(box, can, pose);
+  const vex::SeparationCertificate proof = vex::certify(box, can, pose, found);
+  const bool is_proven = vex::check_certificate(box, can, pose, found, proof).is_proven;
+  // [end]
+  EXPECT_TRUE(is_proven);
+}
+
 // --- the guide
 
-constexpr std::size_t kExamples = 10;
+constexpr std::size_t kExamples = 12;
 
 std::string text_of(const std::string& path) {
   std::ifstream file(std::string(VEX_SOURCE_DIR) + "/" + path);

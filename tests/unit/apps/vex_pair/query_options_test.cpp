@@ -114,17 +114,42 @@ TEST(QueryOptions, AMarginIsALengthOfOverlapAndManifold) {
   expect_refused<InputError>(with_margin("manifold", "1e-151"), "a margin out of range");
 }
 
-TEST(QueryOptions, ACertificateIsOfBodiesAtRest) {
-  for (const char* query : {"", "overlap", "distance", "depth", "signed"}) {
-    QueryWords words = words_of(query);
+TEST(QueryOptions, ACertificateIsOfAnyQuery) {
+  for (QueryWords words : {words_of(""), words_of("overlap"), words_of("distance"), words_of("depth"),
+                           words_of("signed"), words_of("manifold"), words_of("ray", "0,0,0,1,0,0"),
+                           words_of("cast", "1,0,0"), words_of("toi", "0,0,0,0,0,1")}) {
     words.certificate = true;
-    EXPECT_TRUE(interpret_query(words).with_certificate) << query;
+    EXPECT_TRUE(interpret_query(words).with_certificate) << words.query;
   }
-  for (QueryWords words : {words_of("ray", "0,0,0,1,0,0"), words_of("cast", "1,0,0"), words_of("toi", "0,0,0,0,0,1"),
-                           words_of("manifold")}) {
-    words.certificate = true;
-    expect_refused<UsageError>(words, "(--certificate with --query " + words.query + ")");
+}
+
+TEST(QueryOptions, AnEndIsOfMotionsAndALargestDistanceOfDistances) {
+  for (QueryWords words : {words_of("ray", "0,0,0,1,0,0"), words_of("cast", "1,0,0"), words_of("toi", "0,0,0,0,0,1")}) {
+    EXPECT_EQ(interpret_query(words).until, HUGE_VAL);
+    words.until = "2.5";
+    EXPECT_EQ(interpret_query(words).until, 2.5);
+    words.until = "-1";
+    expect_refused<UsageError>(words, "an end below 0 (-1 for --until)");
   }
+  QueryWords words = words_of("distance");
+  words.max_distance = "0.25";
+  EXPECT_EQ(interpret_query(words).max_distance, 0.25);
+  words.until = "1";
+  expect_refused<UsageError>(words, "(--until with --query distance)");
+  words = words_of("signed");
+  words.max_distance = "1";
+  expect_refused<UsageError>(words, "(--max-distance with --query signed)");
+}
+
+TEST(QueryOptions, AMovesWithAnImpactOnly) {
+  QueryWords words = words_of("toi", "0,0,0,0,0,1");
+  words.toi_a = "1,2,3,4,5,6";
+  const QuerySettings settings = interpret_query(words);
+  expect_vector(settings.velocity_a, 1, 2, 3);
+  expect_vector(settings.angular_velocity_a_degrees, 4, 5, 6);
+  words = words_of("cast", "1,0,0");
+  words.toi_a = "1,2,3,4,5,6";
+  expect_refused<UsageError>(words, "(--toi-a with --query cast)");
 }
 
 // What a pair of bodies is widened by: on the side that was asked for, and by no more than the next double.
