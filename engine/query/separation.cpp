@@ -254,7 +254,12 @@ bool is_settled(const Separation& found, SeparationGoal goal, double wanted, dou
   if (goal == SeparationGoal::depth && found.lower > 0.0) return true;
   if (goal == SeparationGoal::distance && found.upper < 0.0) return true;
   if (is_capped) return true;
-  return found.upper - found.lower <= wanted && (is_rough || found.lower > 0.0 || found.upper < 0.0);
+  if (!(found.upper - found.lower <= wanted)) return false;
+  if (is_rough) return true;
+  // Of bodies that hardly touch, points and normal may not go together where the bounds are near enough.
+  const Vec3d off = (found.point_b - found.point_a) - found.signed_distance * found.normal;
+  if (found.has_witnesses && dot(off, off) > wanted * wanted) return false;
+  return found.lower > 0.0 || found.upper < 0.0;
 }
 
 Searched first_answer(const DoubleQuery& query, const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
