@@ -10,11 +10,12 @@
 namespace vex {
 namespace {
 
-// A motion that needs more is given up and said to be: some thousand turns on the way.
-constexpr int kMostAdvances = 1 << 14;
-// Support calls for a proof of contact where bodies touch to within rounding, as those that slide on each other may
-// for as long as they move.
-constexpr int kMostCallsOfTouch = 1 << 12;
+// A motion that needs more is given up and said to be, with the time until which nothing touches: one of some hundred
+// turns on the way, or along a gap that is a billionth of the bodies.
+constexpr int kMostSupportCalls = 1 << 13;
+// Of them for a proof of contact where bodies touch to within rounding, as those that slide on each other may for as
+// long as they move.
+constexpr int kMostCallsOfTouch = 1 << 11;
 // Of the circumradii: an advance in which the bodies may come nearer by no more than this; and how many of them in a
 // row.
 constexpr double kShortAdvance = 0x1p-20;
@@ -24,6 +25,8 @@ constexpr int kMostTrials = 10, kMostDoublings = 64, kMostHalvings = 2;
 
 // Of the circumradii: nearer than this the normal has hardly turned since the last gap was measured.
 constexpr double kNearGap = 0x1p-12;
+// Of such a gap: as well as it need be known, for an advance leaves more of it than that.
+constexpr double kRoughly = 0x1p-4;
 // What happens later is not looked at.
 constexpr double kLatest = 0x1p480;
 
@@ -48,7 +51,7 @@ class Advancement {
     until_ = std::fmin(window.to, std::fmin(last_, kLatest));
     if (time_ > last_) return nothing();
     ends_ = until_ >= last_ || (ends_ && window.to < kLatest);
-    for (int n_advances = 0; n_advances < kMostAdvances; ++n_advances) {
+    while (n_calls() <= kMostSupportCalls) {
       if (time_ >= until_) return touched_ || !ends_ ? undecided(UndecidedReason::rounding) : nothing();
       if (touched_ && n_calls() - n_calls_before_touch_ > kMostCallsOfTouch) {
         return undecided(UndecidedReason::rounding);
@@ -120,6 +123,7 @@ class Advancement {
     if (!apart.has_witnesses || apart.verdict.outcome != Outcome::disjoint) return;
     const Vec3d normal = sweep_.turned_back(time_, apart.normal), dir = -scaled_to_unit_exponent(normal);
     RaySearch search(a_, b_, sweep_.relative_pose(time_), dir);
+    search.look_roughly(kRoughly);
     const RayBounds bounds = search.run(normal, true);
     n_support_calls_ += search.n_support_calls();
     RaySearch::Touch touch = search.touch();

@@ -232,6 +232,7 @@ std::optional<RaySearch::Corners> RaySearch::close_in(Line& line) {
     if (!(dot(normal, along_) < 0.0)) break;
     const DifferencePoint w = cut(normal);
     line.is_settled = bound_crossing(line, c, normal);
+    if (is_known_well(line.upper)) break;
     const double least = std::fmin(dot(normal, c[0].at), std::fmin(dot(normal, c[1].at), dot(normal, c[2].at)));
     if (!(dot(normal, w.at) - least > error_.support * norm_1(normal))) break;
     Corners next = c;
@@ -265,7 +266,7 @@ RayBounds RaySearch::run(const Vec3d& separating_dir, bool is_apart_at_start) {
   // Through an edge or a corner: points of K on three lines around the ray have one on the ray between them.
   double offset = kFirstOffset * shadow_error_;
   for (int attempt = 0; attempt < kMostOffsets && !bounds_.is_miss; ++attempt, offset *= kOffsetGrowth) {
-    if (bounds_.upper - bounds_.lower <= width_of_rounding()) break;
+    if (bounds_.upper - bounds_.lower <= width_of_rounding() || is_known_well(bounds_.upper)) break;
     // Turned by angles that no symmetry knows.
     const double angle = 0.7548776662 + 2.399963 * attempt;
     double latest = -HUGE_VAL, least = HUGE_VAL;

@@ -40,6 +40,8 @@ class RaySearch {
 
   /// What is later counts as a miss; of t as it is searched for.
   void look_until(double latest) { until_ = latest; }
+  /// Bounds that are no farther apart than this part of the lower one will do.
+  void look_roughly(double relative_gap) { relative_gap_ = relative_gap; }
 
   /// Closes in as far as rounding allows. `separating_dir`: one that is known to separate the bodies, or zero.
   RayBounds run(const Vec3d& separating_dir, bool is_apart_at_start);
@@ -86,6 +88,9 @@ class RaySearch {
   std::optional<Corners> close_in(Line& line);
   void look_behind(Line& line, const Corners& corners);
   double width_of_rounding() const;
+  bool is_known_well(double upper) const {
+    return bounds_.lower > 0.0 && upper - bounds_.lower < relative_gap_ * bounds_.lower;
+  }
 
   const ConvexBody& a_;
   const ConvexBody& b_;
@@ -93,7 +98,7 @@ class RaySearch {
   Vec3d dir_;
   int exponent_;
   double scale_;
-  double until_ = HUGE_VAL;
+  double until_ = HUGE_VAL, relative_gap_ = 0.0;
   QueryError<double> error_;
   double shadow_error_;
   Vec3d across_x_, across_y_, along_;

@@ -5,12 +5,16 @@
 #include <numbers>
 
 #include "engine/numeric/rounding.h"
-#include "engine/query/overlap.h"
+#include "engine/query/search/overlap_filter.h"
 
 namespace vex {
 namespace {
 
 constexpr double kUp = 1.0 + 0x1p-40;  // more than any dozen of roundings
+
+// Of each search for one of the shifts that prove a contact. Where it takes more a later time is proven sooner, and the
+// exact forms are not worth it for the same reason.
+constexpr int kMostCallsOfContact = 64;
 
 // More than what is lost of three coordinates where they are subnormal.
 constexpr double kSubnormal = 0x1p-1072;
@@ -196,7 +200,7 @@ bool RigidSweep::meets_at(double time) {
   for (const Vec3d& to : kCorners) {
     Transformd moved = pose;
     moved.translation = pose.translation + corner * to;
-    const OverlapAnswer answer = overlap_answer(a_, b_, Pose::unchecked(moved));
+    const FilterResult answer = filter_overlap(a_, b_, moved, kMostCallsOfContact);
     n_support_calls_ += answer.n_support_calls;
     if (answer.verdict.outcome != Outcome::overlap) return false;
   }
