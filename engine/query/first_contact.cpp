@@ -20,7 +20,8 @@ FirstContact no_contact(Verdict verdict) { return {verdict, HUGE_VAL, HUGE_VAL, 
 
 FirstContact contact_at_start(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, Verdict verdict) {
   const Separation found = penetration_depth(a, b, Pose::unchecked(a_from_b));
-  return {verdict, 0.0, 0.0, 0.0, found.normal, found.point_a, found.point_b, found.n_support_calls};
+  return {verdict, 0.0, 0.0, 0.0, found.normal, found.point_a, found.point_b, found.n_support_calls,
+          found.point_b_in_b};
 }
 
 // Of bodies that touch at the start the search finds no plane between them: normal and points are those of the
@@ -34,11 +35,13 @@ void touch_at_start(const ConvexBody& a, const ConvexBody& b, const Transformd& 
     contact.normal = found.normal;
     contact.point_a = found.point_a;
     contact.point_b = found.point_b;
+    contact.point_b_in_b = found.point_b_in_b;
     return;
   }
   contact.normal = unit_along(-motion);
   contact.point_a = touch.point_a + a.ball_radius() * contact.normal;
   contact.point_b = touch.point_b - b.ball_radius() * contact.normal;
+  contact.point_b_in_b = touch.point_b_in_b - b.ball_radius() * a_from_b.direction_to_b(contact.normal);
 }
 
 double between(double lower, double upper) {
@@ -58,6 +61,7 @@ void touch_by_balls(const ConvexBody& a, const ConvexBody& b, const Transformd& 
   contact.normal = found.normal;
   contact.point_a = found.point_a;
   contact.point_b = found.point_b;
+  contact.point_b_in_b = found.point_b_in_b;
 }
 
 // What the search left open.
@@ -85,6 +89,7 @@ void decide_exactly(const ConvexBody& a, const ConvexBody& b, const Transformd& 
   if (!(norm_1(contact.normal) > 0.0)) contact.normal = unit_along(-motion);
   contact.point_a = apart.point_a;
   contact.point_b = apart.point_b;
+  contact.point_b_in_b = apart.point_b_in_b;
 }
 
 void require_end(double until) {
@@ -136,6 +141,7 @@ FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Pose& p
     contact.time = between(contact.lower, contact.upper);
     contact.point_a = touch.point_a;
     contact.point_b = touch.point_b + contact.time * motion;
+    contact.point_b_in_b = touch.point_b_in_b;
     touch_by_balls(a, b, a_from_b, motion, contact);
     if (!(norm_1(contact.normal) > 0.0)) touch_at_start(a, b, a_from_b, motion, touch, contact);
     return contact;

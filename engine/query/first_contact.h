@@ -27,6 +27,8 @@ struct FirstContact {
   /// Where they touch: points of A and of B as placed at `time`; of a ray, the ray's point and the body's nearest one.
   Vec3d point_a, point_b;
   int n_support_calls = 0;
+  /// The point of B in B's frame, where it is known as well however far B is from A.
+  Vec3d point_b_in_b{};
 };
 
 /// The ray origin + t dir, t >= 0, against a body in its own frame; `dir` has any length but 0. The normal points out

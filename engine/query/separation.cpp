@@ -43,9 +43,22 @@ int max_hull_points(const ConvexBody& a, const ConvexBody& b, const SeparationSe
 double below(double x) { return std::nextafter(x, -kInfinity); }
 double above(double x) { return std::nextafter(x, kInfinity); }
 
-void set_points(Separation& result, const Vec3d& core_a, const Vec3d& core_b, double radius_a, double radius_b) {
-  result.point_a = core_a + radius_a * result.normal;
-  result.point_b = core_b - radius_b * result.normal;
+// Points of the cores; B's also in its own frame.
+struct CorePoints {
+  Vec3d a, b, own_b;
+
+  void add(double weight, const CorePoints& points) {
+    a = a + weight * points.a;
+    b = b + weight * points.b;
+    own_b = own_b + weight * points.own_b;
+  }
+};
+
+void set_points(Separation& result, const Transformd& a_from_b, const CorePoints& cores, double radius_a,
+                double radius_b) {
+  result.point_a = cores.a + radius_a * result.normal;
+  result.point_b = cores.b - radius_b * result.normal;
+  result.point_b_in_b = cores.own_b - radius_b * a_from_b.direction_to_b(result.normal);
 }
 
 NearestSimplex<double, CoreDifference::Point> warm_simplex(const CoreDifference& difference,
@@ -87,7 +100,7 @@ struct DoubleQuery {
                  given.max_distance} {}
 
   // The bodies' answer from that of their cores.
-  void take(const Vec3d& normal, double distance, double lower, double upper, const Vec3d& core_a, const Vec3d& core_b,
+  void take(const Vec3d& normal, double distance, double lower, double upper, const CorePoints& cores,
             Separation& result) const {
     const double rounding = 4.0 * kUnitRoundoff * settings.radii;
     result.lower = lower - settings.radii - rounding;
@@ -95,10 +108,11 @@ struct DoubleQuery {
     result.signed_distance = distance - settings.radii;
     result.has_witnesses = true;
     result.normal = normal;
-    set_points(result, core_a, core_b, radius_a, radius_b);
+    set_points(result, a_from_b, cores, radius_a, radius_b);
   }
   void take(const ZonotopeSeparation& found, Separation& result) const {
-    take(found.normal, found.distance, found.lower, found.upper, found.point_a, found.point_b, result);
+    take(found.normal, found.distance, found.lower, found.upper, {found.point_a, found.point_b, found.own_point_b},
+         result);
   }
 };
 
@@ -147,13 +161,12 @@ Searched search_in_double(const DoubleQuery& query, const DifferenceZonotope* zo
   }
   const CoreSeparation<double, CoreDifference::Point>& core = search.found();
   if (warm_start != nullptr) difference.remember(*warm_start, core.distance > 0.0 ? core.normal : Vec3d{});
-  Vec3d core_a, core_b;
+  CorePoints cores;
   for (int k = 0; k < core.n_points; ++k) {
     const std::size_t i = static_cast<std::size_t>(k);
-    core_a = core_a + core.weights[i] * core.points[i].a;
-    core_b = core_b + core.weights[i] * core.points[i].b;
+    cores.add(core.weights[i], {core.points[i].a, core.points[i].b, core.points[i].own_b});
   }
-  query.take(core.normal, core.distance, core.lower, core.upper, core_a, core_b, result);
+  query.take(core.normal, core.distance, core.lower, core.upper, cores, result);
   result.has_witnesses = core.has_normal;
   result.n_support_calls = search.n_support_calls();
   if (core.is_capped && search.wants_depth() && core.lower > -HUGE_VAL) {
@@ -162,8 +175,8 @@ Searched search_in_double(const DoubleQuery& query, const DifferenceZonotope* zo
                                        query.settings.wanted(core.distance));
     result.n_support_calls += way.n_support_calls;
     if (way.is_shorter) {
-      query.take(way.normal, -way.height, std::fmax(core.lower, -way.height - slack), core.upper, way.core_a,
-                 way.core_b, result);
+      query.take(way.normal, -way.height, std::fmax(core.lower, -way.height - slack), core.upper,
+                 {way.core_a, way.core_b, way.own_core_b}, result);
     }
   }
   const bool is_good_start = core.has_normal && !difference.has_rolling() && core.distance > 0.0;
@@ -204,13 +217,13 @@ Separation search_in_extended(const PlacedForms& placed, const ConvexBody& a, co
   result.signed_distance = length(core.distance - forms.ball_radius());
   result.has_witnesses = core.has_normal;
   result.normal = high_part(core.normal);
-  Vec3d core_a, core_b;
+  CorePoints cores;
   for (int k = 0; k < core.n_points; ++k) {
     const std::size_t i = static_cast<std::size_t>(k);
-    core_a = core_a + core.weights[i].high * core.points[i].a;
-    core_b = core_b + core.weights[i].high * placed.a_from_b(core.points[i].b);
+    const Vec3d& own_b = core.points[i].b;
+    cores.add(core.weights[i].high, {core.points[i].a, placed.a_from_b(own_b), own_b});
   }
-  set_points(result, core_a, core_b, a.ball_radius(), b.ball_radius());
+  set_points(result, placed.a_from_b, cores, a.ball_radius(), b.ball_radius());
   return result;
 }
 

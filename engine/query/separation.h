@@ -35,6 +35,9 @@ struct Separation {
   /// near: to 1e-12 of |signed distance| + R_A + R_B for polytopes, to 1e-9 for curved bodies, or to `relative_gap`; no
   /// nearer than the bounds are, nor than 16 roundings of coordinates in A's frame (`promised_accuracy`).
   Vec3d point_a, point_b;
+  /// The same point of B in B's frame, where it is known as well however far B is from A: no farther out of B than 1e-12
+  /// of B's circumradius and 16 roundings of coordinates in B's frame, as point_a is of A.
+  Vec3d point_b_in_b;
   int n_support_calls = 0;
 };
 

@@ -77,7 +77,8 @@ FirstContact impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, 
   if (at_start.outcome == Outcome::overlap) {
     const Separation found = penetration_depth(a, b, pose);
     return {at_start,     0.0,           0.0,           0.0,
-            found.normal, found.point_a, found.point_b, found.n_support_calls + start.n_support_calls};
+            found.normal, found.point_a, found.point_b, found.n_support_calls + start.n_support_calls,
+            found.point_b_in_b};
   }
   if (!moves && !turns) {
     const double never = at_start.outcome == Outcome::disjoint ? HUGE_VAL : 0.0;

@@ -17,6 +17,9 @@ using checker::ExactPair;
 using whole::Dyadic;
 using whole::DyadicVector;
 
+// Of its circumradius: no point of an answer is farther out of its own body, rounding apart.
+constexpr double kOfOwnBody = 1e-12;
+
 // The verdict and both bounds.
 std::string fault_of_bounds(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const ExactPair& pair,
                             const Separation& claimed, const SeparationCertificate& certificate) {
@@ -45,7 +48,7 @@ std::string fault_of_bounds(const ConvexBody& a, const ConvexBody& b, const Pose
 // Points that are where they are said to be: of their bodies, and apart along the normal.
 std::string fault_of_points(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const ExactPair& pair,
                             const Separation& claimed, const SeparationCertificate& certificate) {
-  for (const Vec3d& v : {claimed.normal, claimed.point_a, claimed.point_b}) {
+  for (const Vec3d& v : {claimed.normal, claimed.point_a, claimed.point_b, claimed.point_b_in_b}) {
     if (!is_finite(v)) return "a point or the normal is not finite";
   }
   const Dyadic accuracy(promised_accuracy(a, b, claimed)), one(1.0), few(0x1p-48);
@@ -62,6 +65,15 @@ std::string fault_of_points(const ConvexBody& a, const ConvexBody& b, const Pose
   if (near_enough * near_enough < dot(off, off)) return "the points are not the distance apart along the normal";
   if (!is_near_a(pair, certificate.near_a, point_a, near_enough)) return "point_a is not proven to be near A";
   if (!is_near_b(pair, certificate.near_b, point_b, near_enough)) return "point_b is not proven to be near B";
+  // In its own body, too, however far the other one is.
+  const auto rounding = [](const Vec3d& point, const ConvexBody& body) {
+    return Dyadic(kOfOwnBody * body.circumradius() + 16.0 * kUnitRoundoff * (norm_1(point) + body.reach()));
+  };
+  if (!is_near_a(pair, certificate.near_a, point_a, rounding(claimed.point_a, a))) return "point_a is not in A";
+  if (!is_near_b(pair.moved(checker::exactly(Transformd{})), certificate.near_b, whole::exactly(claimed.point_b_in_b),
+                 rounding(claimed.point_b_in_b, b))) {
+    return "point_b_in_b is not in B";
+  }
   return {};
 }
 

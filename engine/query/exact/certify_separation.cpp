@@ -24,21 +24,22 @@ using whole::Dyadic;
 constexpr int kMostCalls = 1 << 11, kMostCallsOfTies = 1 << 14;
 constexpr double kPointGap = 0x1p-52;
 
-// The points of a body that carry what is nearest to the other one, a point.
-std::vector<Witness> nearest_witnesses(const std::optional<PlacedForms>& placed) {
+// The points of a body that carry what is nearest to the other one, a point; that is about the farthest one along or
+// against `normal`, from A towards B.
+std::vector<Witness> nearest_witnesses(const std::optional<PlacedForms>& placed, const Vec3d& normal) {
   if (!placed) return {};
   const LocalForms forms(*placed);
   const RecordedCore core(forms);
-  return prove_nearness(core, {}, kPointGap, kMostCalls).hull.witnesses;
+  return prove_nearness(core, normal, kPointGap, kMostCalls).hull.witnesses;
 }
 
-std::vector<Witness> nearest_of_a(const ConvexBody& a, const Vec3d& point) {
+std::vector<Witness> nearest_of_a(const ConvexBody& a, const Vec3d& point, const Vec3d& normal) {
   Transformd at_a;
   at_a.translation = point;
-  return nearest_witnesses(placed_forms(a, ConvexBody(PointBody{{}}), at_a));
+  return nearest_witnesses(placed_forms(a, ConvexBody(PointBody{{}}), at_a), normal);
 }
-std::vector<Witness> nearest_of_b(const ConvexBody& b, const Transformd& a_from_b, const Vec3d& point) {
-  return nearest_witnesses(placed_forms(ConvexBody(PointBody{point}), b, a_from_b));
+std::vector<Witness> nearest_of_b(const ConvexBody& b, const Transformd& a_from_b, const Vec3d& point, const Vec3d& normal) {
+  return nearest_witnesses(placed_forms(ConvexBody(PointBody{point}), b, a_from_b), normal);
 }
 
 void find_bounds(const ExactPair& pair, const PlacedForms& placed, const Separation& found,
@@ -110,8 +111,8 @@ SeparationCertificate certify(const ConvexBody& a, const ConvexBody& b, const Po
   if (!pair || !placed) return certificate;
   if (open.lower > -HUGE_VAL || open.upper < HUGE_VAL) find_bounds(*pair, *placed, open, certificate);
   if (found.has_witnesses) {
-    certificate.near_a = nearest_of_a(a, found.point_a);
-    certificate.near_b = nearest_of_b(b, pose.a_from_b(), found.point_b);
+    certificate.near_a = nearest_of_a(a, found.point_a, found.normal);
+    certificate.near_b = nearest_of_b(b, {}, found.point_b_in_b, pose.a_from_b().direction_to_b(found.normal));
   }
   return certificate;
 }
@@ -121,7 +122,7 @@ ManifoldCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose
   ManifoldCertificate certificate{certify(a, b, pose, manifold.separation), {}};
   for (const ContactManifold::Contact& contact : manifold.contacts) {
     certificate.contacts.push_back(
-        {nearest_of_a(a, contact.point_a), nearest_of_b(b, pose.a_from_b(), contact.point_b)});
+        {nearest_of_a(a, contact.point_a, {}), nearest_of_b(b, pose.a_from_b(), contact.point_b, {})});
   }
   return certificate;
 }

@@ -81,6 +81,7 @@ class Advancement {
         contact_.normal = apart.normal;
         contact_.point_a = apart.point_a;
         contact_.point_b = apart.point_b;
+        contact_.point_b_in_b = apart.point_b_in_b;
       }
       if (finds_contact(apart)) return found();
       if (!(time_ < until_)) return undecided(UndecidedReason::rounding);
@@ -135,6 +136,7 @@ class Advancement {
     apart.normal = touch.normal;
     apart.point_a = touch.point_a;
     apart.point_b = touch.point_b;
+    apart.point_b_in_b = touch.point_b_in_b;
     apart.upper = std::fmin(apart.upper, std::ldexp(bounds.upper, -search.exponent()) * norm(dir));
   }
 

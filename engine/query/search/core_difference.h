@@ -16,7 +16,7 @@ class CoreDifference {
   struct Point {
     Vec3d w;      // a - b
     Vec3d a, b;   // of the cores, in A's frame
-    Vec3d own_b;  // b in B's frame, without its rolling ball
+    Vec3d own_b;  // b in B's frame
   };
 
   CoreDifference(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b)
@@ -26,7 +26,7 @@ class CoreDifference {
     const Difference::CorePoints cores = difference_.core_points(normal);
     if (!has_rolling()) return {cores.a - cores.b, cores.a, cores.b, cores.own_b};
     const Vec3d a = cores.a - rolling_a_ * normal, b = cores.b + rolling_b_ * normal;
-    return {a - b, a, b, cores.own_b};
+    return {a - b, a, b, cores.own_b + rolling_b_ * difference_.a_from_b().direction_to_b(normal)};
   }
   Point at(const Vec3d& of_a, const Vec3d& own_b) const {
     const Vec3d b = difference_.a_from_b()(own_b);

@@ -57,7 +57,7 @@ DifferencePoint RaySearch::support(const Vec3d& dir) {
   ++n_support_calls_;
   const Difference difference(a_, b_, a_from_b_, scale_);
   const Difference::CorePoints cores = difference.core_points(dir);
-  return {difference.point(cores, dir), scale_ * cores.a, scale_ * cores.b, dir};
+  return {difference.point(cores, dir), scale_ * cores.a, scale_ * cores.b, dir, cores.own_b};
 }
 
 // The support point of a normal, and what its plane tells of the ray: n . x <= h of all points of K, so t n . dir <= h.
@@ -307,13 +307,15 @@ RayBounds RaySearch::run(const Vec3d& separating_dir, bool is_apart_at_start) {
 RaySearch::Touch RaySearch::touch() const {
   Touch touch;
   if (norm_1(normal_) > 0.0) touch.normal = unit_along(normal_);
-  Vec3d of_a, of_b;
+  Vec3d of_a, of_b, own_b;
   for (std::size_t k = 0; k < 3; ++k) {
     of_a = of_a + weights_[k] * contact_[k].core_a;
     of_b = of_b + weights_[k] * contact_[k].core_b;
+    own_b = own_b + weights_[k] * contact_[k].own_b;
   }
   touch.point_a = times_power_of_two(of_a, -exponent_) + a_.ball_radius() * touch.normal;
   touch.point_b = times_power_of_two(of_b, -exponent_) - b_.ball_radius() * touch.normal;
+  touch.point_b_in_b = own_b - b_.ball_radius() * a_from_b_.direction_to_b(touch.normal);
   return touch;
 }
 

@@ -20,9 +20,9 @@ namespace vex {
 bool are_within_range(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b);
 
 /// A point of K, in A's frame, and the points of the cores that it comes from; all times the search's power of two. It
-/// is the farthest one along `dir`, which no proof asks for.
+/// is the farthest one along `dir`, which no proof asks for. B's point in B's frame, not scaled.
 struct DifferencePoint {
-  Vec3d at, core_a, core_b, dir;
+  Vec3d at, core_a, core_b, dir, own_b;
 };
 
 /// What is known of {t : t dir in K}.
@@ -49,7 +49,7 @@ class RaySearch {
   /// Where the bodies meet first: a unit normal, that of the plane that proved `lower`, or zero; and the points of A
   /// and of B that meet there, each where it is at the start of the motion.
   struct Touch {
-    Vec3d normal, point_a, point_b;
+    Vec3d normal, point_a, point_b, point_b_in_b;
   };
   Touch touch() const;
 

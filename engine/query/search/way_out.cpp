@@ -34,6 +34,8 @@ WayOut shorter_way_out(const ConvexBody& a, const ConvexBody& b, const Transform
                  rolling_b = difference.radius_b() - b.ball_radius();
     best.core_a = (touch.point_a - a.ball_radius() * touch.normal) - rolling_a * best.normal;
     best.core_b = ((touch.point_b - way) + b.ball_radius() * touch.normal) + rolling_b * best.normal;
+    best.own_core_b = (touch.point_b_in_b + b.ball_radius() * a_from_b.direction_to_b(touch.normal)) +
+                      rolling_b * a_from_b.direction_to_b(best.normal);
     const double along = dot(touch.normal, difference.support(touch.normal).w);
     if (!(along < best.height - least_gain) || k + 1 == kMostRays) break;
     best.is_shorter = true;

@@ -14,6 +14,7 @@ struct WayOut {
   Vec3d normal;          // unit
   double height = 0.0;   // of the cores' difference along it, as its support mapping has it
   Vec3d core_a, core_b;  // points of the cores about where the ray leaves
+  Vec3d own_core_b;      // in B's frame
   int n_support_calls = 0;
   bool is_shorter = false;
 };

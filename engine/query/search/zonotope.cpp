@@ -29,12 +29,14 @@ template <std::size_t N>
 void set_points(ZonotopeSeparation& result, const DifferenceZonotope& k, const std::array<double, N>& factors) {
   result.point_a = k.centre_a;
   result.point_b = k.centre_b;
+  result.own_point_b = k.own_b.centre;
   for (int i = 0; i < k.n_vectors; ++i) {
     const Vec3d part = factors[index_of(i)] * k.vectors[index_of(i)];
     if (i < k.n_of_a) {
       result.point_a = result.point_a + part;
     } else {
       result.point_b = result.point_b - part;
+      result.own_point_b = result.own_point_b - factors[index_of(i)] * k.own_b.vectors[index_of(i - k.n_of_a)];
     }
   }
 }
@@ -73,7 +75,7 @@ void combine_in_plane(const DifferenceZonotope& k, const std::array<int, 6>& mem
 }  // namespace
 
 DifferenceZonotope::DifferenceZonotope(const Generators& a, const Generators& b, const Transformd& a_from_b)
-    : centre_a(a.centre), centre_b(a_from_b(b.centre)), n_of_a(a.n_vectors), n_vectors(a.n_vectors + b.n_vectors) {
+    : centre_a(a.centre), centre_b(a_from_b(b.centre)), n_of_a(a.n_vectors), n_vectors(a.n_vectors + b.n_vectors), own_b(b) {
   for (int i = 0; i < a.n_vectors; ++i) vectors[index_of(i)] = a.vectors[index_of(i)];
   for (int i = 0; i < b.n_vectors; ++i) vectors[index_of(n_of_a + i)] = turned(a_from_b, b.vectors[index_of(i)]);
 }

@@ -9,7 +9,7 @@
 
 namespace vex {
 
-/// K = A - B = {centre_a - centre_b + sum of s_k g_k : |s_k| <= 1}, in A's frame; A's vectors come first.
+/// Holds a reference. K = A - B = {centre_a - centre_b + sum of s_k g_k : |s_k| <= 1}, in A's frame; A's vectors come first.
 struct DifferenceZonotope {
   static constexpr int kMostVectors = 6;
   DifferenceZonotope(const Generators& a, const Generators& b, const Transformd& a_from_b);
@@ -17,6 +17,7 @@ struct DifferenceZonotope {
   Vec3d centre_a, centre_b;
   int n_of_a = 0, n_vectors = 0;
   std::array<Vec3d, kMostVectors> vectors;
+  const Generators& own_b;  // in B's frame
 };
 
 /// Along `normal`, a unit vector from A towards B, the zonotopes are `distance` apart, or minus the depth; `lower` and
@@ -25,6 +26,7 @@ struct ZonotopeSeparation {
   Vec3d normal;
   double distance = 0.0, lower = 0.0, upper = 0.0;
   Vec3d point_a, point_b;  // the nearest ones, or those at the foot of the shortest way out
+  Vec3d own_point_b;       // in B's frame
 };
 
 /// Of up to two vectors, points and segments: the nearest point in closed form. None where rounding leaves it open, as
