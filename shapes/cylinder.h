@@ -20,7 +20,7 @@ class Cylinder {
 
   template <class L>
   Vec3<L> support(const Vec3<L>& dir) const {
-    const Vec3<L> rim = disc_support(L(radius_), dir);
+    const Vec3<L> rim = disc_support(radius_, dir);
     return {rim.x, rim.y, copy_sign(L(half_length_), dir.z)};
   }
   double support_error() const { return 8.0 * kUnitRoundoff * radius_; }  // the disc's; the end is exact (E2)

@@ -16,7 +16,7 @@ class Disc {
 
   template <class L>
   Vec3<L> support(const Vec3<L>& dir) const {
-    return disc_support(L(radius_), dir);
+    return disc_support(radius_, dir);
   }
   double support_error() const { return 8.0 * kUnitRoundoff * radius_; }  // E2
   ExactForm exact_form() const { return {{}, {{{}, {radius_, radius_, 0.0}}}, 0.0}; }

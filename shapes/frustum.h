@@ -26,7 +26,7 @@ class Frustum {
   /// A point of one of the two rims: the upper one where H d_z > (R_lower - R_upper) |(d_x, d_y)|.
   template <class L>
   Vec3<L> support(const Vec3<L>& dir) const {
-    const Vec3<L> unit_rim = disc_support(L(1.0), dir);
+    const Vec3<L> unit_rim = disc_support(1.0, dir);
     const L across = unit_rim.x * dir.x + unit_rim.y * dir.y;
     const MaskOf<L> is_upper = L(height_) * dir.z > L(lower_radius_ - upper_radius_) * across;
     const L radius = select(is_upper, L(upper_radius_), L(lower_radius_));

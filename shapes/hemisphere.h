@@ -18,7 +18,7 @@ class Hemisphere {
   /// On the dome for directions upwards, on the rim for all others.
   template <class L>
   Vec3<L> support(const Vec3<L>& dir) const {
-    return select<L>(dir.z > L(0.0), ball_support(L(radius_), dir), disc_support(L(radius_), dir));
+    return select<L>(dir.z > L(0.0), ball_support(L(radius_), dir), disc_support(radius_, dir));
   }
   double support_error() const { return 8.0 * kUnitRoundoff * radius_; }  // the ball's and the disc's (E2)
   ExactForm exact_form() const { return {{}, {{{}, {radius_, radius_, radius_}, true}}, 0.0}; }

@@ -11,10 +11,12 @@ namespace vex {
 /// What re-proves a `FirstContact`.
 ///
 /// No contact before `lower`, or none at all: directions that keep the bodies apart, each for an interval of time;
-/// together they cover all times in question but those in which balls around the bodies are apart. Contact at the
-/// start: `at_start`. A later one, of a straight motion: the hull of points of A - B, each of B as it is at some time
-/// between `lower` and `upper`, holds the origin, and such hulls are of what the difference passes through in that
-/// time. Of a body that turns, all of B at `upper`.
+/// together they cover all times in question but those in which balls around the bodies are apart. At the start they
+/// meet, or, of a motion that turns, are apart, by `at_start`. A later contact, of a straight motion: the hull of points
+/// of A - B, each of B as it is at some time between `lower` and `upper`, holds the origin, and such hulls are of what
+/// the difference passes through in that time. Of a body that turns, all of B at `upper`. Its points: those of A in
+/// `near_a` have `point_a` near their hull as A is at `time`, as far apart as the radius of the ball, and those of B in
+/// `near_b` have `point_b_in_b`.
 struct ContactCertificate {
   struct Apart {
     double from, to;  // infinite: for ever after
@@ -24,6 +26,7 @@ struct ContactCertificate {
   OverlapCertificate at_start;
   WitnessHull hull;
   std::vector<double> times;  // of each witness
+  std::vector<Witness> near_a, near_b;
 };
 
 /// Find a certificate for an answer of `linear_cast`, or of `time_of_impact`, with the end that they were given; slow.

@@ -326,6 +326,15 @@ Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd
   }
   Separation extended = search_in_extended(*placed, a, b, both, in_extended, dir);
   extended.n_support_calls += in_double.n_support_calls;
+  // A search that was cut short for the sign may know the way less well than the first one did.
+  if (in_double.has_witnesses && in_double.lower - extended.lower > wanted(in_double)) {
+    extended.has_witnesses = true;
+    extended.signed_distance = in_double.signed_distance;
+    extended.normal = in_double.normal;
+    extended.point_a = in_double.point_a;
+    extended.point_b = in_double.point_b;
+    extended.point_b_in_b = in_double.point_b_in_b;
+  }
   extended.lower = std::max(extended.lower, in_double.lower);
   extended.upper = std::min(extended.upper, in_double.upper);
   return concluded(a, b, a_from_b, goal, DecidedBy::double_double, extended);

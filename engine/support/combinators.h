@@ -22,11 +22,15 @@ Vec3<L> ball_support(const L& radius, const Vec3<L>& dir) {
 /// radius * (d_x, d_y, 0) / |(d_x, d_y)|: the rim of a disc about the z axis. The middle of the disc where dir has no
 /// such part; below 2^-450 its square would lose its digits, and the middle is as good as the rim to 2^-450 of radius.
 template <class L>
-Vec3<L> disc_support(const L& radius, const Vec3<L>& dir) {
+Vec3<L> disc_support(double radius, const Vec3<L>& dir) {
   const L across_sq = dir.x * dir.x + dir.y * dir.y;
   const MaskOf<L> has_rim = across_sq > L(0x1p-900);
-  const L scale = select(has_rim, radius, L(0.0)) / square_root(select(has_rim, across_sq, L(1.0)));
-  return {scale * dir.x, scale * dir.y, L(0.0)};
+  const L across = square_root(select(has_rim, across_sq, L(1.0)));
+  // Of a large radius, over what may be small, the quotient is no number.
+  const bool is_large = radius > 0x1p500;
+  const L scale = select(has_rim, is_large ? L(1.0) : L(radius), L(0.0)) / across;
+  const Vec3<L> rim{scale * dir.x, scale * dir.y, L(0.0)};
+  return is_large ? L(radius) * rim : rim;
 }
 
 /// Body B as it stands in A's frame, each lane under its own pose. Holds a reference: B must outlive it.

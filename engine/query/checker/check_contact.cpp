@@ -1,10 +1,13 @@
 // The checker of casts and impacts (docs/derivations.md, E25).
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "engine/numeric/rounding.h"
+#include "engine/query/checker/exact_hull.h"
 #include "engine/query/checker/exact_pair.h"
 #include "engine/query/checker/turning.h"
 #include "engine/query/checker/witness_proof.h"
@@ -19,22 +22,37 @@ using whole::Dyadic;
 using whole::DyadicVector;
 using Apart = ContactCertificate::Apart;
 
+// Of the circumradii: the points of a contact are no farther apart across the normal, or than the root of what rounding
+// leaves along it, where curved surfaces and nearly parallel edges leave each other by less.
+constexpr double kAcross = 1e-6;
+
 DyadicVector times(const Dyadic& s, const DyadicVector& v) { return {s * v.x, s * v.y, s * v.z}; }
 
+// All but their last time are proven.
+bool are_intervals(const std::vector<Apart>& intervals) {
+  return std::ranges::all_of(intervals, [](const Apart& x) { return 0.0 <= x.from && x.from < x.to; });
+}
 // One after the other they leave no time between `from` and `until` out.
 bool cover(const std::vector<Apart>& intervals, double from, double until) {
   for (const Apart& interval : intervals) {
-    if (!(interval.from <= from && interval.from <= interval.to)) return false;
+    if (!(interval.from <= from)) return false;
     from = std::fmax(from, interval.to);
   }
   return from >= until;
 }
 
+// What both bodies' witnesses mean at a time, each off by less than `margin`.
+struct Places {
+  std::vector<DyadicVector> of_a, of_b;
+  Dyadic margin;
+};
+
 // --- a straight motion
 
 class StraightMotion {
  public:
-  StraightMotion(const ExactPair& pair, DyadicVector motion) : pair_(pair), motion_(std::move(motion)) {}
+  StraightMotion(const ExactPair& pair, const Vec3d& velocity_a, const Vec3d& velocity_b)
+      : pair_(pair), v_a_(whole::exactly(velocity_a)), v_b_(whole::exactly(velocity_b)), motion_(v_b_ - v_a_) {}
 
   // From `from` on, and until `to`, which is not one of them: the gap along a direction changes at one rate.
   bool stays_apart(const Apart& interval) const {
@@ -46,6 +64,23 @@ class StraightMotion {
     if (!checker::is_more_than(at_start + Dyadic(interval.from) * rate, radii, dir_sq)) return false;
     if (interval.to == HUGE_VAL) return whole::sign(rate) >= 0;
     return checker::is_at_least(at_start + Dyadic(interval.to) * rate, radii, dir_sq);
+  }
+  // At that time, too.
+  bool is_apart_at(const Apart& interval, double time) const {
+    const DyadicVector dir = checker::exactly(interval.dir);
+    return checker::is_more_than(pair_.gap_of_cores(dir) + Dyadic(time) * dot(dir, motion_), pair_.radii(),
+                                 dot(dir, dir));
+  }
+
+  std::optional<Places> places(double time, const ContactCertificate& certificate) const {
+    Places places{{}, {}, pair_.margin()};
+    for (const Witness& w : certificate.near_a) {
+      places.of_a.push_back(pair_.point_of_a(w) + times(Dyadic(time), v_a_));
+    }
+    for (const Witness& w : certificate.near_b) {
+      places.of_b.push_back(pair_.point_of_b(w) + times(Dyadic(time), v_b_));
+    }
+    return places;
   }
 
   bool meets(const FirstContact& claimed, const ContactCertificate& certificate) const {
@@ -60,7 +95,7 @@ class StraightMotion {
 
  private:
   const ExactPair& pair_;
-  DyadicVector motion_;
+  DyadicVector v_a_, v_b_, motion_;
 };
 
 // --- a motion that turns
@@ -75,7 +110,8 @@ class TurningMotion {
         turn_a_{{}, motion_a.angular_velocity},
         turn_b_{{}, motion_b.angular_velocity},
         a_turns_(norm_1(motion_a.angular_velocity) > 0.0),
-        v_(whole::exactly(motion_b.velocity) - whole::exactly(motion_a.velocity)),
+        v_a_(whole::exactly(motion_a.velocity)),
+        v_(whole::exactly(motion_b.velocity) - v_a_),
         w_a_(whole::exactly(motion_a.angular_velocity)),
         w_b_(whole::exactly(motion_b.angular_velocity)),
         across_a_(a_turns_ ? pair.reach_of_a_across(w_a_, whole::exactly(centre_a)) : Dyadic()),
@@ -128,8 +164,17 @@ class TurningMotion {
       const Witness& witness = certificate.hull.witnesses[k];
       points.push_back(place->pose_a(pair_.point_of_a(witness)) - place->pair.point_of_b(witness));
     }
-    const Dyadic margin = place->pair.margin() + place->pose_a.error * pair_.reach_of_a_from({});
-    return checker::comes_as_near_as(points, certificate.hull.faces, pair_.radii(), margin, Dyadic());
+    return checker::comes_as_near_as(points, certificate.hull.faces, pair_.radii(), margin_at(*place), Dyadic());
+  }
+
+  std::optional<Places> places(double time, const ContactCertificate& certificate) const {
+    const std::optional<Place> place = at(Dyadic(time));
+    if (!place) return std::nullopt;
+    const DyadicVector way = times(Dyadic(time), v_a_);
+    Places places{{}, {}, margin_at(*place)};
+    for (const Witness& w : certificate.near_a) places.of_a.push_back(place->pose_a(pair_.point_of_a(w)) + way);
+    for (const Witness& w : certificate.near_b) places.of_b.push_back(place->pair.point_of_b(w) + way);
+    return places;
   }
 
  private:
@@ -147,6 +192,9 @@ class TurningMotion {
     of_b->translation = of_b->translation + times(time, v_);
     const DyadicVector origin = of_b->translation;
     return Place{pair_.moved(std::move(*of_b)), std::move(*of_a), origin};
+  }
+  Dyadic margin_at(const Place& place) const {
+    return place.pair.margin() + place.pose_a.error * pair_.reach_of_a_from({});
   }
   Dyadic support_of_a(const Place& place, const DyadicVector& dir) const {
     const Dyadic support = pair_.support_of_a(place.pose_a.direction_to_b(dir));
@@ -197,42 +245,117 @@ class TurningMotion {
   const Transformd& a_from_b_;
   RigidMotion turn_a_, turn_b_;
   bool a_turns_;
-  DyadicVector v_, w_a_, w_b_, from_a_;
+  DyadicVector v_a_, v_, w_a_, w_b_, from_a_;
   Dyadic across_a_, across_b_, reach_;
 };
 
-// At every time before the claimed contact, or until the end that was asked for.
+// At every time before the claimed contact, or until the end that was asked for, which is looked at.
 bool are_apart_before(const TurningMotion& motion, const ContactCertificate& certificate, const FirstContact& claimed,
                       double until) {
   const std::vector<Apart>& apart = certificate.apart;
-  const bool is_for_ever = claimed.verdict.outcome == Outcome::disjoint && until == HUGE_VAL;
-  const double end = claimed.verdict.outcome == Outcome::disjoint ? until : claimed.lower;
-  if (apart.empty()) return is_for_ever ? motion.are_far_after(0.0) : motion.are_far_until(end);
+  const bool is_disjoint = claimed.verdict.outcome == Outcome::disjoint;
+  const double end = is_disjoint ? until : claimed.lower;
+  if (apart.empty()) return is_disjoint && until == HUGE_VAL ? motion.are_far_after(0.0) : motion.are_far_until(end);
   const double from = apart.front().from > 0.0 && motion.are_far_until(apart.front().from) ? apart.front().from : 0.0;
   const double last = apart.back().to;
   if (!cover(apart, from, std::fmin(last, end))) return false;
+  // Of motions that turn a bound is above 0 at the last time of an interval, too.
   return last >= end || motion.are_far_after(last) || (from == 0.0 && motion.has_turned_once(last));
 }
 
-bool are_apart_before(const StraightMotion& /*motion*/, const ContactCertificate& certificate,
-                      const FirstContact& claimed, double until) {
-  if (claimed.verdict.outcome != Outcome::disjoint) return cover(certificate.apart, 0.0, claimed.lower);
-  return cover(certificate.apart, 0.0, std::nextafter(until, HUGE_VAL));  // the last time is one of them
+bool are_apart_before(const StraightMotion& motion, const ContactCertificate& certificate, const FirstContact& claimed,
+                      double until) {
+  const std::vector<Apart>& apart = certificate.apart;
+  if (claimed.verdict.outcome != Outcome::disjoint) return cover(apart, 0.0, claimed.lower);
+  if (!cover(apart, 0.0, until)) return false;
+  return until == HUGE_VAL || std::ranges::any_of(apart, [&](const Apart& interval) {
+           return until < interval.to || (until == interval.to && motion.is_apart_at(interval, until));
+         });
+}
+
+// What is said, apart from whether it is true.
+std::string fault_of_statement(const FirstContact& claimed, double until) {
+  const double time = claimed.time, lower = claimed.lower, upper = claimed.upper;
+  if (!(until >= 0.0)) return "the end is no time";
+  switch (claimed.verdict.outcome) {
+    case Outcome::disjoint:
+      if (!(time == HUGE_VAL && lower == HUGE_VAL && upper == HUGE_VAL)) return "there is a time of no contact";
+      return {};
+    case Outcome::overlap:
+      if (!(upper < HUGE_VAL)) return "the upper bound is no time";
+      if (upper > until) return "the contact is after the end";
+      break;
+    case Outcome::undecided:
+      if (upper != HUGE_VAL) return "an upper bound is claimed and no contact";
+      break;
+    default: return "the verdict is none";
+  }
+  if (!(lower >= 0.0 && lower < HUGE_VAL)) return "the lower bound is no time";
+  if (!(lower <= time && time <= upper)) return "the time is not between its bounds";
+  return {};
+}
+
+// Of a contact that is not at the start, where they are those of the depth. `moving`: how fast any point of a body
+// moves, about.
+template <class Motion>
+std::string fault_of_touch(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const ExactPair& pair,
+                           const Motion& motion, double moving, double turning, const FirstContact& claimed,
+                           const ContactCertificate& certificate) {
+  for (const Vec3d& v : {claimed.normal, claimed.point_a, claimed.point_b, claimed.point_b_in_b}) {
+    if (!is_finite(v)) return "a point or the normal is not finite";
+  }
+  const DyadicVector normal = whole::exactly(claimed.normal), of_a = whole::exactly(claimed.point_a),
+                     of_b = whole::exactly(claimed.point_b), own_b = whole::exactly(claimed.point_b_in_b);
+  const Dyadic stretch = dot(normal, normal) - Dyadic(1.0), few(0x1p-48);
+  if (few < stretch || stretch < -few) return "the normal is no unit vector";
+  if (!checker::are_finite(certificate.near_a) || !checker::are_finite(certificate.near_b)) {
+    return "a witness is not finite";
+  }
+  const double size = a.circumradius() + b.circumradius();
+  const double accuracy = (pair.are_rounded_polytopes() ? 1e-12 : 1e-9) * size;
+  const double coordinates = norm_1(claimed.point_a) + norm_1(claimed.point_b) + a.reach() + 2.0 * b.reach() +
+                             norm_1(pose.a_from_b().translation) + claimed.time * moving;
+  const double near = accuracy + 16.0 * kUnitRoundoff * coordinates * (1.0 + claimed.time * turning);
+  const std::optional<Places> places = motion.places(claimed.time, certificate);
+  if (!places || !std::isfinite(near)) return "the contact is beyond what is looked at";
+  const auto are_near = [](std::vector<DyadicVector> points, const DyadicVector& to, const Dyadic& distance) {
+    for (DyadicVector& p : points) p = p - to;
+    return checker::comes_within(points, distance);
+  };
+  if (!are_near(places->of_a, of_a, Dyadic(near) + Dyadic(pair.a().ball_radius) - places->margin)) {
+    return "point_a is not proven to be near A";
+  }
+  if (!are_near(places->of_b, of_b, Dyadic(near) + Dyadic(pair.b().ball_radius) - places->margin)) {
+    return "point_b is not proven to be near B";
+  }
+  const Dyadic own(accuracy + 16.0 * kUnitRoundoff * (norm_1(claimed.point_b_in_b) + b.reach()));
+  if (!checker::is_near_b(pair.moved(checker::exactly(Transformd{})), certificate.near_b, own_b, own)) {
+    return "point_b_in_b is not in B";
+  }
+  const double waited = 2.0 * (moving + turning * (a.reach() + b.reach())) * (claimed.upper - claimed.lower);
+  const Dyadic along = dot(normal, of_b - of_a), along_allowed(near + waited),
+               allowed(kAcross * size + 8.0 * std::sqrt(near) * std::sqrt(size) + waited);
+  if (along_allowed < along || along < -along_allowed) return "the points are apart along the normal";
+  const DyadicVector off = of_b - of_a;
+  if (allowed * allowed < dot(off, off)) return "the points are not one";
+  return {};
 }
 
 template <class Motion>
-std::string fault_of(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Motion& motion,
-                     const FirstContact& claimed, const ContactCertificate& certificate, double until) {
+std::string fault_of(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const ExactPair& pair,
+                     const Motion& motion, double moving, double turning, const FirstContact& claimed,
+                     const ContactCertificate& certificate, double until) {
   const Outcome outcome = claimed.verdict.outcome;
-  if (outcome != Outcome::disjoint) {
-    if (!(claimed.lower >= 0.0 && claimed.lower < HUGE_VAL)) return "the lower bound is no time";
-    if (!(claimed.lower <= claimed.time && claimed.time <= claimed.upper)) return "the time is not between its bounds";
-  }
-  if (outcome == Outcome::overlap && claimed.upper == 0.0 &&
-      check_certificate(a, b, pose.a_from_b(), outcome, certificate.at_start).is_proven) {
-    return {};
-  }
+  if (std::string fault = fault_of_statement(claimed, until); !fault.empty()) return fault;
+  const auto is_proven_at_start = [&](Outcome at_start) {
+    return check_certificate(a, b, pose.a_from_b(), at_start, certificate.at_start).is_proven;
+  };
+  if (outcome == Outcome::overlap && claimed.upper == 0.0 && is_proven_at_start(outcome)) return {};
+  if (outcome == Outcome::disjoint && until == 0.0 && is_proven_at_start(outcome)) return {};
   if (outcome == Outcome::disjoint || claimed.lower > 0.0) {
+    // B as it stands has its vertices rounded, and as it moves it has not: what is apart is so in either sense.
+    if (turning > 0.0 && !is_proven_at_start(Outcome::disjoint)) return "that they are apart at first is not proven";
+    if (!are_intervals(certificate.apart)) return "an interval has no time";
     for (const Apart& interval : certificate.apart) {
       if (!motion.stays_apart(interval))
         return "a direction does not keep the bodies apart for as long as it is said to";
@@ -240,14 +363,12 @@ std::string fault_of(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
     if (!are_apart_before(motion, certificate, claimed, until)) return "not every time before a contact is proven";
   }
   if (outcome != Outcome::overlap) return {};
-  if (!(claimed.upper < HUGE_VAL)) return "the upper bound is no time";
-  if (claimed.upper > until) return "the contact is after the end";
   const WitnessHull& hull = certificate.hull;
   if (hull.witnesses.empty() || hull.witnesses.size() != certificate.times.size() ||
       !checker::are_finite(hull.witnesses) || !motion.meets(claimed, certificate)) {
     return "the contact is not proven";
   }
-  return {};
+  return fault_of_touch(a, b, pose, pair, motion, moving, turning, claimed, certificate);
 }
 
 }  // namespace
@@ -258,7 +379,8 @@ CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, con
   const std::optional<ExactPair> pair = ExactPair::of(a, b, pose.a_from_b(), fault);
   if (fault.empty() && !is_finite(motion)) fault = "the motion is not finite";
   if (fault.empty())
-    fault = fault_of(a, b, pose, StraightMotion(*pair, whole::exactly(motion)), claimed, certificate, until);
+    fault = fault_of(a, b, pose, *pair, StraightMotion(*pair, {}, motion), safe_norm(motion), 0.0, claimed, certificate,
+                     until);
   return {fault.empty(), std::move(fault)};
 }
 
@@ -281,12 +403,14 @@ CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, con
       fault = "a motion is not finite";
     }
   }
+  const double moving = safe_norm(motion_a.velocity) + safe_norm(motion_b.velocity);
   if (fault.empty() && norm_1(motion_a.angular_velocity) + norm_1(motion_b.angular_velocity) == 0.0) {
-    const StraightMotion straight(*pair, whole::exactly(motion_b.velocity) - whole::exactly(motion_a.velocity));
-    fault = fault_of(a, b, pose, straight, claimed, certificate, until);
+    const StraightMotion straight(*pair, motion_a.velocity, motion_b.velocity);
+    fault = fault_of(a, b, pose, *pair, straight, moving, 0.0, claimed, certificate, until);
   } else if (fault.empty()) {
     const TurningMotion turning(*pair, pose.a_from_b(), motion_a, motion_b, a.centre(), b.centre());
-    fault = fault_of(a, b, pose, turning, claimed, certificate, until);
+    const double spin = safe_norm(motion_a.angular_velocity) + safe_norm(motion_b.angular_velocity);
+    fault = fault_of(a, b, pose, *pair, turning, moving, spin, claimed, certificate, until);
   }
   return {fault.empty(), std::move(fault)};
 }

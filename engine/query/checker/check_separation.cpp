@@ -60,6 +60,10 @@ std::string fault_of_points(const ConvexBody& a, const ConvexBody& b, const Pose
       norm_1(claimed.point_a) + norm_1(claimed.point_b) + b.reach() + norm_1(pose.a_from_b().translation);
   const Dyadic near_enough = accuracy + Dyadic(16.0 * kUnitRoundoff * far);
   const Dyadic distance(claimed.signed_distance);
+  // Or any points of the bodies as far apart would do.
+  if (!is_apart_by(pair, {{{claimed.normal, 0}}}, distance - near_enough)) {
+    return "along the normal the bodies are not apart by the distance, or in each other by the depth";
+  }
   const DyadicVector off =
       point_b - point_a - DyadicVector{distance * normal.x, distance * normal.y, distance * normal.z};
   if (near_enough * near_enough < dot(off, off)) return "the points are not the distance apart along the normal";
@@ -94,6 +98,7 @@ CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, con
   if (fault.empty() && !(claimed.lower <= claimed.signed_distance && claimed.signed_distance <= claimed.upper)) {
     fault = "the value is not between its bounds";
   }
+  if (fault.empty() && !std::isfinite(claimed.signed_distance)) fault = "the value is no number";
   if (fault.empty()) fault = fault_of_bounds(a, b, pose, *pair, claimed, certificate);
   if (fault.empty() && claimed.has_witnesses) fault = fault_of_points(a, b, pose, *pair, claimed, certificate);
   return {fault.empty(), std::move(fault)};

@@ -9,6 +9,7 @@
 #include "engine/query/contact_certificate.h"
 #include "engine/query/exact/exact_witness.h"
 #include "engine/query/exact/first_meeting.h"
+#include "engine/query/exact/nearest_witnesses.h"
 #include "engine/query/exact/placed_forms.h"
 #include "engine/query/exact/recorded_core.h"
 #include "engine/query/overlap.h"
@@ -40,6 +41,13 @@ void take(WitnessHull hull, const std::vector<bool>& is_late, double from, doubl
   for (const bool late : is_late) certificate.times.push_back(late ? to : from);
 }
 
+// `own_a`: in A's frame as it is then.
+void take_points(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& own_a,
+                 const FirstContact& found, ContactCertificate& certificate) {
+  certificate.near_a = nearest_of_a(a, own_a, found.normal);
+  certificate.near_b = nearest_of_b(b, {}, found.point_b_in_b, pose.a_from_b().direction_to_b(found.normal));
+}
+
 /// A straight motion.
 class CastCertifier {
  public:
@@ -55,22 +63,22 @@ class CastCertifier {
     }
     const std::optional<PlacedForms> placed = placed_forms(a_, b_, pose_.a_from_b());
     if (!placed) return certificate_;
+    if (outcome == Outcome::disjoint && until_ == 0.0) overlap(a_, b_, pose_, &certificate_.at_start);
+    if (outcome == Outcome::overlap) take_points(a_, b_, pose_, found_.point_a, found_, certificate_);
     if (placed->a.is_polytope() && placed->b.is_polytope() && norm_1(motion_) > 0.0) prove_by_programme(*placed);
     if (!is_proven()) prove_by_search(*placed);
     return certificate_;
   }
 
  private:
-  // Of a miss the end is one of the times.
-  double until() const {
-    return found_.verdict.outcome == Outcome::disjoint ? std::nextafter(until_, HUGE_VAL) : found_.lower;
-  }
+  double until() const { return found_.verdict.outcome == Outcome::disjoint ? until_ : found_.lower; }
   bool is_proven() const { return check_certificate(a_, b_, pose_, motion_, found_, certificate_, until_).is_proven; }
   // Whether the directions are enough, whatever proves the contact.
   bool is_apart(const ContactCertificate& certificate) const {
     FirstContact only_apart = found_;
     if (found_.verdict.outcome != Outcome::disjoint) {
       only_apart.verdict = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);
+      only_apart.upper = HUGE_VAL;
     }
     return check_certificate(a_, b_, pose_, motion_, only_apart, certificate, until_).is_proven;
   }
@@ -169,25 +177,31 @@ ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose&
                            const RigidMotion& motion_b, const FirstContact& found, double until) {
   const Vec3d velocity = motion_b.velocity - motion_a.velocity;
   if (norm_1(motion_a.angular_velocity) + norm_1(motion_b.angular_velocity) == 0.0) {
-    const ContactCertificate straight = certify(a, b, pose, velocity, found, until);
+    // As A sees it.
+    FirstContact relative = found;
+    if (found.verdict.outcome == Outcome::overlap) {
+      relative.point_a = found.point_a - found.time * motion_a.velocity;
+      relative.point_b = found.point_b - found.time * motion_a.velocity;
+    }
+    const ContactCertificate straight = certify(a, b, pose, velocity, relative, until);
     if (check_certificate(a, b, pose, motion_a, motion_b, found, straight, until).is_proven) return straight;
   }
   ContactCertificate certificate;
-  if (found.verdict.outcome == Outcome::overlap && found.upper == 0.0) {
-    overlap(a, b, pose, &certificate.at_start);
-    return certificate;
-  }
+  overlap(a, b, pose, &certificate.at_start);
+  if (found.verdict.outcome == Outcome::overlap && found.upper == 0.0) return certificate;
   std::vector<ApartDuring> record;
   time_of_impact(a, b, pose, motion_a, motion_b, until, record);
   for (const ApartDuring& step : record) certificate.apart.push_back({step.from, step.to, {{{step.normal, 0}}}});
   if (found.verdict.outcome != Outcome::overlap || !(found.upper < HUGE_VAL)) return certificate;
+  const Transformd a_then = pose_at({}, motion_a, found.time);
+  take_points(a, b, pose, a_then.direction_to_b(found.point_a - a_then.translation), found, certificate);
   const RigidSweep sweep(a, b, pose.a_from_b(), {velocity, motion_b.angular_velocity}, motion_a.angular_velocity);
   const std::optional<PlacedForms> placed = placed_forms(a, b, sweep.relative_pose(found.upper));
   if (!placed) return certificate;
   const LocalForms forms(*placed);
   const RecordedCore core(forms);
   FirstContact only_contact = found;  // that nothing is before it costs more to be shown
-  only_contact.lower = only_contact.time = 0.0;
+  only_contact.lower = 0.0;
   for (const double gap : {0x1p-50, 0x1p-70, 0.0}) {
     const CoreProof proof = prove_nearness(core, found.normal, gap, kMostCalls);
     for (const WitnessHull* const hull : {&proof.hull, &proof.surface}) {

@@ -9,11 +9,11 @@
 #include "engine/query/checker/witness_proof.h"
 #include "engine/query/exact/exact_overlap.h"
 #include "engine/query/exact/exact_witness.h"
+#include "engine/query/exact/nearest_witnesses.h"
 #include "engine/query/exact/placed_forms.h"
 #include "engine/query/exact/recorded_core.h"
 #include "engine/query/manifold_certificate.h"
 #include "engine/query/separation_certificate.h"
-#include "engine/support/point_body.h"
 
 namespace vex {
 namespace {
@@ -22,25 +22,6 @@ using checker::ExactPair;
 using whole::Dyadic;
 
 constexpr int kMostCalls = 1 << 11, kMostCallsOfTies = 1 << 14;
-constexpr double kPointGap = 0x1p-52;
-
-// The points of a body that carry what is nearest to the other one, a point; that is about the farthest one along or
-// against `normal`, from A towards B.
-std::vector<Witness> nearest_witnesses(const std::optional<PlacedForms>& placed, const Vec3d& normal) {
-  if (!placed) return {};
-  const LocalForms forms(*placed);
-  const RecordedCore core(forms);
-  return prove_nearness(core, normal, kPointGap, kMostCalls).hull.witnesses;
-}
-
-std::vector<Witness> nearest_of_a(const ConvexBody& a, const Vec3d& point, const Vec3d& normal) {
-  Transformd at_a;
-  at_a.translation = point;
-  return nearest_witnesses(placed_forms(a, ConvexBody(PointBody{{}}), at_a), normal);
-}
-std::vector<Witness> nearest_of_b(const ConvexBody& b, const Transformd& a_from_b, const Vec3d& point, const Vec3d& normal) {
-  return nearest_witnesses(placed_forms(ConvexBody(PointBody{point}), b, a_from_b), normal);
-}
 
 void find_bounds(const ExactPair& pair, const PlacedForms& placed, const Separation& found,
                  SeparationCertificate& certificate) {

@@ -92,9 +92,7 @@ bool RaySearch::turns_beyond_doubt(const Shadow& p, const Shadow& q) const {
   return turn(p, q) > 1.1 * shadow_error_ * (lengths + shadow_error_);
 }
 
-RaySearch::Line RaySearch::line_at(double x, double y) const {
-  return {{x, y}, x * across_x_ + y * across_y_};
-}
+RaySearch::Line RaySearch::line_at(double x, double y) const { return {{x, y}, x * across_x_ + y * across_y_}; }
 
 // The descent of Gilbert, Johnson and Keerthi in the shadow. None: the line misses K, or passes within rounding of the
 // shadow's rim, or of a corner of it.

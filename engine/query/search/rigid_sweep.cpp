@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "engine/numeric/rounding.h"
@@ -18,6 +19,9 @@ constexpr int kMostCallsOfContact = 64;
 
 // More than what is lost of three coordinates where they are subnormal.
 constexpr double kSubnormal = 0x1p-1072;
+
+// No number where one of them is none: that would prove nothing, and `fmin` leaves it out.
+double lesser(double x, double y) { return x < y ? x : y <= x ? y : std::numeric_limits<double>::quiet_NaN(); }
 
 // Of any length but 0, to a few roundings.
 Vec3d unit(const Vec3d& a) {
@@ -168,13 +172,13 @@ double RigidSweep::gap_during(const Vec3d& unit_normal, double from, double dura
     longest = std::fmax(longest, norm_1(leaning));
     const Vec3d origin_then = origin + time * motion_.velocity;
     if (!a_turns()) {
-      least = std::fmin(least, dot(unit_normal, origin_then - last_of_a_) + dot(leaning, of_b));
+      least = lesser(least, dot(unit_normal, origin_then - last_of_a_) + dot(leaning, of_b));
     } else {
       // The largest of linear functions is convex, and minus that concave.
       const Vec3d leaning_of_a = unit_normal + time * turning_of_a;
       const Vec3d of_a = turn_of_a(a_.core_support(turn_of_a.direction_to_b(leaning_of_a)));
       ++n_support_calls_;
-      least = std::fmin(least, (dot(unit_normal, origin_then) + dot(leaning, of_b)) - dot(leaning_of_a, of_a));
+      least = lesser(least, (dot(unit_normal, origin_then) + dot(leaning, of_b)) - dot(leaning_of_a, of_a));
       longest = std::fmax(longest, norm_1(leaning_of_a));
     }
     if (half == 0.0) break;

@@ -75,7 +75,11 @@ void combine_in_plane(const DifferenceZonotope& k, const std::array<int, 6>& mem
 }  // namespace
 
 DifferenceZonotope::DifferenceZonotope(const Generators& a, const Generators& b, const Transformd& a_from_b)
-    : centre_a(a.centre), centre_b(a_from_b(b.centre)), n_of_a(a.n_vectors), n_vectors(a.n_vectors + b.n_vectors), own_b(b) {
+    : centre_a(a.centre),
+      centre_b(a_from_b(b.centre)),
+      n_of_a(a.n_vectors),
+      n_vectors(a.n_vectors + b.n_vectors),
+      own_b(b) {
   for (int i = 0; i < a.n_vectors; ++i) vectors[index_of(i)] = a.vectors[index_of(i)];
   for (int i = 0; i < b.n_vectors; ++i) vectors[index_of(n_of_a + i)] = turned(a_from_b, b.vectors[index_of(i)]);
 }
