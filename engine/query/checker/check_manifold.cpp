@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/query/checker/exact_hull.h"
 #include "engine/query/checker/exact_pair.h"
 #include "engine/query/checker/turning.h"
 #include "engine/query/checker/witness_proof.h"
@@ -23,7 +24,7 @@ constexpr double kRounding = 0x1p-44;
 
 std::string fault_of_contact(const ExactPair& pair, const DyadicVector& normal, const Contact& contact,
                              const ManifoldCertificate::Contact& near, double tolerance, double off_face_a,
-                             double off_face_b, double farthest) {
+                             double off_face_b, double beside, double farthest) {
   if (!is_finite(contact.point_a) || !is_finite(contact.point_b) || !std::isfinite(contact.signed_distance)) {
     return "a contact is not finite";
   }
@@ -36,8 +37,11 @@ std::string fault_of_contact(const ExactPair& pair, const DyadicVector& normal, 
   const Dyadic below_b = pair.support_of_b(-normal) + Dyadic(pair.b().ball_radius) + dot(normal, of_b);
   if (allowed + Dyadic(off_face_a) < below_a) return "a contact is not on the face of A";
   if (allowed + Dyadic(off_face_b) < below_b) return "a contact is not on the face of B";
-  const Dyadic apart = dot(normal, of_b - of_a) - Dyadic(contact.signed_distance);
+  const Dyadic along = dot(normal, of_b - of_a), apart = along - Dyadic(contact.signed_distance);
   if (allowed < apart || apart < -allowed) return "a contact's points are not as far apart as they are said to be";
+  const DyadicVector off = of_b - of_a - DyadicVector{along * normal.x, along * normal.y, along * normal.z};
+  const Dyadic most_beside(beside);
+  if (most_beside * most_beside < dot(off, off)) return "a contact's points are not opposite each other";
   if (contact.signed_distance > farthest + tolerance) return "a contact is beyond the margin";
   return {};
 }
@@ -50,17 +54,51 @@ bool is_outside(const DyadicVector& normal, const DyadicVector& from, const Dyad
   return !checker::is_at_least(turn, -tolerance, dot(side, side)) && whole::sign(dot(side, side)) > 0;
 }
 
+// Once around it goes up once along an axis and down once, but for sides too short to tell.
+bool goes_around_once(const std::vector<Contact>& contacts, const DyadicVector& axis, const Dyadic& tolerance) {
+  std::vector<int> ways;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const DyadicVector side = whole::exactly(contacts[(k + 1) % contacts.size()].point_a) -
+                              whole::exactly(contacts[k].point_a);
+    const Dyadic along = dot(axis, side);
+    if (tolerance < along) ways.push_back(1);
+    if (along < -tolerance) ways.push_back(-1);
+  }
+  int n_turns = 0;
+  for (std::size_t k = 0; k < ways.size(); ++k) n_turns += ways[k] != ways[(k + 1) % ways.size()] ? 1 : 0;
+  return n_turns <= 2;
+}
+
+// Whether it is as near to the points between two contacts.
+bool is_near_edge(const DyadicVector& from, const DyadicVector& to, const DyadicVector& point, const Dyadic& distance) {
+  return checker::comes_within({from - point, to - point}, distance);
+}
+
 std::string fault_of_polygon(const DyadicVector& normal, const std::vector<Contact>& contacts, const Separation& found,
                              double tolerance, double off_polygon) {
   const std::size_t n = contacts.size();
-  if (n < 3) return {};
   const auto at = [&](std::size_t k) { return whole::exactly(contacts[k % n].point_a); };
+  const DyadicVector nearest = whole::exactly(found.point_a);
+  const Dyadic off(tolerance + off_polygon);
+  bool is_near = false;
+  for (std::size_t k = 0; k < n && !is_near; ++k) is_near = is_near_edge(at(k), at(k + 1), nearest, off);
+  if (n < 3) return is_near ? std::string() : "the nearest points are not between the contacts";
+  // Sides across each other: twice the area of the fan, which a polygon that holds a point far from its sides has.
+  Dyadic area;
+  for (std::size_t k = 1; k + 1 < n; ++k) area = area + dot(normal, checker::cross(at(k) - at(0), at(k + 1) - at(0)));
+  if (!is_near && !(off * off < area)) return "the polygon has no area";
+  const DyadicVector across_x = checker::cross(normal, {Dyadic(1.0), Dyadic(), Dyadic()}),
+                     across_y = checker::cross(normal, {Dyadic(), Dyadic(1.0), Dyadic()}),
+                     across_z = checker::cross(normal, {Dyadic(), Dyadic(), Dyadic(1.0)});
+  for (const DyadicVector& axis : {across_x, across_y, across_z}) {
+    if (!goes_around_once(contacts, axis, Dyadic(tolerance))) return "the polygon goes around more than once";
+  }
   for (std::size_t k = 0; k < n; ++k) {
     for (std::size_t j = 2; j < n; ++j) {
       if (is_outside(normal, at(k), at(k + 1), at(k + j), Dyadic(tolerance)))
         return "the contacts are no convex polygon";
     }
-    if (is_outside(normal, at(k), at(k + 1), whole::exactly(found.point_a), Dyadic(tolerance + off_polygon))) {
+    if (is_outside(normal, at(k), at(k + 1), nearest, off)) {
       return "the nearest points are outside the polygon";
     }
   }
@@ -76,8 +114,9 @@ CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, con
   const CertificateCheck separation = check_certificate(a, b, pose, found, certificate.separation);
   if (!separation.is_proven) return separation;
   const auto failed = [](std::string fault) { return CertificateCheck{false, std::move(fault)}; };
+  if (!(margin >= 0.0 && feature_angle >= 0.0)) return failed("the margin or the angle is no number");
   if (claimed.contacts.empty()) {
-    if (found.has_witnesses && !(found.lower > margin)) return failed("bodies within the margin have no contact");
+    if (!(found.lower > margin)) return failed("bodies that may be within the margin have no contact");
     return {true, {}};
   }
   if (!found.has_witnesses || found.lower > margin) return failed("there are contacts beyond the margin");
@@ -91,7 +130,7 @@ CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, con
   for (std::size_t k = 0; k < claimed.contacts.size() && fault.empty(); ++k) {
     fault = fault_of_contact(*pair, normal, claimed.contacts[k], certificate.contacts[k], tolerance,
                              slope * 2.0 * a.circumradius(), slope * 2.0 * b.circumradius(),
-                             std::fmax(margin, found.upper));
+                             tolerance + slope * 2.0 * (a.circumradius() + b.circumradius()), std::fmax(margin, found.upper));
   }
   const double off_polygon = slope * (a.circumradius() + b.circumradius());
   if (fault.empty()) fault = fault_of_polygon(normal, claimed.contacts, found, tolerance, off_polygon);
