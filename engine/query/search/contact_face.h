@@ -119,7 +119,7 @@ class ContactFace {
   const std::vector<PlanarPoint>& outline() const { return outline_; }
 
   // The greatest height of the corners' hull at a place of the outline, or beside it by rounding.
-  double height_at(const PlanarPoint& place) const {
+  double height_at(const PlanarPoint& place) {
     if (outline_.size() == 1) return outline_corners_[0].height;
     if (outline_.size() == 2) {
       const PlanarPoint &from = outline_[0], along = outline_[1] - from;
@@ -128,21 +128,19 @@ class ContactFace {
     }
     Triangle best = triangle_at(place);
     if (is_flat_) return best.plane_at(place);
-    // Corner by corner upwards, as portals go; each step is higher.
+    // Corner by corner upwards, as portals go; each step is higher. Those that earlier places have come to, which are
+    // first, are tried before all others.
     for (std::size_t step = 0; step < corners_.size(); ++step) {
-      const Corner* above = nullptr;
-      double most = resolution_;
-      for (const Corner& corner : corners_) {
-        const double by = corner.height - best.plane_at(corner.at);
-        if (by > most) {
-          most = by;
-          above = &corner;
-        }
+      std::size_t above = farthest_above(best, 0, n_known_);
+      if (above == corners_.size()) above = farthest_above(best, n_known_, corners_.size());
+      if (above == corners_.size()) break;
+      if (above >= n_known_) {
+        std::swap(corners_[above], corners_[n_known_]);
+        above = n_known_++;
       }
-      if (above == nullptr) break;
       Triangle next;
       for (std::size_t k = 0; k < 3; ++k) {
-        next.take_if_better({best.corners[k], best.corners[(k + 1) % 3], *above}, place);
+        next.take_if_better({best.corners[k], best.corners[(k + 1) % 3], corners_[above]}, place);
       }
       best = next;
     }
@@ -178,6 +176,26 @@ class ContactFace {
       return (found[0] * corners[0].height + found[1] * corners[1].height) + found[2] * corners[2].height;
     }
   };
+
+  // Of the corners from `from` to `to` the one farthest above a triangle's plane, or none: the number of all corners.
+  std::size_t farthest_above(const Triangle& triangle, std::size_t from, std::size_t to) const {
+    const Corner& c = triangle.corners[0];
+    const PlanarPoint p = triangle.corners[1].at - c.at, q = triangle.corners[2].at - c.at;
+    const double whole = turn(p, q);
+    const double rise_p = (triangle.corners[1].height - c.height) / whole,
+                 rise_q = (triangle.corners[2].height - c.height) / whole;
+    std::size_t above = corners_.size();
+    double most = resolution_;
+    for (std::size_t k = from; k < to; ++k) {
+      const PlanarPoint off = corners_[k].at - c.at;
+      const double by = (corners_[k].height - c.height) - (turn(off, q) * rise_p + turn(p, off) * rise_q);
+      if (by > most) {
+        most = by;
+        above = k;
+      }
+    }
+    return above;
+  }
 
   // Each place of the outline is a corner's; of corners one above the other, as a prism's seen along its edge, the
   // highest counts.
@@ -233,6 +251,7 @@ class ContactFace {
   bool is_flat_ = false;
   std::vector<PlanarPoint> outline_;
   double resolution_ = 0.0;
+  std::size_t n_known_ = 0;
 };
 
 }  // namespace vex
