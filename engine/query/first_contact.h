@@ -24,7 +24,10 @@ struct FirstContact {
   /// A unit vector along which the bodies first touch, from A towards what moves (of contact at the start, that of
   /// `signed_distance`).
   Vec3d normal;
-  /// Where they touch: points of A and of B as placed at `time`; of a ray, the ray's point and the body's nearest one.
+  /// Where they touch: points of A and of B as placed at `time`, each of its body to 1e-12 of R_A + R_B, of curved
+  /// bodies to 1e-9, and to 16 roundings of coordinates; of a ray, the ray's point and the body's nearest one. Along the
+  /// normal they are one as nearly; across it, where surfaces leave each other by less than rounding, to 1e-6 of R_A +
+  /// R_B and the root of what is rounded.
   Vec3d point_a, point_b;
   int n_support_calls = 0;
   /// The point of B in B's frame, where it is known as well however far B is from A.
@@ -46,7 +49,8 @@ struct RigidMotion {
   Vec3d angular_velocity;  // radians per unit of time
 };
 
-/// B at time t: x -> exp(t [w]) R x + (translation + t v). By conservative advancement (B. Mirtich, 1996): as long as
+/// B at time t: x -> exp(t [w]) R x + (translation + t v), without rounding but at the start, where it is what
+/// `overlap` has. By conservative advancement (B. Mirtich, 1996): as long as
 /// the bodies' gap is larger than what any point of B can move along the separating direction, they do not touch. Ends
 /// where they touch, once circumscribed balls part for good, or, of a body that only turns, after one turn.
 FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,

@@ -61,17 +61,6 @@ void set_points(Separation& result, const Transformd& a_from_b, const CorePoints
   result.point_b_in_b = cores.own_b - radius_b * a_from_b.direction_to_b(result.normal);
 }
 
-NearestSimplex<double, CoreDifference::Point> warm_simplex(const CoreDifference& difference,
-                                                           const WarmStart* warm_start) {
-  NearestSimplex<double, CoreDifference::Point> simplex;
-  if (warm_start == nullptr || difference.has_rolling() || !difference.is_of(*warm_start)) return simplex;
-  for (int k = 0; k < std::min(warm_start->n_points, 4) && !simplex.is_around_origin(); ++k) {
-    const std::size_t i = static_cast<std::size_t>(k);
-    simplex.add(difference.at(warm_start->of_a[i], warm_start->of_b[i]));
-  }
-  return simplex;
-}
-
 // What is asked, in double precision.
 struct DoubleQuery {
   const ConvexBody& a;
@@ -140,11 +129,11 @@ struct Searched {
 
 Searched search_in_double(const DoubleQuery& query, const DifferenceZonotope* zonotope, WarmStart* warm_start) {
   const CoreDifference& difference = query.difference;
-  const bool is_warm = warm_start != nullptr && norm_1(warm_start->dir) > 0.0 && is_finite(warm_start->dir);
-  Vec3d first_dir = is_warm ? warm_start->dir : difference.between_centres();
+  const Vec3d warm_dir = CoreDifference::dir_of(warm_start);
+  Vec3d first_dir = norm_1(warm_dir) > 0.0 && is_finite(warm_dir) ? warm_dir : difference.between_centres();
   first_dir = norm_1(first_dir) > 0.0 ? unit_along(first_dir) : Vec3d{0.6, 0.0, 0.8};
   CoreSearch<double, CoreDifference::Point, CoreDifference> search(difference, query.error, query.settings, first_dir,
-                                                                   warm_simplex(difference, warm_start));
+                                                                   difference.simplex_of(warm_start));
   Separation result;
   if (search.wants_depth()) {
     if (zonotope != nullptr) {
@@ -179,14 +168,9 @@ Searched search_in_double(const DoubleQuery& query, const DifferenceZonotope* zo
                  {way.core_a, way.core_b, way.own_core_b}, result);
     }
   }
-  const bool is_good_start = core.has_normal && !difference.has_rolling() && core.distance > 0.0;
-  if (warm_start != nullptr && is_good_start) {
-    warm_start->n_points = core.n_points;
-    for (int k = 0; k < core.n_points; ++k) {
-      const std::size_t i = static_cast<std::size_t>(k);
-      warm_start->of_a[i] = core.points[i].a;
-      warm_start->of_b[i] = core.points[i].own_b;
-    }
+  const bool is_good_start = core.has_normal && core.distance > 0.0;
+  for (int k = 0; warm_start != nullptr && is_good_start && k < core.n_points; ++k) {
+    difference.remember_point(*warm_start, core.points[static_cast<std::size_t>(k)]);
   }
   return {result, core.is_capped};
 }
@@ -266,8 +250,7 @@ bool is_settled(const Separation& found, SeparationGoal goal, double wanted, dou
   if (goal == SeparationGoal::distance && found.lower > max_distance) return true;
   if (goal == SeparationGoal::depth && found.lower > 0.0) return true;
   if (goal == SeparationGoal::distance && found.upper < 0.0) return true;
-  if (is_capped) return true;
-  if (!(found.upper - found.lower <= wanted)) return false;
+  if (!(found.upper - found.lower <= wanted)) return is_capped;
   if (is_rough) return true;
   // Of bodies that hardly touch, points and normal may not go together where the bounds are near enough.
   const Vec3d off = (found.point_b - found.point_a) - found.signed_distance * found.normal;

@@ -42,13 +42,15 @@ struct Separation {
 };
 
 /// What was found of a pair, for the next query of the same pair in a pose not far from this one. Only time depends on
-/// it, and the last digits. Empty at first; a query reads it and writes it. Of another pair's only the direction is
-/// taken.
-struct WarmStart {
-  std::shared_ptr<const void> body_a, body_b;  // whose points these are
-  Vec3d dir;                                   // in A's frame, from A towards B
-  int n_points = 0;                            // of the difference of the bodies
-  std::array<Vec3d, 4> of_a{}, of_b{};         // as points of the cores in the bodies' own frames
+/// it, and the last digits. Empty at first; a query reads it and writes it, and nobody else: its points are believed.
+/// Of another pair's only the direction is taken.
+class WarmStart {
+  friend class CoreDifference;
+
+  std::shared_ptr<const void> body_a_, body_b_;  // whose points these are
+  Vec3d dir_;                                    // in A's frame, from A towards B
+  int n_points_ = 0;                             // of the difference of the bodies
+  std::array<Vec3d, 4> of_a_{}, of_b_{};         // as points of the cores in the bodies' own frames
 };
 
 struct SeparationSettings {
@@ -57,7 +59,8 @@ struct SeparationSettings {
   /// less, 1e-3 or even 0.1: the bounds tell what it got, and the verdict is proven all the same.
   double relative_gap = 0.0;
   int max_support_calls = kMaxSupportCalls;  // of each search
-  /// `distance` ends once it is known to be larger: `lower` is then above it, and the rest as near as it came.
+  /// `distance` ends once it is known to be larger: `lower` is then above it, and value, normal and points are no more
+  /// than how near the search had come.
   double max_distance = HUGE_VAL;
 };
 
@@ -66,6 +69,9 @@ struct SeparationSettings {
 /// curved bodies within 1e-9 of that, unless ever so many directions are the shortest way out (as for two discs with
 /// one axis): then the bounds tell. Never a guess: where rounding would decide the sign, the verdict comes from
 /// `overlap`, and bounds from twice the precision.
+///
+/// Of polytopes, rounded or not, B is what its vertices are once each is placed and rounded to double, as `overlap` has
+/// it: at coordinates of 1e16 that may be a body of another shape. Curved bodies are R x + t without rounding.
 ///
 /// R of the pose must be a rotation to within 1e-6. Coordinates between 1e-40 and 1e40, or 0, are answered at full
 /// speed, others by twice the precision.

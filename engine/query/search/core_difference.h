@@ -4,6 +4,7 @@
 
 #include "engine/query/exact/extended_difference.h"
 #include "engine/query/search/difference.h"
+#include "engine/query/search/nearest_simplex.h"
 #include "engine/query/search/query_error.h"
 #include "engine/query/separation.h"
 #include "engine/support/convex_body.h"
@@ -33,16 +34,33 @@ class CoreDifference {
     return {of_a - b, of_a, b, own_b};
   }
   bool is_of(const WarmStart& warm_start) const {
-    return difference_.a().is_same_as(warm_start.body_a) && difference_.b().is_same_as(warm_start.body_b);
+    return difference_.a().is_same_as(warm_start.body_a_) && difference_.b().is_same_as(warm_start.body_b_);
+  }
+  /// The direction that a warm start tells, or zero.
+  static Vec3d dir_of(const WarmStart* warm_start) { return warm_start != nullptr ? warm_start->dir_ : Vec3d{}; }
+  /// Its points, if they are of these bodies and have no balls rolling on them.
+  NearestSimplex<double, Point> simplex_of(const WarmStart* warm_start) const {
+    NearestSimplex<double, Point> simplex;
+    if (warm_start == nullptr || has_rolling() || !is_of(*warm_start)) return simplex;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(warm_start->n_points_) && !simplex.is_around_origin(); ++k) {
+      simplex.add(at(warm_start->of_a_[k], warm_start->of_b_[k]));
+    }
+    return simplex;
   }
   /// Without its points.
   void remember(WarmStart& warm_start, const Vec3d& dir) const {
     if (!is_of(warm_start)) {
-      warm_start.body_a = difference_.a().identity();
-      warm_start.body_b = difference_.b().identity();
+      warm_start.body_a_ = difference_.a().identity();
+      warm_start.body_b_ = difference_.b().identity();
     }
-    warm_start.dir = dir;
-    warm_start.n_points = 0;
+    warm_start.dir_ = dir;
+    warm_start.n_points_ = 0;
+  }
+  void remember_point(WarmStart& warm_start, const Point& point) const {
+    if (has_rolling()) return;
+    const std::size_t k = static_cast<std::size_t>(warm_start.n_points_++);
+    warm_start.of_a_[k] = point.a;
+    warm_start.of_b_[k] = point.own_b;
   }
   bool has_rolling() const { return rolling_a_ > 0.0 || rolling_b_ > 0.0; }
 
