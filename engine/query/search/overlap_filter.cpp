@@ -66,9 +66,6 @@ FilterResult filter(const Difference& difference, const Vec3d& between_centres, 
   return result;
 }
 
-// Lengths that every support mapping takes.
-constexpr double kLeastLength = 0x1p-900, kLargestLength = 0x1p900;
-
 }  // namespace
 
 FilterResult filter_overlap(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,

@@ -12,6 +12,9 @@ namespace vex {
 /// costs fewest support calls, but off every plane of symmetry.
 inline constexpr Vec3d kStartOffset{0.01173, 0.02311, 0.03137};
 
+/// Lengths that every support mapping takes. Of others the filter says nothing.
+inline constexpr double kLeastLength = 0x1p-900, kLargestLength = 0x1p900;
+
 struct FilterResult {
   Verdict verdict;
   Vec3d separating_dir;  // where disjoint

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/numeric/rounding.h"
+#include "engine/query/overlap.h"
 #include "engine/query/search/overlap_filter.h"
 
 namespace vex {
@@ -204,7 +205,12 @@ bool RigidSweep::meets_at(double time) {
   for (const Vec3d& to : kCorners) {
     Transformd moved = pose;
     moved.translation = pose.translation + corner * to;
-    const FilterResult answer = filter_overlap(a_, b_, moved, kMostCallsOfContact);
+    const FilterResult found = filter_overlap(a_, b_, moved, kMostCallsOfContact);
+    n_support_calls_ += found.n_support_calls;
+    if (found.verdict.outcome == Outcome::overlap) continue;
+    if (reach > kLeastLength && reach < kLargestLength) return false;
+    // Of which the filter does not speak.
+    const OverlapAnswer answer = overlap_answer(a_, b_, Pose::unchecked(moved));
     n_support_calls_ += answer.n_support_calls;
     if (answer.verdict.outcome != Outcome::overlap) return false;
   }
