@@ -80,7 +80,7 @@ double end_of_word(const std::string& word, const char* option) {
   std::array<double, 1> number{};
   read_motion(word, option, number);
   if (number[0] < 0.0) throw UsageError("an end below 0 (" + word + " for " + option + ") - give 0 or more");
-  return number[0];
+  return number[0] + 0.0;  // not -0
 }
 
 double margin_of_word(const std::string& word) {
