@@ -89,6 +89,8 @@ Json json_of(const ContactCertificate& certificate) {
   for (std::size_t k = 0; k < certificate.times.size(); ++k) {
     json["contact"]["witnesses"][k]["time"] = number_json(certificate.times[k]);
   }
+  json["near_a"] = witnesses_json(certificate.near_a);
+  json["near_b"] = witnesses_json(certificate.near_b);
   return json;
 }
 
@@ -126,7 +128,9 @@ std::string summary_of(const ManifoldCertificate& certificate) {
 std::string summary_of(const ContactCertificate& certificate) {
   std::string text = plural(certificate.apart.size(), "direction", "directions");
   if (!certificate.hull.witnesses.empty()) text += ", " + summary_of(certificate.hull);
-  if (certificate.at_start.n_witnesses > 0) text += ", what proves the overlap at the start";
+  const OverlapCertificate& at_start = certificate.at_start;
+  if (at_start.n_witnesses > 0 || norm_1(at_start.separating_dir) > 0.0)
+    text += ", what proves the verdict at the start";
   return text;
 }
 
