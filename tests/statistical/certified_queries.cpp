@@ -42,7 +42,7 @@ int scenes_of(CertifiedQuery query, int n) {
 struct Row {
   std::uint64_t n = 0, n_disjoint = 0, n_overlap = 0, n_undecided = 0, n_unproven = 0;
   std::vector<double> microseconds;
-  double widest = 0.0;
+  double most_seconds = 0.0, widest = 0.0;
   int most_calls = 0;
   std::string slowest, widest_scene;
   std::map<std::string, std::pair<std::uint64_t, std::string>> faults;  // how often, and the first scene
@@ -52,7 +52,10 @@ struct Row {
     n_disjoint += answer.outcome == Outcome::disjoint ? 1 : 0;
     n_overlap += answer.outcome == Outcome::overlap ? 1 : 0;
     n_undecided += answer.outcome == Outcome::undecided ? 1 : 0;
-    if (microseconds.empty() || 1e6 * answer.seconds > *std::ranges::max_element(microseconds)) slowest = scene.text();
+    if (answer.seconds > most_seconds) {
+      most_seconds = answer.seconds;
+      slowest = scene.text();
+    }
     microseconds.push_back(1e6 * answer.seconds);
     if (answer.width > widest) {
       widest = answer.width;
