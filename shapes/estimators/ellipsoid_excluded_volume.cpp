@@ -6,6 +6,9 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/numeric/errors.h"
+#include "engine/support/checked_input.h"
+
 namespace vex {
 namespace {
 
@@ -28,7 +31,7 @@ double symmetric_integral(double x, double y, double z) {
   for (;;) {
     const double mean = ((u + v) + w) * (1.0 / 3.0);
     const double apart = std::max({std::fabs(u - mean), std::fabs(v - mean), std::fabs(w - mean)});
-    if (apart <= kNear * mean) break;
+    if (!(apart > kNear * mean)) break;  // or they are no numbers
     const double root_u = std::sqrt(u), root_v = std::sqrt(v), root_w = std::sqrt(w);
     const double lambda = root_u * (root_v + root_w) + root_v * root_w;
     sum += power / (root_w * (w + lambda));
@@ -95,15 +98,24 @@ Vec3d row_of(double divisor, const Vec3d& row, const Vec3d& factors) {
   return {row.x * factors.x / divisor, row.y * factors.y / divisor, row.z * factors.z / divisor};
 }
 
-}  // namespace
-
-double ellipsoid_excluded_volume(const Vec3d& semi_axes_a, const Vec3d& semi_axes_b, const Transformd& rotation) {
+double volume_of(const Vec3d& a, const Vec3d& b, const Transformd& rotation) {
   const auto& [x, y, z, unused] = rotation;
-  const Vec3d &a = semi_axes_a, &b = semi_axes_b;
   return 4.0 / 3.0 * std::numbers::pi * (determinant_of(a) + determinant_of(b)) +
          mixed_volume(a, row_of(a.x, x, b), row_of(a.y, y, b), row_of(a.z, z, b)) +
          mixed_volume(b, row_of(b.x, {x.x, y.x, z.x}, a), row_of(b.y, {x.y, y.y, z.y}, a),
                       row_of(b.z, {x.z, y.z, z.z}, a));
+}
+
+}  // namespace
+
+double ellipsoid_excluded_volume(const Vec3d& semi_axes_a, const Vec3d& semi_axes_b, const Transformd& rotation) {
+  const Vec3d &a = semi_axes_a, &b = semi_axes_b;
+  for (const Vec3d& axes : {a, b}) {
+    for (const double axis : {axes.x, axes.y, axes.z}) checked_size(axis, "a semi-axis of an ellipsoid");
+  }
+  const double volume = volume_of(a, b, rotation);
+  if (std::isfinite(volume)) return volume;
+  throw InputError("an excluded volume of ellipsoids is beyond a double - choose another unit of length");
 }
 
 }  // namespace vex

@@ -6,6 +6,7 @@
 #include <random>
 #include <utility>
 
+#include "engine/numeric/errors.h"
 #include "engine/sampling/poses/orientation_law.h"
 #include "shapes/ellipsoid.h"
 #include "shapes/rounded.h"
@@ -35,6 +36,15 @@ TEST(EllipsoidExcludedVolume, OfLikeEllipsoidsIsTheirSums) {
               1e-12);
   EXPECT_NEAR(ellipsoid_excluded_volume({1, 2, 3}, {2, 4, 6}, aligned), 27.0 * Ellipsoid(1, 2, 3).measures().volume,
               1e-11);
+}
+
+// It had looped for ever.
+TEST(EllipsoidExcludedVolume, BeyondDoublesIsRefused) {
+  const Transformd aligned;
+  for (const double axis : {-1.0, 0.0, std::nan(""), 1e160, 1e300}) {
+    EXPECT_THROW(ellipsoid_excluded_volume({axis, 1, 1}, {1, axis, 1}, aligned), InputError) << axis;
+  }
+  EXPECT_GT(ellipsoid_excluded_volume({1e90, 1e90, 1e90}, {1e90, 1e90, 1e90}, aligned), 1e271);
 }
 
 }  // namespace
