@@ -26,8 +26,8 @@ struct FirstContact {
   Vec3d normal;
   /// Where they touch: points of A and of B as placed at `time`, each of its body to 1e-12 of R_A + R_B, of curved
   /// bodies to 1e-9, and to 16 roundings of coordinates; of a ray, the ray's point and the body's nearest one. Along the
-  /// normal they are one as nearly; across it, where surfaces leave each other by less than rounding, to 1e-6 of R_A +
-  /// R_B and the root of what is rounded.
+  /// normal they are one as nearly; across it, where surfaces leave each other by less than rounding, to 1e-8 of R_A +
+  /// R_B; both but for how far the bodies move between the bounds.
   Vec3d point_a, point_b;
   int n_support_calls = 0;
   /// The point of B in B's frame, where it is known as well however far B is from A.

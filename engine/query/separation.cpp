@@ -125,6 +125,7 @@ bool answer_without_search(const DoubleQuery& query, const DifferenceZonotope& z
 struct Searched {
   Separation separation;
   bool is_capped = false;
+  double missing = 0.0;  // of the distance, in what the normal alone shows
 };
 
 Searched search_in_double(const DoubleQuery& query, const DifferenceZonotope* zonotope, WarmStart* warm_start) {
@@ -143,7 +144,7 @@ Searched search_in_double(const DoubleQuery& query, const DifferenceZonotope* zo
         if (warm_start != nullptr) difference.remember(*warm_start, {});
         query.take(*deepest, result);
         result.n_support_calls = search.n_support_calls();
-        return {result, false};
+        return {result};
       }
     }
     search.find_depth();
@@ -163,16 +164,18 @@ Searched search_in_double(const DoubleQuery& query, const DifferenceZonotope* zo
     const WayOut way = shorter_way_out(query.a, query.b, query.a_from_b, difference, core.normal, -core.distance,
                                        query.settings.wanted(core.distance));
     result.n_support_calls += way.n_support_calls;
-    if (way.is_shorter) {
-      query.take(way.normal, -way.height, std::fmax(core.lower, -way.height - slack), core.upper,
-                 {way.core_a, way.core_b, way.own_core_b}, result);
+    if (way.is_found) {
+      query.take(way.normal, -way.height, std::fmax(core.lower, -way.height - slack), core.upper, {}, result);
+      result.point_a = way.point_a;
+      result.point_b = way.point_b;
+      result.point_b_in_b = way.point_b_in_b;
     }
   }
   const bool is_good_start = core.has_normal && core.distance > 0.0;
   for (int k = 0; warm_start != nullptr && is_good_start && k < core.n_points; ++k) {
     difference.remember_point(*warm_start, core.points[static_cast<std::size_t>(k)]);
   }
-  return {result, core.is_capped};
+  return {result, core.is_capped, core.missing};
 }
 
 // In twice the precision.
@@ -245,16 +248,17 @@ Separation concluded(const ConvexBody& a, const ConvexBody& b, const Transformd&
 
 // Whether twice the precision has nothing to add: where it is calls that ended a search, or where the bounds are as
 // near as asked for and a sign that they leave open is all that they leave open.
-bool is_settled(const Separation& found, SeparationGoal goal, double wanted, double max_distance, bool is_capped,
-                bool is_rough) {
+bool is_settled(const Searched& searched, SeparationGoal goal, double wanted, double max_distance, bool is_rough) {
+  const Separation& found = searched.separation;
   if (goal == SeparationGoal::distance && found.lower > max_distance) return true;
   if (goal == SeparationGoal::depth && found.lower > 0.0) return true;
   if (goal == SeparationGoal::distance && found.upper < 0.0) return true;
-  if (!(found.upper - found.lower <= wanted)) return is_capped;
+  if (!(found.upper - found.lower <= wanted)) return searched.is_capped;
   if (is_rough) return true;
-  // Of bodies that hardly touch, points and normal may not go together where the bounds are near enough.
+  // Where the bounds are near enough, points and normal may not go together, as of bodies that hardly touch, nor the
+  // normal with the distance.
   const Vec3d off = (found.point_b - found.point_a) - found.signed_distance * found.normal;
-  if (found.has_witnesses && dot(off, off) > wanted * wanted) return false;
+  if (found.has_witnesses && (dot(off, off) > wanted * wanted || searched.missing > wanted)) return false;
   return found.lower > 0.0 || found.upper < 0.0;
 }
 
@@ -291,8 +295,7 @@ Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd
       if (seen.verdict.outcome == Outcome::overlap) return seen;
       return separation(a, b, a_from_b, SeparationGoal::signed_distance, settings, warm_start);
     }
-    if (is_settled(in_double, goal, wanted(in_double), settings.max_distance, found.is_capped,
-                   settings.relative_gap > kRoughGap)) {
+    if (is_settled(found, goal, wanted(in_double), settings.max_distance, settings.relative_gap > kRoughGap)) {
       return concluded(a, b, a_from_b, goal, DecidedBy::gjk, in_double);
     }
   }

@@ -22,9 +22,9 @@ using whole::Dyadic;
 using whole::DyadicVector;
 using Apart = ContactCertificate::Apart;
 
-// Of the circumradii: the points of a contact are no farther apart across the normal, or than the root of what rounding
-// leaves along it, where curved surfaces and nearly parallel edges leave each other by less.
-constexpr double kAcross = 1e-6;
+// Of the circumradii: the points of a contact are no farther apart across the normal, where surfaces leave each other by
+// less than rounding.
+constexpr double kAcross = 1e-8;
 
 DyadicVector times(const Dyadic& s, const DyadicVector& v) { return {s * v.x, s * v.y, s * v.z}; }
 
@@ -334,7 +334,7 @@ std::string fault_of_touch(const ConvexBody& a, const ConvexBody& b, const Pose&
   }
   const double waited = 2.0 * (moving + turning * (a.reach() + b.reach())) * (claimed.upper - claimed.lower);
   const Dyadic along = dot(normal, of_b - of_a), along_allowed(near + waited),
-               allowed(kAcross * size + 8.0 * std::sqrt(near) * std::sqrt(size) + waited);
+               allowed(kAcross * size + near + waited);
   if (along_allowed < along || along < -along_allowed) return "the points are apart along the normal";
   const DyadicVector off = of_b - of_a;
   if (allowed * allowed < dot(off, off)) return "the points are not one";

@@ -21,7 +21,7 @@ namespace {
 using checker::ExactPair;
 using whole::Dyadic;
 
-constexpr int kMostCalls = 1 << 11, kMostCallsOfTies = 1 << 14;
+constexpr int kMostCalls = 1 << 11, kMostCallsOfTies = 1 << 16;
 
 void find_bounds(const ExactPair& pair, const PlacedForms& placed, const Separation& found,
                  SeparationCertificate& certificate) {

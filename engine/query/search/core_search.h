@@ -32,6 +32,7 @@ struct CoreSeparation {
   Vec3<L> normal;  // unit
   L distance;      // signed, along it
   L lower, upper;  // of the signed distance of the cores, rounding included
+  L missing{0.0};  // of the distance, in what the normal alone shows
   int n_points = 0;
   std::array<Point, 4> points{};
   std::array<L, 4> weights{};
@@ -74,6 +75,7 @@ class CoreSearch {
       found_.normal = descent_.normal;
       found_.has_normal = norm_1(found_.normal) > L(0.0);
       found_.distance = square_root(descent_.simplex.square());
+      found_.missing = descent_.missing;
       found_.take_points(descent_.simplex);
       return;
     }

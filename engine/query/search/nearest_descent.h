@@ -30,6 +30,7 @@ struct NearestDescent {
   Vec3<L> normal_of_lower;  // unit, the one that has shown `lower`; zero where none has
   L lower{0.0};             // of the distance, rounding included; negative where nothing is known
   L upper{0.0};
+  L missing{0.0};  // where stalled: of the simplex' distance, in what `normal` alone shows
   int n_support_calls = 0;
 };
 
@@ -83,8 +84,11 @@ NearestDescent<L, Point> descend_to_origin(const Difference& difference, const V
       // Next to the origin the nearest point's direction is all rounding, and an earlier one may have been better: the
       // one along which, or to the point of which, less is missing.
       const Vec3<L> aside = result.simplex.at() + length * best_normal;
-      const bool is_better = dot(aside, aside) < (length - in_front) * (length - in_front);
-      if (is_better && norm_1(best_normal) > L(0.0)) result.normal = best_normal;
+      result.missing = length - in_front;
+      if (dot(aside, aside) < result.missing * result.missing && norm_1(best_normal) > L(0.0)) {
+        result.normal = best_normal;
+        result.missing = (length - result.lower) - slack;
+      }
       result.end = End::stalled;
       return result;
     }

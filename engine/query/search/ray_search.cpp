@@ -1,9 +1,11 @@
 #include "engine/query/search/ray_search.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/numeric/directions.h"
 #include "engine/query/search/difference.h"
+#include "engine/query/search/nearest_simplex.h"
 #include "engine/query/search/portal_refinement.h"
 
 namespace vex {
@@ -33,6 +35,13 @@ Vec3d across(const Vec3d& unit) {
 }
 
 constexpr double kMostReach = 0x1p1000;
+
+// A corner of a portal as it is seen from where the bodies meet.
+struct SeenCorner {
+  Vec3d w;
+  const DifferencePoint* corner = nullptr;
+};
+constexpr int kMostCornerTurns = 16;
 
 }  // namespace
 
@@ -253,13 +262,18 @@ double RaySearch::width_of_rounding() const {
   return 8.0 * error_.support * norm_1(normal_) / std::fmax(std::fabs(dot(normal_, dir_)), 0x1p-60);
 }
 
+void RaySearch::keep(const Corners& corners) {
+  for (const DifferencePoint& corner : corners) contact_[n_contact_++] = corner;
+}
+
 RayBounds RaySearch::run(const Vec3d& separating_dir, bool is_apart_at_start) {
   cut(along_);
   if (!bounds_.is_miss && norm_1(separating_dir) > 0.0) cut(scaled_to_unit_exponent(separating_dir));
   if (bounds_.is_miss) return bounds_;
   Line ray = line_at(0.0, 0.0);
-  std::optional<Corners> corners = close_in(ray);
+  const std::optional<Corners> corners = close_in(ray);
   bounds_.upper = ray.upper;
+  if (corners) keep(*corners);
   if (corners && !(bounds_.lower > 0.0) && !(ray.least >= 0.0)) look_behind(ray, *corners);
   // Through an edge or a corner: points of K on three lines around the ray have one on the ray between them.
   double offset = kFirstOffset * shadow_error_;
@@ -269,17 +283,22 @@ RayBounds RaySearch::run(const Vec3d& separating_dir, bool is_apart_at_start) {
     const double angle = 0.7548776662 + 2.399963 * attempt;
     double latest = -HUGE_VAL, least = HUGE_VAL;
     bool are_settled = true;
-    int n_lines = 0;
-    for (int k = 0; k < 3 && latest < bounds_.upper && !bounds_.is_miss; ++k) {
-      const double turned = angle + 2.0943951023931953 * k;
+    std::array<std::optional<Corners>, 3> portals;
+    std::size_t n_lines = 0;
+    while (n_lines < 3 && latest < bounds_.upper && !bounds_.is_miss) {
+      const double turned = angle + 2.0943951023931953 * static_cast<double>(n_lines);
       Line beside = line_at(offset * std::cos(turned), offset * std::sin(turned));
-      const std::optional<Corners> found = close_in(beside);
-      if (!corners) corners = found;
+      const std::optional<Corners>& found = portals[n_lines++] = close_in(beside);
+      if (found && n_contact_ == 0) keep(*found);
       latest = std::fmax(latest, beside.upper + 8.0 * kUnitRoundoff * offset);
       if (found && !(bounds_.lower > 0.0) && !(beside.least > 0.0)) look_behind(beside, *found);
       least = std::fmin(least, beside.least - 8.0 * kUnitRoundoff * offset);
-      n_lines = k + 1;
       are_settled = are_settled && beside.is_settled;
+    }
+    if (n_lines == 3 && latest < bounds_.upper) {
+      // Between what they meet is a point on the ray.
+      n_contact_ = 0;
+      for (const std::optional<Corners>& portal : portals) keep(*portal);
     }
     bounds_.upper = std::fmin(bounds_.upper, latest);
     if (n_lines == 3) ray.least = std::fmax(ray.least, least);
@@ -292,28 +311,35 @@ RayBounds RaySearch::run(const Vec3d& separating_dir, bool is_apart_at_start) {
   // the bodies may touch, or no later than the first one.
   bounds_.is_hit = !bounds_.is_miss && bounds_.upper < HUGE_VAL && (bounds_.lower > 0.0 || ray.least >= 0.0);
   if (bounds_.is_hit) bounds_.upper = std::fmax(bounds_.upper, 0.0);
-  if (corners) {
-    contact_ = *corners;
-    const Shadow p = shadow(contact_[0], ray), q = shadow(contact_[1], ray), r = shadow(contact_[2], ray);
-    weights_ = {std::fmax(turn(q, r), 0.0), std::fmax(turn(r, p), 0.0), std::fmax(turn(p, q), 0.0)};
-    const double sum = weights_[0] + weights_[1] + weights_[2];
-    for (double& weight : weights_) weight = sum > 0.0 ? weight / sum : 1.0 / 3.0;
-  }
   return bounds_;
 }
 
 RaySearch::Touch RaySearch::touch() const {
   Touch touch;
   if (norm_1(normal_) > 0.0) touch.normal = unit_along(normal_);
-  Vec3d of_a, of_b, own_b;
-  for (std::size_t k = 0; k < 3; ++k) {
-    of_a = of_a + weights_[k] * contact_[k].core_a;
-    of_b = of_b + weights_[k] * contact_[k].core_b;
-    own_b = own_b + weights_[k] * contact_[k].own_b;
+  if (n_contact_ == 0) return touch;
+  const double time = bounds_.upper < HUGE_VAL ? bounds_.lower + 0.5 * (bounds_.upper - bounds_.lower) : bounds_.lower;
+  // A portal may be narrower than rounding is, or lie along the ray: so not by its shadow. Whatever corner brings the
+  // corners' nearest point nearer is taken in, until none does.
+  NearestSimplex<double, SeenCorner> met;
+  int n_without_gain = 0;
+  for (std::size_t k = 0; k < kMostCornerTurns * n_contact_ && n_without_gain < static_cast<int>(n_contact_); ++k) {
+    const DifferencePoint& corner = contact_[k % n_contact_];
+    n_without_gain = met.add({corner.at - time * dir_, &corner}, false) ? 0 : n_without_gain + 1;
   }
-  touch.point_a = times_power_of_two(of_a, -exponent_) + a_.ball_radius() * touch.normal;
-  touch.point_b = times_power_of_two(of_b, -exponent_) - b_.ball_radius() * touch.normal;
-  touch.point_b_in_b = own_b - b_.ball_radius() * a_from_b_.direction_to_b(touch.normal);
+  Vec3d core_a, core_b, own_b, outwards;
+  for (int k = 0; k < met.size(); ++k) {
+    const double weight = met.weight(k);
+    const DifferencePoint& corner = *met.point(k).corner;
+    core_a = core_a + weight * corner.core_a;
+    core_b = core_b + weight * corner.core_b;
+    own_b = own_b + weight * corner.own_b;
+    // With the balls along the corners' own directions what is between the corners is where the bodies meet.
+    outwards = outwards + weight * unit_along(corner.dir);
+  }
+  touch.point_a = times_power_of_two(core_a, -exponent_) + a_.ball_radius() * outwards;
+  touch.point_b = times_power_of_two(core_b, -exponent_) - b_.ball_radius() * outwards;
+  touch.point_b_in_b = own_b - b_.ball_radius() * a_from_b_.direction_to_b(outwards);
   return touch;
 }
 

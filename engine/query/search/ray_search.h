@@ -88,6 +88,7 @@ class RaySearch {
   std::optional<Corners> close_in(Line& line);
   void look_behind(Line& line, const Corners& corners);
   double width_of_rounding() const;
+  void keep(const Corners& corners);
   bool is_known_well(double upper) const {
     return bounds_.lower > 0.0 && upper - bounds_.lower < relative_gap_ * bounds_.lower;
   }
@@ -104,8 +105,8 @@ class RaySearch {
   Vec3d across_x_, across_y_, along_;
   RayBounds bounds_;
   Vec3d normal_;
-  Corners contact_{};
-  std::array<double, 3> weights_{};
+  std::array<DifferencePoint, 9> contact_;  // corners of the last portal, or of those of three lines around the ray
+  std::size_t n_contact_ = 0;
   int n_support_calls_ = 0;
 };
 

@@ -11,17 +11,17 @@
 namespace vex {
 
 struct WayOut {
-  Vec3d normal;          // unit
-  double height = 0.0;   // of the cores' difference along it, as its support mapping has it
-  Vec3d core_a, core_b;  // points of the cores about where the ray leaves
-  Vec3d own_core_b;      // in B's frame
+  bool is_found = false;
+  Vec3d normal;                          // unit
+  double height = 0.0;                   // of the cores' difference along it, as its support mapping has it
+  Vec3d point_a, point_b, point_b_in_b;  // of the bodies, where the ray along the normal leaves
   int n_support_calls = 0;
-  bool is_shorter = false;
 };
 
-/// `height` is that of the difference along the unit vector `normal`; a way that is shorter by less than `least_gain`
-/// is not worth it.
+/// The height along the unit vector `first_normal` is `first_height`: that way, with its points, or a shorter one. A
+/// way that is shorter by less than `least_gain` is not worth another ray.
 WayOut shorter_way_out(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
-                       const CoreDifference& difference, const Vec3d& normal, double height, double least_gain);
+                       const CoreDifference& difference, const Vec3d& first_normal, double first_height,
+                       double least_gain);
 
 }  // namespace vex
