@@ -26,7 +26,7 @@ struct NearestDescent {
   };
   End end = End::stalled;
   NearestSimplex<L, Point> simplex;
-  Vec3<L> normal;  // unit, from the simplex' nearest point to the origin; where separated, it separates
+  Vec3<L> normal;           // unit, from the simplex' nearest point to the origin; where separated, it separates
   Vec3<L> normal_of_lower;  // unit, the one that has shown `lower`; zero where none has
   L lower{0.0};             // of the distance, rounding included; negative where nothing is known
   L upper{0.0};
