@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "engine/query/certificate.h"
 #include "tests/referees/separation_judge.h"
 
 namespace vex {
@@ -27,6 +28,7 @@ inline std::string pose_as_source(const Transformd& pose) {
 /// Lengths relative to the judgement's size.
 struct SeparationTally {
   std::uint64_t n = 0, n_apart = 0, n_wrong = 0, n_bounds_violated = 0, n_undecided = 0, n_unknown = 0;
+  std::uint64_t n_certificates = 0, n_not_accepted = 0;
   double worst_distance = 0.0, worst_depth = 0.0, widest = 0.0, widest_unknown = 0.0, farthest_off = 0.0,
          n_support_calls = 0.0;
   struct Fault {
@@ -49,10 +51,20 @@ struct SeparationTally {
     farthest_off = std::max(farthest_off, judgement.points_off);
     n_support_calls += answer.n_support_calls;
     if (!judgement.is_right()) ++n_wrong;
-    for (const std::string& text : judgement.faults) {
-      Fault& fault = faults[text.substr(0, text.find(" ("))];
-      if (fault.n++ == 0) fault.first = text + " at " + pose_as_source(pose);
-    }
+    for (const std::string& text : judgement.faults) blame(pose, text);
+  }
+  /// Of the exact checker.
+  void add(const Transformd& pose, const CertificateCheck& check) {
+    ++n_certificates;
+    if (check.is_proven) return;
+    ++n_not_accepted;
+    blame(pose, "certificate: " + check.fault);
+  }
+
+ private:
+  void blame(const Transformd& pose, const std::string& text) {
+    Fault& fault = faults[text.substr(0, text.find(" ("))];
+    if (fault.n++ == 0) fault.first = text + " at " + pose_as_source(pose);
   }
 };
 

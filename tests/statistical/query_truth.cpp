@@ -1,9 +1,10 @@
 // Distances and depths of millions of poses, each judged in twice the precision (tests/referees/separation_judge.h),
-// for pairs of bodies of all kinds: a table, kind by kind, of the worst that was seen. Ends with 1 where any answer is
-// wrong, and says at which pose the first of them was.
-//   vex_query_truth [--pairs N] [--near N] [--aligned N] [--threads N] [--seed N] [KIND...]
-// Without options: 100000 poses anywhere, 10000 near contact, 1000 with the bodies' axes parallel, of every kind. A
-// kind is two bodies with a blank between, or one: "box:1,2,3 hull:20". Half an hour on two cores.
+// for pairs of bodies of all kinds: a table, kind by kind, of the worst that was seen. Of every so many answers the
+// exact checker judges the certificate, too. Ends with 1 where any answer is wrong or not proven, and says at which
+// pose the first of them was.
+//   vex_query_truth [--pairs N] [--near N] [--aligned N] [--certificates N] [--threads N] [--seed N] [KIND...]
+// Without options: 100000 poses anywhere, 10000 near contact, 1000 with the bodies' axes parallel, of every kind, and
+// the certificates of all. A kind is two bodies with a blank between, or one: "box:1,2,3 hull:20". Hours on two cores.
 #include <atomic>
 #include <cstdlib>
 #include <mutex>
@@ -12,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/query/separation.h"
+#include "engine/query/separation_certificate.h"
 #include "tests/referees/separation_kinds.h"
 #include "tests/referees/separation_tally.h"
 
@@ -20,7 +21,7 @@ namespace vex {
 namespace {
 
 struct Counts {
-  int n_pairs = 100000, n_near = 10000, n_aligned = 1000, n_threads = 2, seed = 1;
+  int n_pairs = 100000, n_near = 10000, n_aligned = 1000, every_certificate = 1, n_threads = 2, seed = 1;
 };
 
 SeparationTally tally_of(const SeparationKind& kind, const Counts& counts) {
@@ -34,6 +35,8 @@ SeparationTally tally_of(const SeparationKind& kind, const Counts& counts) {
   const auto ask = [&](const Transformd& pose) {
     const Separation answer = signed_distance(a, b, pose);
     tally.add(pose, answer, judge.judge(pose, answer));
+    if (counts.every_certificate < 1 || tally.n % static_cast<std::uint64_t>(counts.every_certificate) != 0) return;
+    tally.add(pose, check_certificate(a, b, pose, answer, certify(a, b, pose, answer)));
   };
   for (int k = 0; k < counts.n_pairs; ++k) ask(random_pose(random, domain, b));
   for (int k = 0; k < counts.n_near; ++k) ask(near_contact_pose(a, b, random, k));
@@ -63,7 +66,7 @@ void print_row(const SeparationKind& kind, const SeparationTally& tally) {
 bool run(const std::vector<SeparationKind>& kinds, const Counts& counts) {
   print_head();
   std::atomic<std::size_t> next = 0;
-  std::uint64_t n = 0, n_wrong = 0;
+  std::uint64_t n = 0, n_wrong = 0, n_certificates = 0, n_not_accepted = 0;
   std::mutex printing;
   const auto work = [&] {
     for (std::size_t k = next++; k < kinds.size(); k = next++) {
@@ -72,6 +75,8 @@ bool run(const std::vector<SeparationKind>& kinds, const Counts& counts) {
       print_row(kinds[k], tally);
       n += tally.n;
       n_wrong += tally.n_wrong;
+      n_certificates += tally.n_certificates;
+      n_not_accepted += tally.n_not_accepted;
     }
   };
   std::vector<std::thread> threads;
@@ -79,7 +84,9 @@ bool run(const std::vector<SeparationKind>& kinds, const Counts& counts) {
   for (std::thread& thread : threads) thread.join();
   std::printf("%llu answers, %llu of them wrong\n", static_cast<unsigned long long>(n),
               static_cast<unsigned long long>(n_wrong));
-  return n > 0 && n_wrong == 0;
+  std::printf("%llu certificates checked in exact arithmetic, %llu not accepted\n",
+              static_cast<unsigned long long>(n_certificates), static_cast<unsigned long long>(n_not_accepted));
+  return n > 0 && n_wrong == 0 && n_not_accepted == 0;
 }
 
 }  // namespace
@@ -91,11 +98,10 @@ int main(int argc, char** argv) {
   std::vector<SeparationKind> kinds;
   for (int k = 1; k < argc; ++k) {
     const std::string text = argv[k];
-    const std::pair<const char*, int*> options[] = {{"--pairs", &counts.n_pairs},
-                                                    {"--near", &counts.n_near},
-                                                    {"--aligned", &counts.n_aligned},
-                                                    {"--threads", &counts.n_threads},
-                                                    {"--seed", &counts.seed}};
+    const std::pair<const char*, int*> options[] = {
+        {"--pairs", &counts.n_pairs},     {"--near", &counts.n_near},
+        {"--aligned", &counts.n_aligned}, {"--certificates", &counts.every_certificate},
+        {"--threads", &counts.n_threads}, {"--seed", &counts.seed}};
     const auto* const option = std::ranges::find_if(options, [&](const auto& one) { return text == one.first; });
     if (option != std::end(options)) {
       if (++k == argc) return 2;
