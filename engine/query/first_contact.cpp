@@ -39,9 +39,9 @@ void touch_at_start(const ConvexBody& a, const ConvexBody& b, const Transformd& 
     return;
   }
   contact.normal = unit_along(-motion);
-  contact.point_a = touch.point_a + a.ball_radius() * contact.normal;
-  contact.point_b = touch.point_b - b.ball_radius() * contact.normal;
-  contact.point_b_in_b = touch.point_b_in_b - b.ball_radius() * a_from_b.direction_to_b(contact.normal);
+  contact.point_a = touch.point_a;
+  contact.point_b = touch.point_b;
+  contact.point_b_in_b = touch.point_b_in_b;
 }
 
 double between(double lower, double upper) {
