@@ -24,6 +24,14 @@ FirstContact contact_at_start(const ConvexBody& a, const ConvexBody& b, const Tr
           found.point_b_in_b};
 }
 
+// Of what else knows where the bodies meet.
+template <class Found>
+void take_points(const Found& found, FirstContact& contact) {
+  contact.point_a = found.point_a;
+  contact.point_b = found.point_b;
+  contact.point_b_in_b = found.point_b_in_b;
+}
+
 // Of bodies that touch at the start the search finds no plane between them: normal and points are those of the
 // distance there, or, where that has none either, along the motion through the points that the search has.
 void touch_at_start(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Vec3d& motion,
@@ -33,15 +41,11 @@ void touch_at_start(const ConvexBody& a, const ConvexBody& b, const Transformd& 
   contact.n_support_calls += found.n_support_calls;
   if (found.has_witnesses && norm_1(found.normal) > 0.0) {
     contact.normal = found.normal;
-    contact.point_a = found.point_a;
-    contact.point_b = found.point_b;
-    contact.point_b_in_b = found.point_b_in_b;
+    take_points(found, contact);
     return;
   }
   contact.normal = unit_along(-motion);
-  contact.point_a = touch.point_a;
-  contact.point_b = touch.point_b;
-  contact.point_b_in_b = touch.point_b_in_b;
+  take_points(touch, contact);
 }
 
 double between(double lower, double upper) {
@@ -59,9 +63,7 @@ void touch_by_balls(const ConvexBody& a, const ConvexBody& b, const Transformd& 
   contact.n_support_calls += found.n_support_calls;
   if (!(dot(found.normal, motion) < 0.0)) return;
   contact.normal = found.normal;
-  contact.point_a = found.point_a;
-  contact.point_b = found.point_b;
-  contact.point_b_in_b = found.point_b_in_b;
+  take_points(found, contact);
 }
 
 // What the search left open.
@@ -87,9 +89,7 @@ void decide_exactly(const ConvexBody& a, const ConvexBody& b, const Transformd& 
   contact.n_support_calls += apart.n_support_calls;
   if (dot(apart.normal, motion) < 0.0 || !(norm_1(contact.normal) > 0.0)) contact.normal = apart.normal;
   if (!(norm_1(contact.normal) > 0.0)) contact.normal = unit_along(-motion);
-  contact.point_a = apart.point_a;
-  contact.point_b = apart.point_b;
-  contact.point_b_in_b = apart.point_b_in_b;
+  take_points(apart, contact);
 }
 
 void require_end(double until) {
@@ -139,9 +139,8 @@ FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Pose& p
     contact.verdict = Verdict::overlap(DecidedBy::gjk);
     contact.upper = upper;
     contact.time = between(contact.lower, contact.upper);
-    contact.point_a = touch.point_a;
+    take_points(touch, contact);
     contact.point_b = touch.point_b + contact.time * motion;
-    contact.point_b_in_b = touch.point_b_in_b;
     touch_by_balls(a, b, a_from_b, motion, contact);
     if (!(norm_1(contact.normal) > 0.0)) touch_at_start(a, b, a_from_b, motion, touch, contact);
     return contact;

@@ -88,15 +88,18 @@ struct DoubleQuery {
                  max_hull_points(a, b, given),
                  given.max_distance} {}
 
-  // The bodies' answer from that of their cores.
-  void take(const Vec3d& normal, double distance, double lower, double upper, const CorePoints& cores,
-            Separation& result) const {
+  // The bodies' answer from that of their cores, but for the points.
+  void take(const Vec3d& normal, double distance, double lower, double upper, Separation& result) const {
     const double rounding = 4.0 * kUnitRoundoff * settings.radii;
     result.lower = lower - settings.radii - rounding;
     result.upper = upper - settings.radii + rounding;
     result.signed_distance = distance - settings.radii;
     result.has_witnesses = true;
     result.normal = normal;
+  }
+  void take(const Vec3d& normal, double distance, double lower, double upper, const CorePoints& cores,
+            Separation& result) const {
+    take(normal, distance, lower, upper, result);
     set_points(result, a_from_b, cores, radius_a, radius_b);
   }
   void take(const ZonotopeSeparation& found, Separation& result) const {
@@ -165,7 +168,7 @@ Searched search_in_double(const DoubleQuery& query, const DifferenceZonotope* zo
                                        query.settings.wanted(core.distance));
     result.n_support_calls += way.n_support_calls;
     if (way.is_found) {
-      query.take(way.normal, -way.height, std::fmax(core.lower, -way.height - slack), core.upper, {}, result);
+      query.take(way.normal, -way.height, std::fmax(core.lower, -way.height - slack), core.upper, result);
       result.point_a = way.point_a;
       result.point_b = way.point_b;
       result.point_b_in_b = way.point_b_in_b;

@@ -41,7 +41,7 @@ struct SeenCorner {
   Vec3d w;
   const DifferencePoint* corner = nullptr;
 };
-constexpr int kMostCornerTurns = 16;
+constexpr std::size_t kMostCornerTurns = 16;
 
 }  // namespace
 
@@ -322,8 +322,8 @@ RaySearch::Touch RaySearch::touch() const {
   // A portal may be narrower than rounding is, or lie along the ray: so not by its shadow. Whatever corner brings the
   // corners' nearest point nearer is taken in, until none does.
   NearestSimplex<double, SeenCorner> met;
-  int n_without_gain = 0;
-  for (std::size_t k = 0; k < kMostCornerTurns * n_contact_ && n_without_gain < static_cast<int>(n_contact_); ++k) {
+  std::size_t n_without_gain = 0;
+  for (std::size_t k = 0; k < kMostCornerTurns * n_contact_ && n_without_gain < n_contact_; ++k) {
     const DifferencePoint& corner = contact_[k % n_contact_];
     n_without_gain = met.add({corner.at - time * dir_, &corner}, false) ? 0 : n_without_gain + 1;
   }
