@@ -27,10 +27,11 @@ second virial coefficient of hard particles: by Monte Carlo with collision
 verdicts that are proven against rounding, and by the formula from the
 bodies' volume, surface and integrated mean curvature. vex_pair answers
 whether two bodies overlap at given poses, how far apart or how deep in each
-other they are, and when a motion makes them meet. vex_paper repeats the
-computations of a paper of 2002 and explains its faulty values. vex_bench measures run time
-against error of every estimator. vex_stress holds overlap tests against exact
-arithmetic where they are known to fail.
+other they are, and when a motion makes them meet. vex_scene asks the same
+of many bodies in open space or in a periodic box: pairs, distances, clusters.
+vex_paper repeats the computations of a paper of 2002 and explains its faulty
+values. vex_bench measures run time against error of every estimator. vex_stress
+holds overlap tests against exact arithmetic where they are known to fail.
 .
 Bodies are closed convex meshes (OBJ, PLY, STL, OFF, glTF, ...), or named
 ones such as box:1,2,3.")

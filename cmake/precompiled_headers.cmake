@@ -5,9 +5,10 @@
 # warnings where characters are copied; the engine and the programs keep these. And a kernel shares no code with the
 # rest (docs/decisions/0009).
 #
-# A compiler cache takes what is made from one for something else in each checkout, and does better without.
+# A compiler cache takes what is made from one for something else in each checkout, and does better without. So do files
+# that are compiled together (VEX_UNITY_BUILD): to load 130 MB of parsed headers takes as long as to parse them once.
 set(default ${PROJECT_IS_TOP_LEVEL})
-if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
+if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache" OR VEX_UNITY_BUILD)
   set(default OFF)
 endif()
 option(VEX_PRECOMPILED_HEADERS "Parse headers that many tests include once" ${default})

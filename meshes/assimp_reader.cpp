@@ -125,12 +125,12 @@ double placed_last_place(const Placement& world_from_mesh, double largest) {
   return most;
 }
 
-constexpr std::size_t kMost = std::size_t{1} << 30U;
+constexpr std::size_t kMostOfSoup = std::size_t{1} << 30U;
 
 void append_points(const aiMesh& mesh, const Placement& world_from_mesh, PolygonSoup* soup, MovedBy* moved) {
   const std::size_t first = soup->points.size();
   const std::size_t n_points = mesh.mVertices != nullptr ? mesh.mNumVertices : 0;
-  if (first + n_points > kMost) {
+  if (first + n_points > kMostOfSoup) {
     throw InputError("the mesh is too large (more than 2^30 vertices) - simplify it");
   }
   const bool in_place = world_from_mesh.matrix == kIdentity;  // then not even a -0 changes
@@ -164,7 +164,7 @@ void append_mesh(const aiMesh& mesh, const Placement& world_from_mesh, PolygonSo
       ++soup->n_ignored_faces;
       continue;
     }
-    if (soup->corners.size() + face.mNumIndices > kMost) {
+    if (soup->corners.size() + face.mNumIndices > kMostOfSoup) {
       throw InputError("the mesh is too large (more than 2^30 corners of faces) - simplify it");
     }
     for (unsigned int k = 0; k < face.mNumIndices; ++k) {

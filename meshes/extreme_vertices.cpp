@@ -19,7 +19,7 @@
 namespace vex {
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
 
 /// For each vertex a direction that it is outermost in, if it is a corner: the triangles' unit normals, each times the
 /// chord of its angle at the vertex, about as long as the angle; so how a face is cut matters little.
@@ -152,7 +152,7 @@ class GrowingChoice {
     FacetDistance distance(hull);
     struct Farthest {
       double distance = 0.0;
-      std::uint32_t vertex = kNone;
+      std::uint32_t vertex = kNoVertex;
     };
     std::vector<Farthest> farthest(hull.size());
     std::vector<std::uint32_t> undecided;
@@ -163,17 +163,17 @@ class GrowingChoice {
         continue;
       }
       undecided.push_back(v);
-      if (farthest[facet].vertex == kNone || outside > farthest[facet].distance) {
+      if (farthest[facet].vertex == kNoVertex || outside > farthest[facet].distance) {
         farthest[facet] = {outside, v};
       }
     }
     for (const Farthest& one : farthest) {
-      if (one.vertex != kNone) {
+      if (one.vertex != kNoVertex) {
         is_kept_[one.vertex] = true;
       }
     }
     std::erase_if(undecided, [&](std::uint32_t v) { return is_kept_[v]; });
-    const bool found = std::ranges::any_of(farthest, [](const Farthest& one) { return one.vertex != kNone; });
+    const bool found = std::ranges::any_of(farthest, [](const Farthest& one) { return one.vertex != kNoVertex; });
     undecided_ = std::move(undecided);
     return found;
   }

@@ -10,7 +10,7 @@
 namespace vex {
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNoFacet = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t kMostSteps = 1'000'000'000;  // of all searches together; then any facet has to do for a bound
 
 /// Weights of two corners of a triangle, from 0 up, together 1 at most; the rest is the third corner's.
@@ -59,17 +59,17 @@ FacetDistance::FacetDistance(const Triangles& hull) : hull_(hull), middle_(volum
 /// circle.
 std::uint32_t FacetDistance::facet_towards(const Vec3d& local) {
   std::uint32_t facet = near_;
-  std::uint32_t came_from = kNone;
+  std::uint32_t came_from = kNoFacet;
   for (std::size_t step = 0; step < hull_.size() && n_steps_ < kMostSteps; ++step, ++n_steps_) {
-    std::uint32_t across = kNone;
-    for (std::uint32_t i = 0; i < 3 && across == kNone; ++i) {
+    std::uint32_t across = kNoFacet;
+    for (std::uint32_t i = 0; i < 3 && across == kNoFacet; ++i) {
       const std::uint32_t h = 3 * facet + (i + static_cast<std::uint32_t>(step)) % 3;
       const std::uint32_t beyond = hull_.mates[h] / 3;
       if (beyond != came_from && dot(cross(local_[hull_.tail(h)], local_[hull_.head(h)]), local) < 0.0) {
         across = beyond;
       }
     }
-    if (across == kNone) {
+    if (across == kNoFacet) {
       break;
     }
     came_from = facet;

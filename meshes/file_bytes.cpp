@@ -14,8 +14,6 @@
 namespace vex {
 namespace {
 
-constexpr std::size_t kMiB = std::size_t{1} << 20U;
-
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}

@@ -6,11 +6,10 @@
 #include <new>
 
 #include "engine/numeric/errors.h"
+#include "meshes/machine_memory.h"
 
 namespace vex {
 namespace {
-
-constexpr std::uint64_t kMiB = std::uint64_t{1} << 20U;
 
 class Inflater {
  public:

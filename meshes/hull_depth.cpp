@@ -9,7 +9,7 @@
 namespace vex {
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();
 
 /// n . p = offset with a unit normal; both zero for a triangle without area, whose place its neighbours cover.
 struct Plane {
@@ -33,7 +33,7 @@ class HullFromInside {
   /// From `start` to neighbours whose planes are nearer to `p`, until there is none.
   std::uint32_t nearest_facet_from(const Vec3d& p, std::uint32_t start) const {
     std::uint32_t facet = start;
-    for (std::uint32_t previous = kNone; previous != facet;) {
+    for (std::uint32_t previous = kNoIndex; previous != facet;) {
       previous = facet;
       for (std::uint32_t k = 0; k < 3; ++k) {
         facet = nearer(p, facet, hull_.mates[3 * previous + k] / 3);
@@ -66,10 +66,10 @@ class HullFromInside {
   /// random order. All walks together have a bounded number of steps, after which any facet has to do for a bound.
   std::uint32_t facet_towards(const Vec3d& p, std::uint32_t start) {
     std::uint32_t facet = start;
-    std::uint32_t came_from = kNone;
+    std::uint32_t came_from = kNoIndex;
     for (std::size_t step = 0; step < hull_.size() && n_steps_ < kMostSteps; ++step, ++n_steps_) {
       const std::uint32_t across = edge_before(p, facet, came_from, step);
-      if (across == kNone) {
+      if (across == kNoIndex) {
         break;
       }
       came_from = facet;
@@ -109,7 +109,7 @@ class HullFromInside {
         return half_edge;
       }
     }
-    return kNone;
+    return kNoIndex;
   }
 
   const Triangles& hull_;
@@ -139,7 +139,7 @@ HullDepth depth_below_hull(const Triangles& mesh, const Triangles& hull, const L
     }
   };
   // For each vertex a half-edge of the hull: one that starts there, or one of a facet that the vertex is in or near.
-  std::vector<std::uint32_t> half_edge_at(vertices.size(), kNone);
+  std::vector<std::uint32_t> half_edge_at(vertices.size(), kNoIndex);
   for (std::uint32_t h = 0; h < hull.mates.size(); ++h) {
     half_edge_at[hull.tail(h)] = h;
   }
@@ -152,11 +152,11 @@ HullDepth depth_below_hull(const Triangles& mesh, const Triangles& hull, const L
   };
 
   // Over the mesh from triangle to neighbouring triangle, from one with a vertex of the hull.
-  std::vector<std::uint32_t> facet_of_middle(mesh.size(), kNone);
+  std::vector<std::uint32_t> facet_of_middle(mesh.size(), kNoIndex);
   std::vector<std::uint32_t> queue;
   queue.reserve(mesh.size());
   for (std::uint32_t t = 0; queue.empty(); ++t) {
-    if (half_edge_at[mesh.corners[t][0]] != kNone) {
+    if (half_edge_at[mesh.corners[t][0]] != kNoIndex) {
       facet_of_middle[t] = half_edge_at[mesh.corners[t][0]] / 3;
       queue.push_back(t);
     }
@@ -168,12 +168,12 @@ HullDepth depth_below_hull(const Triangles& mesh, const Triangles& hull, const L
     const std::uint32_t towards_middle = surface.facet_towards(middle, facet_of_middle[t]);
     std::uint32_t start = towards_middle;
     for (const std::uint32_t vertex : {a, b, c}) {
-      if (half_edge_at[vertex] != kNone) {
+      if (half_edge_at[vertex] != kNoIndex) {
         start = surface.nearest_around(middle, start, half_edge_at[vertex]);
       }
     }
     for (const std::uint32_t vertex : {a, b, c}) {
-      if (half_edge_at[vertex] == kNone) {
+      if (half_edge_at[vertex] == kNoIndex) {
         find_vertex(vertex, start);
       }
     }
@@ -181,7 +181,7 @@ HullDepth depth_below_hull(const Triangles& mesh, const Triangles& hull, const L
     note_depth(middle, surface.depth_below(middle, surface.nearest_facet_from(middle, start)));
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t neighbour = mesh.mates[3 * t + k] / 3;
-      if (facet_of_middle[neighbour] == kNone) {
+      if (facet_of_middle[neighbour] == kNoIndex) {
         facet_of_middle[neighbour] = towards_middle;
         queue.push_back(neighbour);
       }

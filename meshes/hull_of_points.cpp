@@ -16,7 +16,7 @@
 namespace vex {
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNotNumbered = std::numeric_limits<std::uint32_t>::max();
 
 /// Whether all points are one, lie on a line or lie in a plane: 0, 1, 2; 3 where they do not.
 int dimension_of(std::span<const Vec3d> points) {
@@ -73,7 +73,7 @@ std::vector<bool> hull_corners(const Triangles& convex) {
 
 HullOfPoints over_used_vertices(Triangles convex, const std::vector<bool>& is_used) {
   HullOfPoints result;
-  std::vector<std::uint32_t> renumbered(convex.vertices.size(), kNone);
+  std::vector<std::uint32_t> renumbered(convex.vertices.size(), kNotNumbered);
   for (std::size_t v = 0; v < renumbered.size(); ++v) {
     if (is_used[v]) {
       renumbered[v] = static_cast<std::uint32_t>(result.vertices.size());

@@ -26,7 +26,6 @@
 namespace vex {
 namespace {
 
-constexpr std::uint64_t kMiB = std::uint64_t{1} << 20U;
 constexpr std::uint64_t kGiB = std::uint64_t{1} << 30U;
 
 /// What the reading process may use.

@@ -5,6 +5,8 @@
 
 namespace vex {
 
+inline constexpr std::uint64_t kMiB = std::uint64_t{1} << 20U;
+
 /// Bytes of memory of this machine, or of this container where that is less.
 std::uint64_t machine_memory();
 

@@ -14,7 +14,7 @@ namespace vex {
 namespace {
 
 constexpr std::size_t kMostTests = 4'000'000'000;
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNoPoint = std::numeric_limits<std::uint32_t>::max();
 
 using Cell = std::array<double, 3>;  // whole numbers
 
@@ -34,13 +34,13 @@ class Grid {
  public:
   Grid(std::span<const Vec3d> points, double distance) : points_(points), edge_(0.55 * distance) {
     mask_ = std::bit_ceil(2 * points.size() + 1) - 1;
-    cell_at_.assign(mask_ + 1, kNone);
-    next_.assign(points.size(), kNone);
+    cell_at_.assign(mask_ + 1, kNoPoint);
+    next_.assign(points.size(), kNoPoint);
     std::vector<std::uint32_t> last;
     for (std::uint32_t p = 0; p < points.size(); ++p) {
       const Cell cell = cell_of(points[p]);
       const std::size_t slot = slot_of(cell);
-      if (cell_at_[slot] == kNone) {
+      if (cell_at_[slot] == kNoPoint) {
         cell_at_[slot] = static_cast<std::uint32_t>(first_.size());
         cells_.push_back(cell);
         first_.push_back(p);
@@ -64,7 +64,7 @@ class Grid {
         for (int k = i == 0 && j == 0 ? 1 : -2; k <= 2; ++k) {
           const Cell& from = cells_[cell];
           const std::uint32_t other = cell_at_[slot_of({from[0] + i, from[1] + j, from[2] + k})];
-          if (other != kNone) {
+          if (other != kNoPoint) {
             visit(other);
           }
         }
@@ -78,7 +78,7 @@ class Grid {
   }
   std::size_t slot_of(const Cell& cell) const {
     std::size_t slot = static_cast<std::size_t>(hash_of(cell)) & mask_;
-    while (cell_at_[slot] != kNone && cells_[cell_at_[slot]] != cell) {
+    while (cell_at_[slot] != kNoPoint && cells_[cell_at_[slot]] != cell) {
       slot = (slot + 1) & mask_;
     }
     return slot;
@@ -119,7 +119,7 @@ struct Box {
 };
 
 void measure_clusters(std::span<const Vec3d> points, NearPoints* near) {
-  std::vector<std::uint32_t> box_of(points.size(), kNone);
+  std::vector<std::uint32_t> box_of(points.size(), kNoPoint);
   std::vector<Box> boxes;
   for (std::uint32_t v = 0; v < points.size(); ++v) {
     const std::uint32_t first = near->joined_to[v];
@@ -128,7 +128,7 @@ void measure_clusters(std::span<const Vec3d> points, NearPoints* near) {
     }
     ++near->n_joined;
     near->largest_move = std::max(near->largest_move, norm(points[v] - points[first]));
-    if (box_of[first] == kNone) {
+    if (box_of[first] == kNoPoint) {
       box_of[first] = static_cast<std::uint32_t>(boxes.size());
       boxes.push_back({points[first], points[first]});
     }
@@ -138,7 +138,7 @@ void measure_clusters(std::span<const Vec3d> points, NearPoints* near) {
     box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
   }
   for (std::uint32_t v = 0; v < points.size(); ++v) {
-    const double width = box_of[v] == kNone ? 0.0 : norm(boxes[box_of[v]].high - boxes[box_of[v]].low);
+    const double width = box_of[v] == kNoPoint ? 0.0 : norm(boxes[box_of[v]].high - boxes[box_of[v]].low);
     if (width > near->widest) {
       near->widest = width;
       near->in_widest = points[v];
@@ -164,8 +164,8 @@ std::optional<NearPoints> near_points(std::span<const Vec3d> points, double dist
     if (clusters.root(grid.first(cell)) == clusters.root(grid.first(other))) {
       return;
     }
-    for (std::uint32_t p = grid.first(cell); p != kNone; p = grid.next(p)) {
-      for (std::uint32_t q = grid.first(other); q != kNone && n_tests < kMostTests; q = grid.next(q)) {
+    for (std::uint32_t p = grid.first(cell); p != kNoPoint; p = grid.next(p)) {
+      for (std::uint32_t q = grid.first(other); q != kNoPoint && n_tests < kMostTests; q = grid.next(q)) {
         ++n_tests;
         if (norm(points[p] - points[q]) <= distance) {
           clusters.join(p, q);
@@ -175,7 +175,7 @@ std::optional<NearPoints> near_points(std::span<const Vec3d> points, double dist
     }
   };
   for (std::uint32_t cell = 0; cell < grid.n_cells(); ++cell) {
-    for (std::uint32_t p = grid.next(grid.first(cell)); p != kNone; p = grid.next(p)) {
+    for (std::uint32_t p = grid.next(grid.first(cell)); p != kNoPoint; p = grid.next(p)) {
       clusters.join(grid.first(cell), p);
     }
   }

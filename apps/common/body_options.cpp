@@ -1,5 +1,6 @@
 #include "apps/common/body_options.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "apps/common/choices.h"
@@ -139,6 +140,11 @@ BodyOptions interpret_bodies(const BodyWords& words, std::span<const std::string
 void require_vertices_to_list(const LoadedBody& a, const LoadedBody& b) {
   if (a.is_polytope() || b.is_polytope()) return;
   throw UsageError("not a polytope, so it has no vertices to list (" + a.source + ") - leave out --dump-vertices");
+}
+
+void require_vertices_to_list(std::span<const LoadedBody> bodies) {
+  if (bodies.empty() || std::ranges::any_of(bodies, &LoadedBody::is_polytope)) return;
+  require_vertices_to_list(bodies.front(), bodies.front());
 }
 
 std::string named_bodies_help() {

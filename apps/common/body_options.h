@@ -33,8 +33,9 @@ void declare_options_of_two_bodies(OptionParser& options, BodyWords& words);
 BodyOptions interpret_bodies(const BodyWords& words, std::span<const std::string> bodies,
                              const std::string& poses = "");
 
-/// For --dump-vertices: throws UsageError where neither body has vertices.
+/// For --dump-vertices: throws UsageError where no body has vertices.
 void require_vertices_to_list(const LoadedBody& a, const LoadedBody& b);
+void require_vertices_to_list(std::span<const LoadedBody> bodies);
 
 /// The named bodies with their sizes, as --help lists them.
 std::string named_bodies_help();

@@ -21,9 +21,10 @@ std::string both_names(const std::string& one, const std::string& option_of_one,
 
 }  // namespace
 
-std::optional<OutputFile> CommandFiles::output(const std::string& option, const std::string& path) {
+std::optional<OutputFile> CommandFiles::output(const std::string& option, const std::string& path,
+                                               std::string_view mesh_extension) {
   if (path.empty()) return std::nullopt;
-  OutputFile file(path, inputs_);
+  OutputFile file(path, inputs_, mesh_extension);
   for (const Named& other : outputs_) {
     const bool both_standard = file.is_standard_output() && other.file.is_standard_output();
     if (!both_standard &&

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/common/output_file.h"
@@ -15,8 +16,9 @@ class CommandFiles {
   explicit CommandFiles(std::vector<std::string> inputs) : inputs_(std::move(inputs)) {}
 
   /// The file of an output option (`option`: "--json"); none where its value is empty. Throws UsageError as OutputFile
-  /// does, and where it is the file of another output.
-  std::optional<OutputFile> output(const std::string& option, const std::string& path);
+  /// does, and where it is the file of another output. `mesh_extension`: as of OutputFile.
+  std::optional<OutputFile> output(const std::string& option, const std::string& path,
+                                   std::string_view mesh_extension = {});
 
   /// The program also prints a report or rows on standard output; to be called behind all outputs. Nothing happens
   /// where an output is standard output, which then is not printed to otherwise. Throws UsageError where standard

@@ -33,6 +33,11 @@ std::optional<fs::path> target_of(fs::path path) {
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+  return text;
+}
+
 std::string name_of_input(const std::string& path) { return path == "-" ? "standard input" : path; }
 
 // Whether the path leads to something that must be written where it is: a device, a pipe, or a file that has no name
@@ -70,7 +75,8 @@ std::optional<std::string> input_that_is(const FileIdentity& output, std::span<c
   return *found;
 }
 
-OutputFile::OutputFile(std::string path, std::span<const std::string> inputs) : path_(std::move(path)) {
+OutputFile::OutputFile(std::string path, std::span<const std::string> inputs, std::string_view mesh_extension)
+    : path_(std::move(path)) {
   const auto refuse = [&](const std::string& problem, const char* advice, const std::string& remark = "") {
     throw UsageError(problem + " (" + path_ + remark + ") - " + advice);
   };
@@ -83,7 +89,10 @@ OutputFile::OutputFile(std::string path, std::span<const std::string> inputs) : 
   if (!target) refuse("the output file is a link that leads in a circle", "choose another name");
   target_ = *target;
   // What a user most likely meant as an input: overwriting it would cost the mesh.
-  if (names_a_mesh_format(path_) || names_a_mesh_format(target_)) {
+  const auto looks_like_an_input = [mesh_extension](const fs::path& name) {
+    return names_a_mesh_format(name) && (mesh_extension.empty() || lower_case(name.extension()) != mesh_extension);
+  };
+  if (looks_like_an_input(path_) || looks_like_an_input(target_)) {
     refuse("an output file would end in the extension of a mesh", "choose another name, such as result.json");
   }
   if (std::ranges::find(inputs, path_) != inputs.end()) refuse("the output file is an input", "choose another name");

@@ -36,7 +36,8 @@ class OutputFile {
   /// Throws UsageError where the path leads to one of `inputs`, or to the file behind standard input; where it ends in
   /// a mesh extension, looks like an option, or names a folder or a write-protected file, or where its folder does not
   /// exist or cannot be written, so that no long run ends in vain. Standard output is not looked at: command_files.h.
-  OutputFile(std::string path, std::span<const std::string> inputs);
+  /// `mesh_extension`: the one that it may have, ".glb", because a mesh is what it is to hold.
+  OutputFile(std::string path, std::span<const std::string> inputs, std::string_view mesh_extension = {});
 
   bool is_standard_output() const { return path_ == "-"; }
   const std::string& path() const { return path_; }

@@ -73,4 +73,8 @@ std::string table_text(const std::vector<std::vector<std::string>>& lines, std::
   return text;
 }
 
+std::string plural(std::uint64_t n, const std::string& one, const std::string& many) {
+  return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
 }  // namespace vex

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "apps/common/choices.h"
+#include "apps/common/instruction_sets.h"
 #include "apps/common/numbers.h"
 #include "apps/common/orientations.h"
 #include "apps/common/run_program.h"
@@ -38,16 +39,6 @@ BackendKind backend_named(const std::string& word) {
     }
   }
   throw UsageError("not a choice (\"" + word + "\" for --backend) - there are " + choices);
-}
-
-InstructionSet instruction_set_named(const std::string& name) {
-  if (name == "best") return best_instruction_set();
-  require_one_of(name, "--isa", {"best", "scalar", "sse2", "avx2", "avx512"});
-  for (const InstructionSet set : instruction_sets()) {
-    if (name_of(set) == name) return set;
-  }
-  throw UsageError("this machine or build has none (\"" + name + "\" for --isa) - its best is " +
-                   std::string(name_of(best_instruction_set())));
 }
 
 std::string estimators_help() {

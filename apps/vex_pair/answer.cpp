@@ -53,11 +53,13 @@ void require_in_reach(const Vec3d& translation) {
 
 // A search that overflows ends at the largest double.
 void require_finite(Query query, const Answer& answer) {
-  const bool is_contact = is_of_motion(query) && answer.verdict.outcome == Outcome::overlap;
-  if (is_contact && !(answer.upper < std::numeric_limits<double>::max())) {
+  // The bound from below of an undecided answer, for a contact later than any double is none that is claimed.
+  const double latest = std::numeric_limits<double>::max();
+  const bool is_late = answer.verdict.outcome == Outcome::overlap ? !(answer.upper < latest)
+                                                                  : answer.is_undecided() && !(answer.lower < latest);
+  if (is_of_motion(query) && is_late) {
     throw InputError("a contact so late that its time overflows (the " + std::string(name_of_value(query, answer)) +
-                     " is not below " + short_number(std::numeric_limits<double>::max(), 3) +
-                     ") - give a faster motion");
+                     " is not below " + short_number(latest, 3) + ") - give a faster motion");
   }
   bool is_told = is_of_motion(query) || query == Query::overlap || std::isfinite(answer.value);
   for (const std::optional<Vec3d>* const v : {&answer.normal, &answer.point_a, &answer.point_b}) {
@@ -224,6 +226,7 @@ Answer Question::separation_answer(const Separation& found) const {
   Answer result;
   result.verdict = found.verdict;
   result.n_support_calls = found.n_support_calls;
+  result.is_rough = found.is_rough;
   const bool either_sign = is_of_either_sign(settings_.query);
   const bool is_depth = settings_.query == Query::depth || (either_sign && found.verdict.outcome == Outcome::overlap);
   result.value = is_depth ? 0.0 - found.signed_distance : found.signed_distance;

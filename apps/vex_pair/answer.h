@@ -27,6 +27,7 @@ struct Answer {
   /// not there. Of an undecided overlap the bounds are those of the gap of the bodies, without the margin.
   double value = kNone, lower = kNone, upper = kNone;
   std::optional<double> signed_distance{};  // where the query is of either sign
+  bool is_rough = false;                    // the bounds are farther apart than is usual: Separation::is_rough
   std::optional<Vec3d> normal{}, point_a{}, point_b{};
   /// Which body is hit first; `either` where rounding leaves that open, and then value, normal and points are those of
   /// the one that seems to be first.

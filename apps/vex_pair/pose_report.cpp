@@ -112,7 +112,8 @@ std::string value_text(Query query, const Answer& answer) {
   }
   if (is_of_motion(query) && answer.is_at_start()) return line(std::string(name_of_value(query, answer)), "0, exactly");
   return line(std::string(name_of_value(query, answer)), bound_text(answer.value)) +
-         line("   between", bound_text(answer.lower) + " and " + bound_text(answer.upper));
+         line("   between", bound_text(answer.lower) + " and " + bound_text(answer.upper) +
+                                (answer.is_rough ? ", rough: the search ended before they were near" : ""));
 }
 
 std::string witness_text(Query query, const Answer& answer) {

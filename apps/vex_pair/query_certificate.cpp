@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "apps/common/text.h"
 #include "apps/vex_pair/row_fields.h"
 
 namespace vex {
@@ -102,10 +103,6 @@ Json json_of(const RayCertificate& certificate) {
 }
 
 std::string summary_of(std::monostate) { return "nothing"; }
-
-std::string plural(std::size_t n, const std::string& one, const std::string& many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
 
 std::string summary_of(const WitnessHull& hull) {
   std::string text = plural(hull.witnesses.size(), "point", "points") + " of A - B";

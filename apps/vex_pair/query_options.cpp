@@ -75,8 +75,9 @@ void read_motion(const std::string& word, const char* option, std::span<double> 
   }
 }
 
-// A time or a distance, from 0 up.
+// A time or a distance, from 0 up; inf is none, as without the option.
 double end_of_word(const std::string& word, const char* option) {
+  if (word == "inf") return HUGE_VAL;
   std::array<double, 1> number{};
   read_motion(word, option, number);
   if (number[0] < 0.0) throw UsageError("an end below 0 (" + word + " for " + option + ") - give 0 or more");
@@ -144,7 +145,7 @@ void declare_query_options(OptionParser& options, QueryWords& words, const std::
   options
       .add_option("--until", words.until,
                   "Of ray, cast and toi: the last parameter or time that is looked at. That there is no contact then "
-                  "means until this one")
+                  "means until this one. Of balls, a contact within rounding of it is undecided")
       .type_name("T")
       .group(heading);
   options

@@ -6,15 +6,12 @@
 
 #include "apps/common/body_report.h"
 #include "apps/common/numbers.h"
+#include "apps/common/text.h"
 
 namespace vex {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string plural(std::uint64_t n, const std::string& one, const std::string& many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
 
 // Disjoint and overlap.
 std::pair<std::string, std::string> words_of_verdicts(const QuerySettings& asked) {

@@ -1,31 +1,14 @@
 // What a row holds, in its order: told once, to whatever writes rows.
 #pragma once
 
-#include <charconv>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "apps/common/append_number.h"
 #include "apps/vex_pair/row_text.h"
 
 namespace vex {
-
-template <class Integer>
-void append_integer(std::string& text, Integer value) {
-  char digits[24];
-  text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
-}
-
-/// The shortest text that reads back as the same double; `none` where it is not finite.
-inline void append_number(std::string& text, double value, std::string_view none) {
-  if (!std::isfinite(value)) {
-    text += none;
-    return;
-  }
-  char digits[32];
-  text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
-}
 
 /// The vectors of a witness, under the names they have in JSON and in CSV.
 struct NamedVector {
@@ -59,6 +42,7 @@ void write_fields(Writer& writer, Query query, const Answer& answer) {
   }
   writer.number("lower", answer.lower);
   writer.number("upper", answer.upper);
+  if (query != Query::overlap && !is_of_motion(query)) writer.reason("bounds", answer.is_rough ? "rough" : "");
   if (query == Query::ray) writer.word("hit", name_of(answer.ray_hit));
   if (query != Query::overlap) {
     writer.vector("normal", answer.normal);

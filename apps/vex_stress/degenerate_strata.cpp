@@ -75,12 +75,6 @@ StressPose place_crossing(const StressPair& pair, Draw& draw) {
   return with_points_at(p, q, turn, normal, random_distance(pair, draw));
 }
 
-StressPose place_near(const StressPair& pair, Draw& draw) {
-  const Transformd turn = draw.rotation();
-  const Vec3d normal = draw.unit_direction();
-  return beside_contact(pair, turn, normal, random_distance(pair, draw));
-}
-
 // Faces on faces: every coplanar vertex ties with all others.
 StressPose place_flush(const StressPair& pair, Draw& draw) {
   const std::size_t axis = draw.below(3);

@@ -14,12 +14,6 @@
 namespace vex {
 namespace {
 
-StressPose place_near(const StressPair& pair, Draw& draw) {
-  const Transformd turn = draw.rotation();
-  const Vec3d normal = draw.unit_direction();
-  return beside_contact(pair, turn, normal, random_distance(pair, draw));
-}
-
 // Against itself and against a body without an aspect.
 std::vector<StressPair> with_itself_and(const ConvexBody& body, const ConvexBody& plain, const std::string& name) {
   std::vector<StressPair> pairs;

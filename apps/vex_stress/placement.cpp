@@ -97,4 +97,10 @@ double random_distance(const StressPair& pair, Draw& draw) {
   return sign * std::pow(10.0, -exponent) * pair.size();
 }
 
+StressPose place_near(const StressPair& pair, Draw& draw) {
+  const Transformd turn = draw.rotation();
+  const Vec3d normal = draw.unit_direction();
+  return beside_contact(pair, turn, normal, random_distance(pair, draw));
+}
+
 }  // namespace vex

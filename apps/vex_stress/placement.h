@@ -74,4 +74,7 @@ StressPose with_points_at(const Vec3d& p_a, const Vec3d& p_b, const Transformd& 
 /// 10^-3 ... 10^-16 times the pair's size, of either sign.
 double random_distance(const StressPair& pair, Draw& draw);
 
+/// B, turned anyhow, at such a distance along any direction.
+StressPose place_near(const StressPair& pair, Draw& draw);
+
 }  // namespace vex

@@ -113,27 +113,31 @@ ContactManifold contact_manifold(const ConvexBody& a, const ConvexBody& b, const
   std::optional<std::vector<Vec3d>> vertices_b = vertices_of_core(b);
   if (vertices_a && vertices_b) {
     // About the witness of A: what is small is then compared with the bodies, not with how far they are from origins.
-    // And in units in which they are neither tiny nor huge: squares are numbers then.
+    // B's vertices are what they are once placed and rounded, so all that is rounded here are differences, to within u
+    // of themselves. And in units in which bodies are neither tiny nor huge: squares are numbers then.
     std::vector<Vec3d> from_a = *vertices_a;
     const Vec3d origin = found.point_a;
     const int unit = std::ilogb(a.circumradius() + b.circumradius());
     for (Vec3d& v : from_a) v = times_power_of_two(v - origin, -unit);
     for (Vec3d& v : *vertices_b) v = times_power_of_two(a_from_b(v) - origin, -unit);
     const ContactFrame frame(found.normal);
-    // Of coordinates across the normal, several roundings each.
-    const double reach = a.reach() + b.reach() + norm_1(a_from_b.translation) + norm_1(origin);
-    const double resolution = 64.0 * kUnitRoundoff * std::ldexp(reach, -unit);
+    // Coordinates across the normal are rounded several times each. And flat is what was, before vertices were rounded
+    // to coordinates in their own frames and in A's.
+    const double reach =
+        std::ldexp(2.0 * (a.circumradius() + b.circumradius()) + std::fabs(found.signed_distance), -unit);
+    const double coordinates = std::ldexp(a.reach() + 2.0 * b.reach() + norm_1(a_from_b.translation), -unit);
+    const ContactResolution resolution(64.0 * kUnitRoundoff * reach, 4.0 * kUnitRoundoff * coordinates);
     const double farthest = std::ldexp(std::fmax(margin, found.upper), -unit);
     const double ball_a = std::ldexp(a.ball_radius(), -unit), ball_b = std::ldexp(b.ball_radius(), -unit);
     ContactFace face_a(from_a, frame, 1.0, feature_angle, resolution);
     ContactFace face_b(*vertices_b, frame, -1.0, feature_angle, resolution);
-    for (const auto& [of_a, of_b] : common_places(face_a, face_b, feature_angle, resolution)) {
+    for (const auto& [of_a, of_b] : common_places(face_a, face_b, feature_angle, resolution.of_points)) {
       const double height_a = face_a.height_at(of_a) + ball_a;
       const double height_b = -face_b.height_at(of_b) - ball_b;
-      if (height_b - height_a > farthest + resolution) continue;
+      if (height_b - height_a > farthest + resolution.of_points) continue;
       manifold.contacts.push_back({frame.point(of_a, height_a), frame.point(of_b, height_b), height_b - height_a});
     }
-    merge(manifold.contacts, kLeastContactExtent * resolution);
+    merge(manifold.contacts, resolution.of_edges);
     for (ContactManifold::Contact& contact : manifold.contacts) {
       contact.point_a = origin + times_power_of_two(contact.point_a, unit);
       contact.point_b = origin + times_power_of_two(contact.point_b, unit);

@@ -20,7 +20,7 @@ FirstContact no_contact(Verdict verdict) { return {verdict, HUGE_VAL, HUGE_VAL, 
 
 FirstContact contact_at_start(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, Verdict verdict) {
   const Separation found = penetration_depth(a, b, Pose::unchecked(a_from_b));
-  return {verdict, 0.0, 0.0, 0.0, found.normal, found.point_a, found.point_b, found.n_support_calls,
+  return {verdict,           0.0, 0.0, 0.0, found.normal, found.point_a, found.point_b, found.n_support_calls,
           found.point_b_in_b};
 }
 
@@ -76,6 +76,10 @@ void decide_exactly(const ConvexBody& a, const ConvexBody& b, const Transformd& 
     const int n_support_calls = contact.n_support_calls;
     contact = no_contact(Verdict::disjoint(DecidedBy::exact));
     contact.n_support_calls = n_support_calls;
+    return;
+  }
+  if (!(exact.upper < HUGE_VAL)) {
+    contact.lower = std::fmin(exact.lower, std::numeric_limits<double>::max());
     return;
   }
   contact.verdict = Verdict::overlap(DecidedBy::exact);
@@ -135,7 +139,8 @@ FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Pose& p
   const RaySearch::Touch touch = search.touch();
   contact.normal = touch.normal;
   const double upper = scaled_up(bounds.upper, exponent);
-  if (bounds.is_hit && upper <= until) {
+  // A time that overflows is none that could be claimed.
+  if (bounds.is_hit && upper <= until && upper < HUGE_VAL) {
     contact.verdict = Verdict::overlap(DecidedBy::gjk);
     contact.upper = upper;
     contact.time = between(contact.lower, contact.upper);

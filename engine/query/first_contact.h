@@ -14,7 +14,8 @@ namespace vex {
 /// t times its motion. Points and normals are in A's frame.
 struct FirstContact {
   /// Overlap: there is a contact, proven. Disjoint: there is none at any time t >= 0, proven. Undecided: the motion
-  /// grazes to within rounding, and not both bodies are polytopes, which are always decided.
+  /// grazes to within rounding, and not both bodies are polytopes, which are always decided; it touches within rounding
+  /// of `until`; or the time, or a coordinate of a point, is larger than any double.
   Verdict verdict;
   /// The first time of contact is between `lower` and `upper`, and so is `time`; 0 where there is contact at the start.
   /// Of bodies that turn `time` is `lower`: where they touch at the start to within rounding, contact may be proven
@@ -25,9 +26,9 @@ struct FirstContact {
   /// `signed_distance`).
   Vec3d normal;
   /// Where they touch: points of A and of B as placed at `time`, each of its body to 1e-12 of R_A + R_B, of curved
-  /// bodies to 1e-9, and to 16 roundings of coordinates; of a ray, the ray's point and the body's nearest one. Along the
-  /// normal they are one as nearly; across it, where surfaces leave each other by less than rounding, to 1e-8 of R_A +
-  /// R_B; both but for how far the bodies move between the bounds.
+  /// bodies to 1e-9, and to 16 roundings of coordinates; of a ray, the ray's point and the body's nearest one. Along
+  /// the normal they are one as nearly; across it, where surfaces leave each other by less than rounding, to 1e-8 of
+  /// R_A + R_B; both but for how far the bodies move between the bounds.
   Vec3d point_a, point_b;
   int n_support_calls = 0;
   /// The point of B in B's frame, where it is known as well however far B is from A.
@@ -50,15 +51,16 @@ struct RigidMotion {
 };
 
 /// B at time t: x -> exp(t [w]) R x + (translation + t v), without rounding but at the start, where it is what
-/// `overlap` has. By conservative advancement (B. Mirtich, 1996): as long as
-/// the bodies' gap is larger than what any point of B can move along the separating direction, they do not touch. Ends
-/// where they touch, once circumscribed balls part for good, or, of a body that only turns, after one turn.
+/// `overlap` has; of a polytope that does not turn, nor A, what `overlap` has at the start, moved by t v. By
+/// conservative advancement (B. Mirtich, 1996): as long as the bodies' gap is larger than what any point of B can move
+/// along the separating direction, they do not touch. Ends where they touch, once circumscribed balls part for good,
+/// or, of a body that only turns, after one turn.
 FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
                             double until = HUGE_VAL);
 
 /// The same where A moves as well: x -> exp(t [w]) x + t v, in its own frame as it is at first, in which points and
-/// normal are given. Of bodies whose origins keep their distance and that both turn nothing ends the search but `until`
-/// or its cap.
+/// normal are given. A body at rest has RigidMotion{}; a mere {} would be an end of 0. Of bodies whose origins keep
+/// their distance and that both turn nothing ends the search but `until` or its cap.
 FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion_a,
                             const RigidMotion& motion_b, double until = HUGE_VAL);
 

@@ -4,6 +4,8 @@
 #include <array>
 
 #include "engine/numeric/errors.h"
+#include "engine/numeric/expect.h"
+#include "engine/numeric/pose.h"
 #include "engine/query/overlap.h"
 
 namespace vex {
@@ -20,6 +22,7 @@ class GjkBackend final : public OverlapBackend {
 
   void decide(std::span<const Transformd> a_from_b, std::span<Verdict> verdicts) override {
     require_as_many(a_from_b.size(), verdicts.size());
+    VEX_EXPECT(std::ranges::all_of(a_from_b, is_rotation));
     if (!packets_) {
       for (std::size_t k = 0; k < a_from_b.size(); ++k) verdicts[k] = overlap(a_, b_, Pose::unchecked(a_from_b[k]));
       return;

@@ -17,7 +17,9 @@ namespace vex {
 class OverlapBackend {
  public:
   virtual ~OverlapBackend() = default;
-  /// verdicts[k] for a_from_b[k]; the spans have the same length.
+  /// verdicts[k] for a_from_b[k]; the spans have the same length. The poses are taken as they are, as Pose::unchecked
+  /// takes them, for they come by the million: a caller whose poses are anybody else's makes a Pose of each before. A
+  /// debug build stops at what is no pose.
   virtual void decide(std::span<const Transformd> a_from_b, std::span<Verdict> verdicts) = 0;
   /// The same of poses in columns.
   virtual void decide_table(const PoseTable& a_from_b, std::span<Verdict> verdicts);

@@ -38,6 +38,11 @@ int max_hull_points(const ConvexBody& a, const ConvexBody& b, const SeparationSe
                                                                                        : settings.max_support_calls;
 }
 
+// What bounds are asked to be near to, of |signed distance| + R_A + R_B.
+double relative_gap_of(const ConvexBody& a, const ConvexBody& b, const SeparationSettings& settings) {
+  return std::max(settings.relative_gap, are_rounded_polytopes(a, b) ? 0x1p-40 : 0x1p-31);
+}
+
 // --- answers
 
 double below(double x) { return std::nextafter(x, -kInfinity); }
@@ -61,6 +66,9 @@ void set_points(Separation& result, const Transformd& a_from_b, const CorePoints
   result.point_b_in_b = cores.own_b - radius_b * a_from_b.direction_to_b(result.normal);
 }
 
+// Where rounding makes faces of its own, a hull of more points than these is no better.
+constexpr int kCoarseHullPoints = 32;
+
 // What is asked, in double precision.
 struct DoubleQuery {
   const ConvexBody& a;
@@ -69,6 +77,9 @@ struct DoubleQuery {
   CoreDifference difference;
   QueryError<double> error;
   double radius_a, radius_b;
+  // What rounding alone leaves between bounds is more than was asked for, as of bodies far from the origins of their
+  // frames: a search in double precision shows a direction to begin with, and no more.
+  bool is_coarse;
   CoreSearchSettings<double> settings;
 
   DoubleQuery(const ConvexBody& a_in, const ConvexBody& b_in, const Transformd& a_from_b_in, SeparationGoal goal,
@@ -80,12 +91,13 @@ struct DoubleQuery {
         error(difference.error()),
         radius_a(difference.radius_a()),
         radius_b(difference.radius_b()),
+        is_coarse(4.0 * error.support > relative_gap_of(a, b, given) * (a.circumradius() + b.circumradius())),
         settings{goal,
                  radius_a + radius_b,
                  a.circumradius() + b.circumradius(),
                  std::max(given.relative_gap, are_rounded_polytopes(a, b) ? kPolytopeGap : kCurvedGap),
                  given.max_support_calls,
-                 max_hull_points(a, b, given),
+                 is_coarse ? std::min(kCoarseHullPoints, given.max_support_calls) : max_hull_points(a, b, given),
                  given.max_distance} {}
 
   // The bodies' answer from that of their cores, but for the points.
@@ -251,12 +263,13 @@ Separation concluded(const ConvexBody& a, const ConvexBody& b, const Transformd&
 
 // Whether twice the precision has nothing to add: where it is calls that ended a search, or where the bounds are as
 // near as asked for and a sign that they leave open is all that they leave open.
-bool is_settled(const Searched& searched, SeparationGoal goal, double wanted, double max_distance, bool is_rough) {
+bool is_settled(const Searched& searched, SeparationGoal goal, double wanted, double max_distance, bool is_rough,
+                bool is_coarse) {
   const Separation& found = searched.separation;
   if (goal == SeparationGoal::distance && found.lower > max_distance) return true;
   if (goal == SeparationGoal::depth && found.lower > 0.0) return true;
   if (goal == SeparationGoal::distance && found.upper < 0.0) return true;
-  if (!(found.upper - found.lower <= wanted)) return searched.is_capped;
+  if (!(found.upper - found.lower <= wanted)) return searched.is_capped && !is_coarse;
   if (is_rough) return true;
   // Where the bounds are near enough, points and normal may not go together, as of bodies that hardly touch, nor the
   // normal with the distance.
@@ -282,7 +295,7 @@ Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd
   if (!(settings.max_distance >= 0.0)) {
     throw UsageError("the largest distance of interest is negative or no number - give one from 0 up");
   }
-  const double relative_gap = std::max(settings.relative_gap, are_rounded_polytopes(a, b) ? 0x1p-40 : 0x1p-31);
+  const double relative_gap = relative_gap_of(a, b, settings);
   const auto wanted = [&](const Separation& found) {
     return relative_gap * (std::fabs(found.signed_distance) + (a.circumradius() + b.circumradius()));
   };
@@ -298,7 +311,8 @@ Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd
       if (seen.verdict.outcome == Outcome::overlap) return seen;
       return separation(a, b, a_from_b, SeparationGoal::signed_distance, settings, warm_start);
     }
-    if (is_settled(found, goal, wanted(in_double), settings.max_distance, settings.relative_gap > kRoughGap)) {
+    if (is_settled(found, goal, wanted(in_double), settings.max_distance, settings.relative_gap > kRoughGap,
+                   query.is_coarse)) {
       return concluded(a, b, a_from_b, goal, DecidedBy::gjk, in_double);
     }
   }
@@ -329,9 +343,31 @@ Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd
   return concluded(a, b, a_from_b, goal, DecidedBy::double_double, extended);
 }
 
+// Whether the bodies are as far apart along the normal as is said, and so are the points, to `accuracy`.
+bool points_show_distance(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Separation& found,
+                          double accuracy) {
+  const Vec3d of_a = a.support(found.normal), of_b = a_from_b(b.support(a_from_b.direction_to_b(-found.normal)));
+  const double rounding = 16.0 * kUnitRoundoff * (norm_1(of_a) + norm_1(of_b) + norm_1(a_from_b.translation));
+  if (!(dot(found.normal, of_b - of_a) >= found.signed_distance - accuracy - rounding)) return false;
+  const Vec3d off = (found.point_b - found.point_a) - found.signed_distance * found.normal;
+  return safe_norm(off) <= accuracy + rounding;
+}
+
 // Bounds that exclude each other, or are no numbers, come from a support mapping that is none: nothing is known then.
-Separation trusted(Separation found) {
-  if (found.lower <= found.upper) return found;
+Separation trusted(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
+                   const SeparationSettings& settings, Separation found) {
+  if (found.lower <= found.upper) {
+    const double size = std::fabs(found.signed_distance) + (a.circumradius() + b.circumradius());
+    const double promised = std::max(settings.relative_gap, are_rounded_polytopes(a, b) ? 1e-12 : 1e-9);
+    found.is_rough = found.has_witnesses && !(found.upper - found.lower <= promised * size);
+    // A search that was cut short may have its lower bound from another direction than that of its nearest points, and
+    // these not opposite each other.
+    if (found.has_witnesses && !found.is_rough && settings.max_support_calls < kMaxSupportCalls) {
+      found.is_rough = !points_show_distance(a, b, a_from_b, found, promised * size);
+      found.n_support_calls += 2;
+    }
+    return found;
+  }
   return nothing_but(Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding), found.n_support_calls);
 }
 
@@ -339,17 +375,20 @@ Separation trusted(Separation found) {
 
 Separation signed_distance(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
                            const SeparationSettings& settings, WarmStart* warm_start) {
-  return trusted(separation(a, b, pose.a_from_b(), SeparationGoal::signed_distance, settings, warm_start));
+  return trusted(a, b, pose.a_from_b(), settings,
+                 separation(a, b, pose.a_from_b(), SeparationGoal::signed_distance, settings, warm_start));
 }
 
 Separation distance(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const SeparationSettings& settings,
                     WarmStart* warm_start) {
-  return trusted(separation(a, b, pose.a_from_b(), SeparationGoal::distance, settings, warm_start));
+  return trusted(a, b, pose.a_from_b(), settings,
+                 separation(a, b, pose.a_from_b(), SeparationGoal::distance, settings, warm_start));
 }
 
 Separation penetration_depth(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
                              const SeparationSettings& settings, WarmStart* warm_start) {
-  return trusted(separation(a, b, pose.a_from_b(), SeparationGoal::depth, settings, warm_start));
+  return trusted(a, b, pose.a_from_b(), settings,
+                 separation(a, b, pose.a_from_b(), SeparationGoal::depth, settings, warm_start));
 }
 
 ConvexBody with_margin(const ConvexBody& body, double margin) { return Inflated<ConvexBody>(body, margin); }

@@ -25,6 +25,12 @@ struct Separation {
   Verdict verdict;
   /// The true value is between `lower` and `upper`, rounding included; so is `signed_distance`.
   double signed_distance = 0.0, lower = -HUGE_VAL, upper = HUGE_VAL;
+  /// Whether upper - lower is more than was asked for (`relative_gap`; where that is 0, 1e-12 of |signed distance| +
+  /// R_A + R_B for polytopes and 1e-9 for curved bodies): a search was given up, `max_distance` ended it, or rounding
+  /// left no more; or, of a search with few `max_support_calls`, whether the normal shows less than the value by more
+  /// than that, or the points are not opposite each other along it to as much. Value and points are then as rough as
+  /// the bounds, and the normal may show less than `lower`.
+  bool is_rough = false;
   /// False where a query has nothing to tell but the verdict: `distance` of bodies that overlap, `penetration_depth` of
   /// bodies that do not. Normal and points are zero then, and of the bounds one is infinite.
   bool has_witnesses = false;
@@ -35,8 +41,8 @@ struct Separation {
   /// near: to 1e-12 of |signed distance| + R_A + R_B for polytopes, to 1e-9 for curved bodies, or to `relative_gap`; no
   /// nearer than the bounds are, nor than 16 roundings of coordinates in A's frame (`promised_accuracy`).
   Vec3d point_a, point_b;
-  /// The same point of B in B's frame, where it is known as well however far B is from A: no farther out of B than 1e-12
-  /// of B's circumradius and 16 roundings of coordinates in B's frame, as point_a is of A.
+  /// The same point of B in B's frame, where it is known as well however far B is from A: no farther out of B than
+  /// 1e-12 of B's circumradius and 16 roundings of coordinates in B's frame, as point_a is of A.
   Vec3d point_b_in_b;
   int n_support_calls = 0;
 };
@@ -70,8 +76,8 @@ struct SeparationSettings {
 /// one axis): then the bounds tell. Never a guess: where rounding would decide the sign, the verdict comes from
 /// `overlap`, and bounds from twice the precision.
 ///
-/// Of polytopes, rounded or not, B is what its vertices are once each is placed and rounded to double, as `overlap` has
-/// it: at coordinates of 1e16 that may be a body of another shape. Curved bodies are R x + t without rounding.
+/// Of polytopes without a ball B is what its vertices are once each is placed and rounded to double, as `overlap` has
+/// it: at coordinates of 1e16 that may be a body of another shape. Others are R x + t without rounding.
 ///
 /// R of the pose must be a rotation to within 1e-6. Coordinates between 1e-40 and 1e40, or 0, are answered at full
 /// speed, others by twice the precision.

@@ -22,7 +22,7 @@ constexpr int kMostExponent = 200;
 // The directions of slower motions are not known to all digits.
 constexpr double kLeastSpeed = 0x1p-1000;
 
-int exponent_of(double x) { return x > 0.0 ? std::ilogb(x) : 0; }
+int exponent_of_length(double x) { return x > 0.0 ? std::ilogb(x) : 0; }
 double largest_of(const Vec3d& a) { return std::fmax(std::fabs(a.x), std::fmax(std::fabs(a.y), std::fabs(a.z))); }
 
 // E23: the unit of time is 2^-result of the motion's, so that its speeds are neither tiny nor huge.
@@ -30,23 +30,21 @@ int exponent_of_motion(const ConvexBody& a, const ConvexBody& b, const Transform
                        const Vec3d& spin_of_a) {
   const double moving = largest_of(motion.velocity);
   const double turning = std::fmax(largest_of(motion.angular_velocity), largest_of(spin_of_a));
-  const int size = exponent_of(a.reach() + b.reach() + norm_1(a_from_b.translation));
+  const int size = exponent_of_length(a.reach() + b.reach() + norm_1(a_from_b.translation));
   const int by_turning = turning > 0.0 ? std::ilogb(turning) : std::numeric_limits<int>::min();
   const int exponent = moving > 0.0 ? std::max(std::ilogb(moving) - size, by_turning) : by_turning;
   return std::abs(exponent) > kMostExponent ? exponent : 0;
 }
 
-// B's motion relative to A's origin, as far as doubles tell it.
-struct RelativeMotion {
-  RigidMotion of_b;
-  bool is_exact;
-};
+// As far as doubles tell it.
 RelativeMotion relative_to(const RigidMotion& of_a, const RigidMotion& of_b) {
   const Vec3d velocity = of_b.velocity - of_a.velocity;
   const auto is_exact = [](double x, double y) { return two_sum(x, -y).low == 0.0; };
   return {{velocity, of_b.angular_velocity},
+          of_a.angular_velocity,
           is_exact(of_b.velocity.x, of_a.velocity.x) && is_exact(of_b.velocity.y, of_a.velocity.y) &&
-              is_exact(of_b.velocity.z, of_a.velocity.z)};
+              is_exact(of_b.velocity.z, of_a.velocity.z),
+          norm_1(of_b.angular_velocity) > 0.0 || norm_1(of_a.angular_velocity) > 0.0};
 }
 
 // Points in the frame that A's origin takes along, as A's frame at first has them.
@@ -55,7 +53,14 @@ FirstContact in_frame_of_a(FirstContact contact, const RigidMotion& motion_a) {
   const Vec3d way = contact.time * motion_a.velocity;
   contact.point_a = contact.point_a + way;
   contact.point_b = contact.point_b + way;
-  return contact;
+  if (is_finite(contact.point_a) && is_finite(contact.point_b)) return contact;
+  // Points that no double tells are as times that none does.
+  FirstContact untold;
+  untold.verdict = Verdict::undecided(contact.verdict.by, UndecidedReason::rounding);
+  untold.time = untold.lower = contact.lower;
+  untold.upper = HUGE_VAL;
+  untold.n_support_calls = contact.n_support_calls;
+  return untold;
 }
 
 FirstContact impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion_a,
@@ -65,19 +70,17 @@ FirstContact impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, 
     if (is_finite(motion->velocity) && is_finite(motion->angular_velocity)) continue;
     throw InputError("a velocity is not finite - give finite numbers");
   }
-  const auto& [motion, is_exact] = relative_to(motion_a, motion_b);
+  const auto& [motion, spin_of_a, is_exact, turns] = relative_to(motion_a, motion_b);
   if (!is_finite(motion.velocity)) throw InputError("velocities are too far apart - choose another unit of time");
-  const Vec3d& spin_of_a = motion_a.angular_velocity;
   if (!(until >= 0.0)) throw UsageError("the end of a motion is negative or no number - give a time from 0 up");
   const bool moves = norm_1(motion.velocity) > 0.0;
-  const bool turns = norm_1(motion.angular_velocity) > 0.0 || norm_1(spin_of_a) > 0.0;
   if (moves && !turns && is_exact) return in_frame_of_a(linear_cast(a, b, pose, motion.velocity, until), motion_a);
   const OverlapAnswer start = overlap_answer(a, b, pose);
   const Verdict at_start = start.verdict;
   if (at_start.outcome == Outcome::overlap) {
     const Separation found = penetration_depth(a, b, pose);
-    return {at_start,     0.0,           0.0,           0.0,
-            found.normal, found.point_a, found.point_b, found.n_support_calls + start.n_support_calls,
+    return {at_start,          0.0,           0.0,           0.0,
+            found.normal,      found.point_a, found.point_b, found.n_support_calls + start.n_support_calls,
             found.point_b_in_b};
   }
   if (!moves && !turns) {
@@ -89,11 +92,13 @@ FirstContact impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, 
     return {undecided, 0.0, 0.0, HUGE_VAL, {}, {}, {}, start.n_support_calls};
   }
   const int exponent = exponent_of_motion(a, b, a_from_b, motion, spin_of_a);
-  const RigidMotion scaled{times_power_of_two(motion.velocity, -exponent),
-                           times_power_of_two(motion.angular_velocity, -exponent)};
-  const bool ends = !moves || norm_1(scaled.velocity) > kLeastSpeed;
-  FirstContact contact = advance_to_contact(a, b, a_from_b, scaled, times_power_of_two(spin_of_a, -exponent), ends,
-                                            scaled_up(until, exponent), record);
+  const RelativeMotion scaled{
+      {times_power_of_two(motion.velocity, -exponent), times_power_of_two(motion.angular_velocity, -exponent)},
+      times_power_of_two(spin_of_a, -exponent),
+      is_exact,
+      turns};
+  const bool ends = !moves || norm_1(scaled.of_b.velocity) > kLeastSpeed;
+  FirstContact contact = advance_to_contact(a, b, a_from_b, scaled, start, ends, scaled_up(until, exponent), record);
   if (exponent != 0) {
     if (contact.verdict.outcome != Outcome::disjoint) contact.lower = scaled_down(contact.lower, -exponent);
     contact.time = contact.verdict.outcome != Outcome::disjoint ? contact.lower : HUGE_VAL;
@@ -103,7 +108,8 @@ FirstContact impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, 
       (*record)[k].to = std::ldexp((*record)[k].to, -exponent);
     }
   }
-  if (contact.verdict.outcome == Outcome::overlap && contact.upper > until) {
+  const bool is_late = contact.upper > until || !(contact.upper < HUGE_VAL);  // or later than any double
+  if (contact.verdict.outcome == Outcome::overlap && is_late) {
     contact.verdict = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);
     contact.upper = HUGE_VAL;
   }

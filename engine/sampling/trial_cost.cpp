@@ -97,7 +97,7 @@ double ray_cost(const ConvexBody& a, const ConvexBody& b, const RadialMap& map) 
   for (std::uint64_t k = 0; k < kRays; ++k) {
     draw_unit_cube(0, Stream::pilot, k + 1, point);
     const RadialRay<double> ray = map(std::span<const double>(point));
-    const RadialBounds found = radial_function(a, b, map.points(), ray.rotation, ray.dir, kRadialGap);
+    const RadialBounds found = radial_function(a, b, map.points(), Pose::unchecked(ray.rotation), ray.dir, kRadialGap);
     // What stalls, packets leave open, and it is bisected by verdicts.
     rays += found.n_support_calls * (price + (has_kernels && !found.is_bisected ? 0.0 : kOfOneByOne));
     if (found.is_bisected) rays += kOfBisection;

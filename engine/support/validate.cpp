@@ -18,7 +18,7 @@ using Claim = Violation::Claim;
 using Exact = DoubleDouble;  // with bodies about as large as 1, products and sums to 1e-30
 
 // Below it nothing is said to be broken: what the sums here could round off, by far.
-constexpr double kRounding = 0x1p-95;
+constexpr double kRoundingOfExact = 0x1p-95;
 
 Vec3<Exact> exactly(const Vec3d& v) { return {Exact(v.x), Exact(v.y), Exact(v.z)}; }
 Exact product(const Vec3d& a, const Vec3<Exact>& b) { return dot(exactly(a), b); }
@@ -94,7 +94,7 @@ class Validation {
   void broken(Claim claim, const Vec3d& dir, const Exact& by) {
     const double excess = by.value();
     std::optional<Violation>& worst = worst_[static_cast<std::size_t>(claim)];
-    if (!(excess <= kRounding) && (!worst || !(excess <= worst->by))) worst = Violation{claim, dir, excess, {}};
+    if (!(excess <= kRoundingOfExact) && (!worst || !(excess <= worst->by))) worst = Violation{claim, dir, excess, {}};
   }
 
   std::optional<Vec3d> add(const Vec3d& dir) {

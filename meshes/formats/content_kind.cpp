@@ -67,7 +67,7 @@ char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + '
 bool has(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
 /// The first word, of the first line that is not empty and no comment after '#'.
-std::string_view first_word(std::string_view text) {
+std::string_view first_word_of_content(std::string_view text) {
   while (!text.empty()) {
     text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n\v\f"), text.size()));
     if (!text.starts_with('#')) break;
@@ -95,7 +95,7 @@ std::optional<ContentKind> kind_of_xml(std::string_view text) {
 }
 
 std::optional<ContentKind> kind_of_words(std::string_view text) {
-  std::string word(first_word(text).substr(0, 16));
+  std::string word(first_word_of_content(text).substr(0, 16));
   if (word.ends_with("OFF") && word.size() <= 8) return ContentKind{"an OFF mesh", ".off", kRename};
   std::ranges::transform(word, word.begin(), lower);
   if (word == "solid") {

@@ -21,7 +21,7 @@
 namespace vex {
 namespace {
 
-constexpr std::int64_t kMost = std::int64_t{1} << 40;
+constexpr std::int64_t kMostEntries = std::int64_t{1} << 40;
 constexpr std::int64_t kMostTag = std::numeric_limits<std::int64_t>::max() - 1;
 constexpr auto kInt = ScalarType::int32;
 constexpr auto kDouble = ScalarType::float64;
@@ -114,7 +114,7 @@ class GmshReader {
   }
 
   void read_nodes_2(bool are_parametric) {
-    const std::int64_t n = scanner_.whole_word("the number of nodes", 0, kMost);
+    const std::int64_t n = scanner_.whole_word("the number of nodes", 0, kMostEntries);
     scanner_.end_line("the end of the line behind the number of nodes");
     check_soup_size(static_cast<std::uint64_t>(n), 0, scanner_.name());
     for (std::int64_t i = 0; i < n; ++i) {
@@ -135,8 +135,8 @@ class GmshReader {
 
   void read_nodes_4() {
     constexpr auto kSize = ScalarType::uint64;
-    const std::uint64_t n_blocks = whole(kSize, "the number of blocks of nodes", kMost);
-    const std::uint64_t n_nodes = whole(kSize, "the number of nodes", kMost);
+    const std::uint64_t n_blocks = whole(kSize, "the number of blocks of nodes", kMostEntries);
+    const std::uint64_t n_nodes = whole(kSize, "the number of nodes", kMostEntries);
     check_soup_size(n_nodes, 0, scanner_.name());
     if (version_ == GmshVersion::v41) skip(kSize, 2, "the least and the greatest number of a node");
     end_line("the end of the line of the number of nodes");
@@ -168,7 +168,7 @@ class GmshReader {
   }
 
   void read_elements_2() {
-    const std::uint64_t n = static_cast<std::uint64_t>(scanner_.whole_word("the number of elements", 0, kMost));
+    const std::uint64_t n = static_cast<std::uint64_t>(scanner_.whole_word("the number of elements", 0, kMostEntries));
     scanner_.end_line("the end of the line behind the number of elements");
     for (std::uint64_t i = 0; i < n;) {
       const bool is_text = scanner_.is_text();
@@ -176,7 +176,7 @@ class GmshReader {
       const GmshElement element = read_type(i);
       const auto n_left = static_cast<std::int64_t>(n - i);
       const auto n_of_kind = is_text ? 1 : whole(kInt, {"how many elements are of the kind of", i}, 1, n_left);
-      const std::uint64_t n_tags = whole(kInt, {"the number of tags of element", i}, kMost);
+      const std::uint64_t n_tags = whole(kInt, {"the number of tags of element", i}, kMostEntries);
       for (const std::uint64_t end = i + static_cast<std::uint64_t>(n_of_kind); i < end; ++i) {
         if (!is_text) tag(kInt, {"the number of element", i});
         read_element_2(element, n_tags, i);
@@ -190,7 +190,7 @@ class GmshReader {
   void read_element_2(const GmshElement& element, std::uint64_t n_tags, std::uint64_t i) {
     std::int64_t group_and_part[2] = {0, 0};
     for (std::uint64_t k = 0; k < n_tags; ++k) {
-      const std::int64_t value = whole(kInt, {"a tag of element", i}, -kMost, kMost);
+      const std::int64_t value = whole(kInt, {"a tag of element", i}, -kMostEntries, kMostEntries);
       if (k < 2) group_and_part[k] = value;
     }
     const std::size_t n_faces = soup_.face_sizes.size();
@@ -210,8 +210,8 @@ class GmshReader {
 
   void read_elements_4() {
     constexpr auto kSize = ScalarType::uint64;
-    const std::uint64_t n_blocks = whole(kSize, "the number of blocks of elements", kMost);
-    const std::uint64_t n_elements = whole(kSize, "the number of elements", kMost);
+    const std::uint64_t n_blocks = whole(kSize, "the number of blocks of elements", kMostEntries);
+    const std::uint64_t n_elements = whole(kSize, "the number of elements", kMostEntries);
     if (version_ == GmshVersion::v41) skip(kSize, 2, "the least and the greatest number of an element");
     end_line("the end of the line of the number of elements");
     std::uint64_t n_read = 0;

@@ -128,7 +128,7 @@ void skip_gmsh_section(MixedScanner* scanner, std::string_view begin) {
   const std::string end = "\n$End" + std::string(begin.substr(1));
   const std::string_view rest = scanner->rest();
   const std::size_t at = rest.find(scanner->is_text() && rest.find('\n') == rest.npos ? '\r' + end.substr(1) : end);
-  if (at == rest.npos) scanner->refuse("the section " + quoted(begin) + " does not end", quoted(end.substr(1)));
+  if (at == rest.npos) scanner->refuse("the section " + quoted(begin) + " does not end", vex::quoted(end.substr(1)));
   scanner->back_to(rest.substr(at));
   end_gmsh_section(scanner, std::string_view(end).substr(1));
 }

@@ -23,7 +23,7 @@ namespace {
 
 using std::string_view_literals::operator""sv;
 
-constexpr std::size_t kMost = std::size_t{1} << 30U;  // points, and corners
+constexpr std::size_t kMostOfObj = std::size_t{1} << 30U;  // points, and corners
 
 constexpr std::array kElements{"v"sv, "f"sv, "fo"sv, "l"sv, "p"sv};
 constexpr std::array kSkipped{"vt"sv,       "vn"sv,       "vp"sv,         "vc"sv,       "g"sv,
@@ -39,7 +39,7 @@ bool is_among(std::string_view word, const Words& words) {
   return std::ranges::find(words, word) != words.end();
 }
 
-std::string_view first_word(std::string_view line) {
+std::string_view keyword_of(std::string_view line) {
   const auto begin = std::ranges::find_if_not(line, TextScanner::is_blank);
   const auto end = std::find_if(begin, line.end(), TextScanner::is_blank);
   return {begin, end};
@@ -126,7 +126,7 @@ class ObjReader {
   /// Puts the line and those that it goes on in, as one, at hand.
   void join_lines() {
     std::string_view line = scanner_.line();
-    const bool is_element = is_among(first_word(line), kElements);
+    const bool is_element = is_among(keyword_of(line), kElements);
     joined_.clear();
     for (bool goes_on = true; goes_on;) {
       joined_ += line.substr(0, line.rfind('\\'));
@@ -136,7 +136,7 @@ class ObjReader {
       goes_on = mark == std::string_view::npos && ends_in_backslash(line);
       comment_is_open_ = mark != std::string_view::npos && ends_in_backslash(line);
       line = line.substr(0, mark);
-      if (!is_element && is_among(first_word(line), kElements)) {
+      if (!is_element && is_among(keyword_of(line), kElements)) {
         scanner_.refuse("the line before ends in a backslash, so that this line is a part of it, or not",
                         "no backslash there");
       }
@@ -152,7 +152,7 @@ class ObjReader {
   }
 
   void read_vertex() {
-    if (soup_.points.size() == kMost) refuse_size("vertices");
+    if (soup_.points.size() == kMostOfObj) refuse_size("vertices");
     constexpr const char* kExpected = "v x y z";
     Vec3d& point = soup_.points.emplace_back();
     point.x = scanner_.coordinate(kExpected, digits_);
@@ -186,7 +186,7 @@ class ObjReader {
   void read_corners() {
     n_corners_ = 0;
     for (std::string_view word = scanner_.next_word(); !word.empty(); word = scanner_.next_word()) {
-      if (soup_.corners.size() == kMost) refuse_size("corners");
+      if (soup_.corners.size() == kMostOfObj) refuse_size("corners");
       soup_.corners.push_back(corner(word));
       ++n_corners_;
     }
@@ -207,7 +207,7 @@ class ObjReader {
     }
     const auto n_points = static_cast<std::int64_t>(soup_.points.size());
     const std::int64_t from_zero = index < 0 ? n_points + index : index - 1;
-    if (from_zero < 0 || from_zero >= static_cast<std::int64_t>(kMost)) {
+    if (from_zero < 0 || from_zero >= static_cast<std::int64_t>(kMostOfObj)) {
       scanner_.refuse(quoted(word) + " names no vertex",
                       "an index from 1, or from -1 down to -" + std::to_string(n_points) + " here");
     }
@@ -224,7 +224,8 @@ class ObjReader {
   }
 
   [[noreturn]] void refuse_size(const std::string& what) {
-    scanner_.refuse("the mesh is too large", "at most " + std::to_string(kMost) + " " + what, "use a coarser mesh");
+    scanner_.refuse("the mesh is too large", "at most " + std::to_string(kMostOfObj) + " " + what,
+                    "use a coarser mesh");
   }
 
   TextScanner scanner_;

@@ -17,7 +17,7 @@
 namespace vex {
 namespace {
 
-constexpr std::int64_t kMost = std::int64_t{1} << 30U;  // points, and corners
+constexpr std::int64_t kMostOfOff = std::int64_t{1} << 30U;  // points, and corners
 
 /// What stands behind x, y, z of each vertex.
 struct Prefix {
@@ -96,9 +96,9 @@ class OffReader {
   }
 
   void read_counts() {
-    n_points_ = scanner_.whole_number("the number of vertices", 0, kMost);
-    n_faces_ = scanner_.whole_number("the number of faces", 0, kMost);
-    if (scanner_.has_word()) scanner_.whole_number("the number of edges", -kMost, 4 * kMost);
+    n_points_ = scanner_.whole_number("the number of vertices", 0, kMostOfOff);
+    n_faces_ = scanner_.whole_number("the number of faces", 0, kMostOfOff);
+    if (scanner_.has_word()) scanner_.whole_number("the number of edges", -kMostOfOff, 4 * kMostOfOff);
     if (scanner_.has_word()) {
       scanner_.refuse("there are more than three counts", "the numbers of vertices, faces and edges");
     }
@@ -151,7 +151,7 @@ class OffReader {
 
   void read_face(std::int64_t i) {
     next_line("face", i, n_faces_);
-    const std::int64_t n_corners = scanner_.whole_number("the face's number of corners", 1, kMost);
+    const std::int64_t n_corners = scanner_.whole_number("the face's number of corners", 1, kMostOfOff);
     const std::size_t begin = soup_.corners.size();
     bool is_spread = false;
     for (std::int64_t k = 0; k < n_corners; ++k) {
@@ -159,8 +159,9 @@ class OffReader {
         next_line("face", i, n_faces_);
         is_spread = true;
       }
-      if (soup_.corners.size() == static_cast<std::size_t>(kMost)) {
-        scanner_.refuse("the mesh is too large", "at most " + std::to_string(kMost) + " corners", "use a coarser mesh");
+      if (soup_.corners.size() == static_cast<std::size_t>(kMostOfOff)) {
+        scanner_.refuse("the mesh is too large", "at most " + std::to_string(kMostOfOff) + " corners",
+                        "use a coarser mesh");
       }
       soup_.corners.push_back(static_cast<std::uint32_t>(scanner_.whole_number("a vertex index", 0, n_points_ - 1)));
     }

@@ -10,13 +10,13 @@
 namespace vex {
 namespace {
 
-constexpr bool is_gap(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\r'; }
+constexpr bool is_blank_of_header(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\r'; }
 
-struct TypeName {
+struct PlyType {
   std::string_view name;
   ScalarType type;
 };
-constexpr TypeName kTypeNames[] = {
+constexpr PlyType kPlyTypes[] = {
     {"char", ScalarType::int8},       {"int8", ScalarType::int8},       {"uchar", ScalarType::uint8},
     {"uint8", ScalarType::uint8},     {"short", ScalarType::int16},     {"int16", ScalarType::int16},
     {"ushort", ScalarType::uint16},   {"uint16", ScalarType::uint16},   {"int", ScalarType::int32},
@@ -72,15 +72,15 @@ class HeaderReader {
       refuse("the header does not end", "a line end_header", line_number_ == 1 ? kAdvice : "mend the file");
     }
     line_ = bytes_.substr(at_, end - at_);
-    while (!line_.empty() && is_gap(line_.back())) line_.remove_suffix(1);
-    while (!line_.empty() && is_gap(line_.front())) line_.remove_prefix(1);
+    while (!line_.empty() && is_blank_of_header(line_.back())) line_.remove_suffix(1);
+    while (!line_.empty() && is_blank_of_header(line_.front())) line_.remove_prefix(1);
     rest_ = line_;
     at_ = end + 1;
   }
 
   std::string_view next_word() {
-    while (!rest_.empty() && is_gap(rest_.front())) rest_.remove_prefix(1);
-    const auto end = std::find_if(rest_.begin(), rest_.end(), is_gap);
+    while (!rest_.empty() && is_blank_of_header(rest_.front())) rest_.remove_prefix(1);
+    const auto end = std::find_if(rest_.begin(), rest_.end(), is_blank_of_header);
     const std::string_view word = rest_.substr(0, static_cast<std::size_t>(end - rest_.begin()));
     rest_.remove_prefix(word.size());
     return word;
@@ -121,7 +121,7 @@ class HeaderReader {
 
   ScalarType type() {
     const std::string_view word = next_word();
-    for (const TypeName& known : kTypeNames) {
+    for (const PlyType& known : kPlyTypes) {
       if (word == known.name) return known.type;
     }
     refuse(quoted(word) + " is no type of a number", "char, uchar, short, ushort, int, uint, float or double");

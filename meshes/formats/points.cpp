@@ -24,7 +24,7 @@
 namespace vex {
 namespace {
 
-constexpr std::size_t kMost = std::size_t{1} << 30U;
+constexpr std::size_t kMostPoints = std::size_t{1} << 30U;
 constexpr const char* kOnePoint = "a point: three numbers or more, x, y, z first";
 
 using Fields = std::vector<std::string_view>;
@@ -35,8 +35,10 @@ bool is_digits(std::string_view text) {
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_number(std::string_view text) { return parse_decimal(text).has_value(); }
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-bool is_same(std::string_view a, std::string_view b) { return std::ranges::equal(a, b, {}, lower, lower); }
+char lower_letter(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+bool is_same(std::string_view a, std::string_view b) {
+  return std::ranges::equal(a, b, {}, lower_letter, lower_letter);
+}
 
 /// Whether the field may be a column's name, or is empty: nothing that could be meant for a number.
 bool is_name(std::string_view field) {
@@ -180,7 +182,8 @@ class PointsReader {
                       std::to_string(n_fields_) + " as in the lines before",
                       "mend the file; decimals have a point, not a comma");
     }
-    if (soup_.points.size() == kMost) scanner_.refuse("the file is too large", "at most 2^30 points", "use fewer");
+    if (soup_.points.size() == kMostPoints)
+      scanner_.refuse("the file is too large", "at most 2^30 points", "use fewer");
     Vec3d point;
     double* const axes[] = {&point.x, &point.y, &point.z};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -263,7 +266,8 @@ class PointsReader {
     while (static_cast<double>(soup_.points.size()) < count && scanner_.next_line()) {
       const std::string_view label = scanner_.next_word();
       if (label.empty() || !is_letter(label.front())) scanner_.refuse("there is no atom", "C x y z");
-      if (soup_.points.size() == kMost) scanner_.refuse("the file is too large", "at most 2^30 points", "use fewer");
+      if (soup_.points.size() == kMostPoints)
+        scanner_.refuse("the file is too large", "at most 2^30 points", "use fewer");
       Vec3d& point = soup_.points.emplace_back();
       point.x = scanner_.coordinate("C x y z", digits_);
       point.y = scanner_.coordinate("C x y z", digits_);

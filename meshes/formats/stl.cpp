@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t kHeader = 80;
 constexpr std::size_t kBegin = kHeader + 4;
-constexpr std::size_t kTriangle = 50;
+constexpr std::size_t kBytesOfTriangle = 50;
 constexpr bool kSwapped = std::endian::native == std::endian::big;
 
 /// `lower` is in lower case.
@@ -46,26 +46,27 @@ std::string_view without_mark(std::string_view bytes) {
 bool has_zero_byte(std::string_view bytes) { return bytes.substr(0, 1024).find('\0') != std::string_view::npos; }
 
 bool is_text(std::string_view bytes) {
-  if (bytes.size() >= kBegin && bytes.size() == kBegin + kTriangle * announced_triangles(bytes)) return false;
+  if (bytes.size() >= kBegin && bytes.size() == kBegin + kBytesOfTriangle * announced_triangles(bytes)) return false;
   return is_word(MixedScanner(without_mark(bytes), {}).next_word(), "solid") && !has_zero_byte(bytes);
 }
 
 /// Fewer bytes than a triangle, or nothing but zeros, can stand behind the last one without hiding any.
 void check_binary_size(std::string_view bytes, const std::string& name) {
-  if (bytes.size() < kBegin || (!has_zero_byte(bytes) && announced_triangles(bytes) > bytes.size() / kTriangle)) {
+  if (bytes.size() < kBegin ||
+      (!has_zero_byte(bytes) && announced_triangles(bytes) > bytes.size() / kBytesOfTriangle)) {
     throw InputError("this is no .stl file (" + name + ", " + std::to_string(bytes.size()) +
                      " bytes: expected the word solid, or a binary file) - check that its extension names its format");
   }
   const std::uint64_t n = announced_triangles(bytes);
-  const std::uint64_t room = (bytes.size() - kBegin) / kTriangle;
+  const std::uint64_t room = (bytes.size() - kBegin) / kBytesOfTriangle;
   const auto refuse = [&](const std::string& advice) {
     throw InputError("the number of triangles does not hold (" + name + ", byte 80: " + std::to_string(n) +
                      " triangles, expected no other number than the " + std::to_string(room) +
                      " that the file has bytes for) - " + advice);
   };
   if (n > room) refuse("the file is cut off or is no binary .stl file: write it again");
-  const std::string_view behind = bytes.substr(kBegin + static_cast<std::size_t>(n) * kTriangle);
-  if (behind.size() >= kTriangle && behind.find_first_not_of('\0') != std::string_view::npos) {
+  const std::string_view behind = bytes.substr(kBegin + static_cast<std::size_t>(n) * kBytesOfTriangle);
+  if (behind.size() >= kBytesOfTriangle && behind.find_first_not_of('\0') != std::string_view::npos) {
     refuse("mend the number, or write the file again");
   }
 }
@@ -80,7 +81,7 @@ PolygonSoup read_binary(std::string_view bytes, const std::string& name) {
   soup.face_sizes.assign(n, 3);
   double largest = 0.0;
   for (std::size_t i = 0; i < 3 * n; ++i) {
-    const char* const at = bytes.data() + kBegin + i / 3 * kTriangle + 12 * (1 + i % 3);
+    const char* const at = bytes.data() + kBegin + i / 3 * kBytesOfTriangle + 12 * (1 + i % 3);
     const auto number = [&](std::size_t axis) { return load_number(at + 4 * axis, ScalarType::float32, kSwapped); };
     const Vec3d point{number(0), number(1), number(2)};
     const double magnitude = std::max({std::fabs(point.x), std::fabs(point.y), std::fabs(point.z)});

@@ -14,6 +14,7 @@
 #include "meshes/formats/xml_tags.h"
 #include "meshes/formats/zip_archive.h"
 #include "meshes/length_unit.h"
+#include "meshes/machine_memory.h"
 
 namespace vex {
 namespace {
@@ -43,7 +44,6 @@ const ZipEntry* model_of(std::string_view archive, const std::vector<ZipEntry>& 
 
 /// All of a part that holds a model, unpacked.
 std::string model_text(const ZipEntry& part, const AssimpInput& input) {
-  constexpr std::uint64_t kMiB = std::uint64_t{1} << 20U;
   const std::uint64_t most = std::min(kMostTimes * input.bytes.size() + kMiB, most_file_bytes());
   std::optional<std::string> text = zip_contents(input.bytes.view(), part, static_cast<std::size_t>(most) + 1);
   if (!text || text->size() > most) {

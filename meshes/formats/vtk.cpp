@@ -18,7 +18,7 @@
 namespace vex {
 namespace {
 
-constexpr const char* kConvert =
+constexpr const char* kConvertData =
     "extract the surface (in ParaView: Filters, Extract Surface) and write it as .ply, .stl or legacy .vtk PolyData";
 
 class VtkReader {
@@ -60,7 +60,7 @@ class VtkReader {
     const std::string_view kind = scanner_.next_word();
     is_grid_ = is_vtk_word(kind, "unstructured_grid");
     if (!is_grid_ && !is_vtk_word(kind, "polydata")) {
-      scanner_.refuse("the data set " + quoted(kind) + " holds no surface", "POLYDATA", kConvert);
+      scanner_.refuse("the data set " + quoted(kind) + " holds no surface", "POLYDATA", kConvertData);
     }
     scanner_.end_line("the end of the line behind the kind of data set");
     if (is_binary) scanner_.set_encoding(Encoding::big_endian);
@@ -169,7 +169,7 @@ class VtkReader {
     if (type < kVertex || type > kQuad || is_wrong_size) {
       scanner_.refuse("cell " + std::to_string(i) + ", counted from 0, of type " + std::to_string(type) + " and " +
                           std::to_string(cell.size()) + " points is no cell of a surface",
-                      "triangles, quads and polygons", kConvert);
+                      "triangles, quads and polygons", kConvertData);
     }
     if (type <= kPolyLine) {
       ++soup_.n_ignored_faces;

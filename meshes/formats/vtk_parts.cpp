@@ -10,14 +10,14 @@
 namespace vex {
 namespace {
 
-constexpr std::int64_t kMost = std::int64_t{1} << 40;
+constexpr std::int64_t kMostNumbers = std::int64_t{1} << 40;
 using Visit = std::function<void(std::span<const std::uint32_t>)>;
 
-struct TypeName {
+struct VtkType {
   std::string_view name;
   ScalarType type;
 };
-constexpr TypeName kTypeNames[] = {
+constexpr VtkType kVtkTypes[] = {
     {"float", ScalarType::float32},       {"double", ScalarType::float64},
     {"int", ScalarType::int32},           {"char", ScalarType::int8},
     {"signed_char", ScalarType::int8},    {"unsigned_char", ScalarType::uint8},
@@ -129,7 +129,7 @@ bool is_vtk_word(std::string_view word, std::string_view lower) {
 
 ScalarType read_vtk_type(MixedScanner* scanner) {
   const std::string_view word = scanner->next_word();
-  for (const TypeName& known : kTypeNames) {
+  for (const VtkType& known : kVtkTypes) {
     if (is_vtk_word(word, known.name)) return known.type;
   }
   if (scanner->is_text() && is_vtk_word(word, "long")) return ScalarType::int64;
@@ -139,8 +139,8 @@ ScalarType read_vtk_type(MixedScanner* scanner) {
 }
 
 void read_vtk_cells(MixedScanner* scanner, std::size_t n_points, const Visit& visit) {
-  const std::int64_t first = scanner->whole_word("the number of cells", 0, kMost);
-  const std::int64_t second = scanner->whole_word("the number of all numbers of the cells", 0, kMost);
+  const std::int64_t first = scanner->whole_word("the number of cells", 0, kMostNumbers);
+  const std::int64_t second = scanner->whole_word("the number of all numbers of the cells", 0, kMostNumbers);
   scanner->end_line("the end of the line behind the numbers of cells");
   const std::int64_t last_point = static_cast<std::int64_t>(n_points) - 1;
   // As a number, OFFS would be a cell of 10^9 points.
@@ -153,7 +153,7 @@ void read_vtk_cells(MixedScanner* scanner, std::size_t n_points, const Visit& vi
 
 void skip_vtk_field(MixedScanner* scanner) {
   scanner->next_word();  // its name
-  const std::int64_t n_arrays = scanner->whole_word("the number of arrays of the field", 0, kMost);
+  const std::int64_t n_arrays = scanner->whole_word("the number of arrays of the field", 0, kMostNumbers);
   for (std::int64_t i = 0; i < n_arrays; ++i) {
     const Expected expected{"array of a field", static_cast<std::uint64_t>(i)};
     std::string_view array_name = scanner->next_word();
@@ -163,7 +163,7 @@ void skip_vtk_field(MixedScanner* scanner) {
     }
     if (array_name.empty()) scanner->refuse("the file ends early", expected.text());
     const std::int64_t n_components = scanner->whole_word("the number of components", 0, std::int64_t{1} << 20);
-    const std::int64_t n_tuples = scanner->whole_word("the number of tuples", 0, kMost);
+    const std::int64_t n_tuples = scanner->whole_word("the number of tuples", 0, kMostNumbers);
     skip_array(scanner, static_cast<std::uint64_t>(n_components * n_tuples), expected);
   }
 }

@@ -14,7 +14,7 @@ std::string_view without_blanks_before(std::string_view text) {
 }
 
 /// What stands before the first blank.
-std::string_view first_word(std::string_view text) {
+std::string_view word_before_blank(std::string_view text) {
   std::size_t n = 0;
   while (n < text.size() && !is_blank(text[n])) ++n;
   return text.substr(0, n);
@@ -27,7 +27,7 @@ std::optional<std::string_view> XmlTag::attribute(std::string_view wanted) const
   while (!rest.empty()) {
     const std::size_t equals = rest.find('=');
     if (equals == std::string_view::npos) return std::nullopt;
-    const std::string_view name_found = first_word(rest.substr(0, equals));
+    const std::string_view name_found = word_before_blank(rest.substr(0, equals));
     rest = without_blanks_before(rest.substr(equals + 1));
     if (rest.empty() || (rest[0] != '"' && rest[0] != '\'')) return std::nullopt;
     const std::size_t end = rest.find(rest[0], 1);
@@ -85,7 +85,7 @@ std::optional<XmlTag> XmlTags::next() {
         tag.is_empty = true;
         inside.remove_suffix(1);
       }
-      tag.name = first_word(inside);
+      tag.name = word_before_blank(inside);
       tag.attributes = inside.substr(tag.name.size());
       return tag;
     }

@@ -14,7 +14,8 @@
 namespace vex {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
+
 constexpr std::size_t kMaxDegree = 2048;      // even
 constexpr std::size_t kMostVertices = 20000;  // of a mesh: its measures are not even asked for
 constexpr double kMostSteps = 4e8;            // of the polynomials' recursion, about a nanosecond each
@@ -64,7 +65,7 @@ double aspect_ratio(const Vec3d& axes) {
 }
 
 Vec3d uniform_normal(double v, double w) {
-  const double cos_polar = (v + v) - 1.0, sin_polar = 2.0 * std::sqrt(v * (1.0 - v)), azimuth = 2.0 * kPi * w;
+  const double cos_polar = (v + v) - 1.0, sin_polar = 2.0 * std::sqrt(v * (1.0 - v)), azimuth = 2.0 * pi * w;
   return {sin_polar * std::cos(azimuth), sin_polar * std::sin(azimuth), cos_polar};
 }
 
@@ -77,7 +78,7 @@ struct GaussianCurvature {
     const Vec3d n = uniform_normal(v, w);
     const double height = norm(Vec3d{axes.x * n.x, axes.y * n.y, axes.z * n.z});
     const double root = axes.x / height * (axes.y / height) * axes.z;
-    return 4.0 * kPi * root * root;
+    return 4.0 * pi * root * root;
   }
 };
 
@@ -89,12 +90,12 @@ void add_ellipsoid(const Vec3d& axes, double factor, const F& density, Series* s
   const double ratio = aspect_ratio(axes);
   const int n_angles = axes.x == axes.y ? 1 : 16 + static_cast<int>(8.0 * ratio);
   add_mean(
-      kPi, static_cast<std::size_t>(2.0 * ratio),
+      pi, static_cast<std::size_t>(2.0 * ratio),
       [&](double t) -> WeightedNormal {
-        const double v = std::pow(std::sin(0.5 * kPi * t), 2);
+        const double v = std::pow(std::sin(0.5 * pi * t), 2);
         double mean = 0.0;
         for (int i = 0; i < n_angles; ++i) mean += density(v, 0.25 * (i + 0.5) / n_angles) / n_angles;
-        return {{0.0, 0.0, -std::cos(kPi * t)}, factor * mean * 0.5 * kPi * std::sin(kPi * t)};
+        return {{0.0, 0.0, -std::cos(pi * t)}, factor * mean * 0.5 * pi * std::sin(pi * t)};
       },
       sum);
 }
@@ -127,7 +128,7 @@ Series legendre_series(const NormalMeasure& measure, std::size_t max_degree) {
       add_ellipsoid(
           curvature->semi_axes, curvature->factor,
           [&](double v, double w) {
-            return 2.0 * kPi * sum_of_radii_of_curvature(curvature->semi_axes, uniform_normal(v, w));
+            return 2.0 * pi * sum_of_radii_of_curvature(curvature->semi_axes, uniform_normal(v, w));
           },
           &sum);
     }
@@ -188,7 +189,7 @@ AxisMoments cone_moments(double polar_rad) {
   }
   // <P_l>^2 <= 2 / (pi sin x height^2 (l - 1)^3); the sum of l^-4 over even l > L is below 1 / (6 (L - 1)^3).
   const double last = static_cast<double>(kMaxDegree) - 1.0;
-  moments.tail = 2.0 / (kPi * std::sin(polar_rad) * height * height) / (6.0 * last * last * last);
+  moments.tail = 2.0 / (pi * std::sin(polar_rad) * height * height) / (6.0 * last * last * last);
   return moments;
 }
 
@@ -232,7 +233,7 @@ std::optional<SeriesAverage> legendre_average(const Body& a, const Body& b, cons
   // |S_l| <= S and |H_l| <= M, and the factor is at most 1 / (2 l) in size: (2 l + 1) / (2 pi (l^2 + l - 2)), l >= 2.
   const double largest = a.measures.surface_area * b.measures.integrated_mean_curvature +
                          b.measures.surface_area * a.measures.integrated_mean_curvature;
-  const AxisMoments axis = is_cone ? cone_moments(law.parameter() * (kPi / 180.0)) : onsager_moments(law.parameter());
+  const AxisMoments axis = is_cone ? cone_moments(law.parameter() * (pi / 180.0)) : onsager_moments(law.parameter());
   // No more degrees than matter: what is left out goes to the error.
   std::size_t degree = kMaxDegree;
   double left_out = axis.tail;
@@ -257,7 +258,7 @@ std::optional<SeriesAverage> legendre_average(const Body& a, const Body& b, cons
   double sum = 0.0;
   for (std::size_t l = degree + degree % 2; l <= degree; l -= 2) {
     const auto n = static_cast<double>(l);
-    const double factor = (2.0 * n + 1.0) / (2.0 * kPi * (2.0 - n * (n + 1.0)));
+    const double factor = (2.0 * n + 1.0) / (2.0 * pi * (2.0 - n * (n + 1.0)));
     sum += axis.by_degree[l] * axis.by_degree[l] * factor * (s_a[l] * h_b[l] + s_b[l] * h_a[l]);
     if (l == 0) break;
   }

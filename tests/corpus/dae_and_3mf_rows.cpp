@@ -15,7 +15,7 @@ Solid scaled_box(double factor) {
   return solid;
 }
 
-Solid moved_box(const Vec3d& by) {
+Solid scene_moved_box(const Vec3d& by) {
   Solid solid = box();
   for (Vec3d& p : solid.points) p = p + by;
   return solid;
@@ -29,7 +29,7 @@ std::string dae_with_node(const std::string& transform) {
   return replaced(dae_text(box()), "<instance_geometry", transform + "<instance_geometry");
 }
 
-void add_dae(Rows* rows) {
+void add_scene_dae(Rows* rows) {
   const Solid body = box();
   const std::string text = dae_text(body);
   rows->is("plain", text, body);
@@ -55,11 +55,12 @@ void add_dae(Rows* rows) {
       replaced(text, "<library_geometries>", "<!-- <unit name=\"inch\" meter=\"0.0254\"/> --><library_geometries>"),
       body);
   rows->is("a polygon of twelve corners", dae_text(twelve_prism()), twelve_prism());
-  rows->is("a node that moves", dae_with_node("<translate>1 2 4</translate>"), moved_box({1, 2, 4}));
-  rows->is("fault 8, a node far off", dae_with_node("<translate>1000000 0 0</translate>"), moved_box({1e6, 0, 0}));
+  rows->is("a node that moves", dae_with_node("<translate>1 2 4</translate>"), scene_moved_box({1, 2, 4}));
+  rows->is("fault 8, a node far off", dae_with_node("<translate>1000000 0 0</translate>"),
+           scene_moved_box({1e6, 0, 0}));
   rows->is("a node that scales", dae_with_node("<scale>2 2 2</scale>"), scaled_box(2));
   rows->is("a node with a matrix", dae_with_node("<matrix>1 0 0 1 0 1 0 2 0 0 1 4 0 0 0 1</matrix>"),
-           moved_box({1, 2, 4}));
+           scene_moved_box({1, 2, 4}));
   rows->is("inside out", dae_text(inside_out(body)), body).notes_that("inside out");
   rows->is("coplanar vertices", dae_text(cut_box(2)), body).drops(26 - 8);
   rows->no_body("a unit that does not exist", text, {"furlong"}).converted_to("furlong");
@@ -80,7 +81,7 @@ void add_dae(Rows* rows) {
   rows->refused("a STEP file", step_text(), {"STEP"});
 }
 
-void add_3mf(std::vector<Row>* all) {
+void add_scene_3mf(std::vector<Row>* all) {
   Rows rows(".3mf");
   const Solid body = box();
   const std::string model = threemf_model(body);
@@ -102,13 +103,13 @@ void add_3mf(std::vector<Row>* all) {
   rows.is("inside out", threemf(inside_out(body)), body).notes_that("inside out");
   rows.is("an item that moves",
           threemf_of(replaced(model, item, "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 1 2 4\"/>")),
-          moved_box({1, 2, 4}));
+          scene_moved_box({1, 2, 4}));
   rows.is("a component that moves",
           threemf_of(replaced(replaced(model, "</resources>",
                                        "<object id=\"2\" type=\"model\"><components><component objectid=\"1\" "
                                        "transform=\"1 0 0 0 1 0 0 0 1 1 2 4\"/></components></object></resources>"),
                               item, "<item objectid=\"2\"/>")),
-          moved_box({1, 2, 4}));
+          scene_moved_box({1, 2, 4}));
   rows.refused("no archive", "Dear reader,\nthis is no mesh.\n");
   rows.refused("cut", without_last(threemf(body), 300));
   rows.refused("an archive without a model", zipped({{"readme.txt", "nothing"}}));
@@ -134,9 +135,9 @@ void add_3mf(std::vector<Row>* all) {
 
 std::vector<Row> dae_and_3mf_rows() {
   Rows dae(".dae");
-  add_dae(&dae);
+  add_scene_dae(&dae);
   std::vector<Row> all = dae.rows();
-  add_3mf(&all);
+  add_scene_3mf(&all);
   return all;
 }
 

@@ -5,13 +5,13 @@
 namespace vex::tests {
 namespace {
 
-Solid moved_box(const Vec3d& by) {
+Solid gltf_moved_box(const Vec3d& by) {
   Solid solid = box();
   for (Vec3d& p : solid.points) p = p + by;
   return solid;
 }
 
-void add_buffers(Rows* rows) {
+void add_gltf_buffers(Rows* rows) {
   const Solid body = box();
   const std::string buffer = gltf_buffer(body);
   rows->is("embedded", gltf_embedded(body), body);
@@ -37,16 +37,16 @@ void add_buffers(Rows* rows) {
       .hull();
 }
 
-void add_nodes(Rows* rows) {
+void add_gltf_nodes(Rows* rows) {
   const Solid body = box();
   const auto with_nodes = [&](const char* nodes) { return gltf_embedded(body, {.nodes = nodes}); };
   rows->is("fault 8, a node far off", with_nodes(R"([{"mesh": 0, "translation": [1000000, 0, -1000000]}])"),
-           moved_box({1e6, 0, -1e6}));
+           gltf_moved_box({1e6, 0, -1e6}));
   rows->is("fault 8, a node that no float places", with_nodes(R"([{"mesh": 0, "translation": [16777216, 0, 0]}])"),
-           moved_box({16777216, 0, 0}));
+           gltf_moved_box({16777216, 0, 0}));
   rows->is("nodes in nodes",
            with_nodes(R"([{"translation": [0.5, 0, 0], "children": [1]}, {"mesh": 0, "translation": [0.5, 2, 0]}])"),
-           moved_box({1, 2, 0}));
+           gltf_moved_box({1, 2, 0}));
   Solid twice = body;
   for (Vec3d& p : twice.points) p = 2.0 * p;
   twice.measures = {8 * body.measures.volume, 4 * body.measures.surface_area,
@@ -67,7 +67,7 @@ void add_nodes(Rows* rows) {
   rows->no_body("a node of no extent", with_nodes(R"([{"mesh": 0, "scale": [1, 0, 1]}])"));
 }
 
-void add_glb(std::vector<Row>* all) {
+void add_gltf_glb(std::vector<Row>* all) {
   Rows rows(".glb");
   const Solid body = box();
   const std::string bytes = glb(body);
@@ -89,7 +89,7 @@ void add_glb(std::vector<Row>* all) {
   all->insert(all->end(), rows.rows().begin(), rows.rows().end());
 }
 
-void add_refusals(Rows* rows) {
+void add_gltf_refusals(Rows* rows) {
   const Solid body = box();
   const std::string text = gltf_embedded(body);
   rows->refused("fault 12, glTF 1",
@@ -146,11 +146,11 @@ void add_refusals(Rows* rows) {
 
 std::vector<Row> gltf_rows() {
   Rows rows(".gltf");
-  add_buffers(&rows);
-  add_nodes(&rows);
-  add_refusals(&rows);
+  add_gltf_buffers(&rows);
+  add_gltf_nodes(&rows);
+  add_gltf_refusals(&rows);
   std::vector<Row> all = rows.rows();
-  add_glb(&all);
+  add_gltf_glb(&all);
   return all;
 }
 

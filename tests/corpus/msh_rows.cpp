@@ -26,7 +26,7 @@ std::string quads22() {
   return text + "$EndElements\n";
 }
 
-void add_legal(Rows* rows) {
+void add_msh_legal(Rows* rows) {
   const Solid body = box();
   rows->is("2.2, plain", box22(), body);
   rows->is("2.2, line ends of DOS", with_crlf(box22()), body);
@@ -64,7 +64,7 @@ void add_legal(Rows* rows) {
       .hull();
 }
 
-void add_text_refusals(Rows* rows) {
+void add_msh_text_refusals(Rows* rows) {
   for (const char* token : {"1.0D+01", "1x", "0x1", "1,5", "nan", "inf", "1e400"}) {
     const std::string number = token;
     rows->refused("2.2, the coordinate " + number, with_line(box22(), 8, "3 " + number + " 1 2"), {token, "line 8"});
@@ -104,7 +104,7 @@ void add_text_refusals(Rows* rows) {
   rows->refused("a folder", "").as_folder();
 }
 
-void add_binary_refusals(Rows* rows) {
+void add_msh_binary_refusals(Rows* rows) {
   for (const Order order : {Order::little, Order::big}) {
     const std::string label = order == Order::little ? ", little endian" : ", big endian";
     std::string nan;
@@ -132,9 +132,9 @@ void add_binary_refusals(Rows* rows) {
 
 std::vector<Row> msh_rows() {
   Rows rows(".msh");
-  add_legal(&rows);
-  add_text_refusals(&rows);
-  add_binary_refusals(&rows);
+  add_msh_legal(&rows);
+  add_msh_text_refusals(&rows);
+  add_msh_binary_refusals(&rows);
   return rows.rows();
 }
 

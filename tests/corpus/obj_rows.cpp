@@ -7,7 +7,7 @@ namespace {
 
 // Eight lines "v 0.5 -1 2" ... "v 1.5 1 5", six lines "f 1 2 4 3", "f 5 7 8 6", "f 1 5 6 2", "f 3 4 8 7", "f 1 3 7 5",
 // "f 2 6 8 4".
-std::string box_text() { return obj_text(box()); }
+std::string obj_box() { return obj_text(box()); }
 std::string box_points() { return point_lines(box(), "v "); }
 
 /// The box's faces, each corner followed by what `behind` says, which may hold # for the corner's number.
@@ -58,9 +58,9 @@ std::string vertices_among_faces() {
   return text;
 }
 
-void add_text_forms(Rows* rows) {
+void add_obj_text_forms(Rows* rows) {
   const Solid body = box();
-  const std::string text = box_text();
+  const std::string text = obj_box();
   rows->is("plain", text, body).has_digits(CoordinateDigits::Kind::doubles);
   rows->is("line ends of DOS", with_crlf(text), body);
   rows->is("line ends of old Macs", with_cr(text), body);
@@ -83,9 +83,9 @@ void add_text_forms(Rows* rows) {
   rows->is("a wrong extension, and told the format", text, body).named("body.stl").read_as(".obj");
 }
 
-void add_numbers(Rows* rows) {
+void add_obj_numbers(Rows* rows) {
   const Solid body = box();
-  const std::string text = box_text();
+  const std::string text = obj_box();
   rows->is("exponents", obj_text(body, as_printed("%.3e")), body);
   rows->is("exponents in capitals", obj_text(body, as_printed("%.1E")), body);
   rows->is("exponents without a sign", replaced_all(text, "v 0.5", "v 5e-1"), body);
@@ -104,9 +104,9 @@ void add_numbers(Rows* rows) {
   rows->is("numbers too small for a double are zero", "v 1e-400 -1e-500 0\n" + faces, corner(1, 2, 3));
 }
 
-void add_elements(Rows* rows) {
+void add_obj_elements(Rows* rows) {
   const Solid body = box();
-  const std::string text = box_text();
+  const std::string text = obj_box();
   rows->is("texture coordinates", box_points() + texture_lines() + faces_with("/#"), body);
   rows->is("normals", box_points() + normal_lines() + faces_with("//#"), body);
   rows->is("texture coordinates and normals", box_points() + texture_lines() + normal_lines() + faces_with("/#/#"),
@@ -153,9 +153,9 @@ void add_elements(Rows* rows) {
 
 std::vector<Row> obj_rows() {
   Rows rows(".obj");
-  add_text_forms(&rows);
-  add_numbers(&rows);
-  add_elements(&rows);
+  add_obj_text_forms(&rows);
+  add_obj_numbers(&rows);
+  add_obj_elements(&rows);
   return rows.rows();
 }
 

@@ -6,21 +6,21 @@ namespace vex::tests {
 namespace {
 
 // Lines "OFF", "8 6 0", eight points from line 3 on, six faces "4 0 1 3 2" from line 11 on.
-std::string box_text() { return off_text(box()); }
+std::string off_box() { return off_text(box()); }
 
 /// Line 5, "0.5 1 2", with another number for 0.5.
-std::string with_number(const std::string& token) { return with_line(box_text(), 5, token + " 1 2"); }
+std::string off_with_number(const std::string& token) { return with_line(off_box(), 5, token + " 1 2"); }
 
 /// `behind` at the end of the lines from `first` to `last`.
 std::string with_behind(std::size_t first, std::size_t last, const std::string& behind) {
-  std::string text = box_text();
+  std::string text = off_box();
   for (std::size_t i = last; i >= first; --i) text = with_line_behind(text, i, "\x01");
   return replaced_all(text, "\n\x01", behind);
 }
 
-void add_legal(Rows* rows) {
+void add_off_legal(Rows* rows) {
   const Solid body = box();
-  const std::string text = box_text();
+  const std::string text = off_box();
   rows->is("plain", text, body);
   rows->is("line ends of DOS", with_crlf(text), body);
   rows->is("line ends of old Macs", with_cr(text), body);
@@ -60,10 +60,10 @@ void add_legal(Rows* rows) {
       .notes_that("points or lines");
 }
 
-void add_refusals(Rows* rows) {
-  const std::string text = box_text();
+void add_off_refusals(Rows* rows) {
+  const std::string text = off_box();
   for (const char* token : {"1.0D+01", "1x", "0x1", "1,5", "nan", "inf", "1e400"}) {
-    rows->refused(std::string("the coordinate ") + token, with_number(token), {token, "line 5"});
+    rows->refused(std::string("the coordinate ") + token, off_with_number(token), {token, "line 5"});
   }
   rows->refused("two coordinates", with_line(text, 5, "0.5 1"), {"line 5"});
   rows->refused("more points announced than there are", replaced(text, "8 6 0", "9 6 0"));
@@ -101,8 +101,8 @@ void add_refusals(Rows* rows) {
 
 std::vector<Row> off_rows() {
   Rows rows(".off");
-  add_legal(&rows);
-  add_refusals(&rows);
+  add_off_legal(&rows);
+  add_off_refusals(&rows);
   return rows.rows();
 }
 

@@ -8,10 +8,10 @@ namespace vex::tests {
 namespace {
 
 // Lines as in ply_rows.cpp: points from line 10 on, faces from line 18 on.
-std::string box_text() { return ply_text(box()); }
+std::string wrong_ply_box() { return ply_text(box()); }
 
-void add_header(Rows* rows) {
-  const std::string text = box_text();
+void add_wrong_ply_header(Rows* rows) {
+  const std::string text = wrong_ply_box();
   rows->refused("another first word", replaced(text, "ply", "plx"), {});
   rows->refused("no format", without_line(text, 2));
   rows->refused("a format of no kind", replaced(text, "ascii", "binary_middle_endian"), {"binary_middle_endian"});
@@ -32,8 +32,8 @@ void add_header(Rows* rows) {
   rows->refused("a list of fractions", replaced(text, "uchar int", "uchar float"));
 }
 
-void add_text(Rows* rows) {
-  const std::string text = box_text();
+void add_wrong_ply_text(Rows* rows) {
+  const std::string text = wrong_ply_box();
   for (const char* token : {"1.0D+01", "1x", "0x1", "1,5", "nan", "inf", "1e400"}) {
     rows->refused(std::string("the coordinate ") + token, with_line(text, 12, std::string(token) + " 1 2"),
                   {token, "line 12"});
@@ -64,7 +64,7 @@ void add_text(Rows* rows) {
   rows->no_body("points alone", up_to(replaced(text, "face 6", "face 0"), "4 0 1"), {"--hull"});
 }
 
-void add_binary(Rows* rows) {
+void add_wrong_ply_binary(Rows* rows) {
   for (const Order order : {Order::little, Order::big}) {
     const std::string label = order == Order::little ? ", little endian" : ", big endian";
     const std::string bytes = ply_binary(box(), order);
@@ -92,8 +92,9 @@ void add_binary(Rows* rows) {
                   order == Order::little ? replaced(bytes, "little", "big") : replaced(bytes, "big", "little"));
     rows->refused("binary, and text announced" + label,
                   replaced(bytes, order == Order::little ? "binary_little_endian" : "binary_big_endian", "ascii"));
-    rows->refused("text, and binary announced" + label,
-                  replaced(box_text(), "ascii", order == Order::little ? "binary_little_endian" : "binary_big_endian"));
+    rows->refused(
+        "text, and binary announced" + label,
+        replaced(wrong_ply_box(), "ascii", order == Order::little ? "binary_little_endian" : "binary_big_endian"));
   }
 }
 
@@ -101,9 +102,9 @@ void add_binary(Rows* rows) {
 
 std::vector<Row> ply_refusals() {
   Rows rows(".ply");
-  add_header(&rows);
-  add_text(&rows);
-  add_binary(&rows);
+  add_wrong_ply_header(&rows);
+  add_wrong_ply_text(&rows);
+  add_wrong_ply_binary(&rows);
   return rows.rows();
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 // Lines: ply, format, element vertex 8, three properties, element face 6, its list, end_header, eight points from line
 // 10 on, six faces from line 18 on.
-std::string box_text() { return ply_text(box()); }
+std::string ply_box() { return ply_text(box()); }
 
 const char* format_of(Order order) { return order == Order::little ? "binary_little_endian" : "binary_big_endian"; }
 
@@ -22,9 +22,9 @@ std::string without_faces(const std::string& text) {
   return without(up_to(text, "4 0 1"), "element face 6\nproperty list uchar int vertex_indices\n");
 }
 
-void add_text_forms(Rows* rows) {
+void add_ply_text_forms(Rows* rows) {
   const Solid body = box();
-  const std::string text = box_text();
+  const std::string text = ply_box();
   rows->is("plain", text, body);
   rows->is("a byte-order mark", with_bom(text), body);
   rows->is("line ends of DOS", with_crlf(text), body);
@@ -58,9 +58,9 @@ void add_text_forms(Rows* rows) {
   rows->is("a point that no face uses, and the hull", ply_text(with_point(body, far_point())), box_with_roof()).hull();
 }
 
-void add_elements(Rows* rows) {
+void add_ply_elements(Rows* rows) {
   const Solid body = box();
-  const std::string text = box_text();
+  const std::string text = ply_box();
   const std::string points = point_lines(body);
   const std::string faces = text.substr(up_to(text, "end_header\n").size() + 11 + points.size());
   const std::string camera = "element camera 1\nproperty float view_px\nproperty float view_py\n";
@@ -110,23 +110,23 @@ void add_elements(Rows* rows) {
 }
 
 template <class Coordinate, class Count, class Index>
-void add_binary(Rows* rows, const std::string& type, const std::string& lists, const Solid& body) {
+void add_ply_binary(Rows* rows, const std::string& type, const std::string& lists, const Solid& body) {
   for (const Order order : {Order::little, Order::big}) {
     rows->is(std::string(order == Order::little ? "little" : "big") + " endian, " + type + ", lists of " + lists,
              ply_header(body, format_of(order), type, lists) + ply_data<Coordinate, Count, Index>(body, order), body);
   }
 }
 
-void add_binary_forms(Rows* rows) {
+void add_ply_binary_forms(Rows* rows) {
   const Solid body = box();
   const Solid whole = whole_wedge();
-  add_binary<float, std::uint8_t, std::int32_t>(rows, "float", "uchar int", body);
-  add_binary<double, std::uint8_t, std::uint32_t>(rows, "double", "uint8 uint32", body);
-  add_binary<float, std::int32_t, std::uint16_t>(rows, "float32", "int ushort", body);
-  add_binary<double, std::uint16_t, std::int8_t>(rows, "float64", "ushort char", twelve_prism());
-  add_binary<std::int16_t, std::int8_t, std::uint8_t>(rows, "short", "char uchar", whole);
-  add_binary<std::uint8_t, std::uint32_t, std::int16_t>(rows, "uchar", "uint short", whole);
-  add_binary<std::int32_t, std::uint8_t, std::uint8_t>(rows, "int32", "uint8 uint8", whole);
+  add_ply_binary<float, std::uint8_t, std::int32_t>(rows, "float", "uchar int", body);
+  add_ply_binary<double, std::uint8_t, std::uint32_t>(rows, "double", "uint8 uint32", body);
+  add_ply_binary<float, std::int32_t, std::uint16_t>(rows, "float32", "int ushort", body);
+  add_ply_binary<double, std::uint16_t, std::int8_t>(rows, "float64", "ushort char", twelve_prism());
+  add_ply_binary<std::int16_t, std::int8_t, std::uint8_t>(rows, "short", "char uchar", whole);
+  add_ply_binary<std::uint8_t, std::uint32_t, std::int16_t>(rows, "uchar", "uint short", whole);
+  add_ply_binary<std::int32_t, std::uint8_t, std::uint8_t>(rows, "int32", "uint8 uint8", whole);
   for (const Order order : {Order::little, Order::big}) {
     const std::string label = order == Order::little ? ", little endian" : ", big endian";
     const std::string bytes = ply_binary(body, order);
@@ -167,9 +167,9 @@ void add_binary_forms(Rows* rows) {
 
 std::vector<Row> ply_rows() {
   Rows rows(".ply");
-  add_text_forms(&rows);
-  add_elements(&rows);
-  add_binary_forms(&rows);
+  add_ply_text_forms(&rows);
+  add_ply_elements(&rows);
+  add_ply_binary_forms(&rows);
   return rows.rows();
 }
 

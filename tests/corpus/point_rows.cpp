@@ -6,7 +6,7 @@
 namespace vex::tests {
 namespace {
 
-void add_rows(const char* extension, const char* separator, std::vector<Row>* all) {
+void add_point_rows(const char* extension, const char* separator, std::vector<Row>* all) {
   Rows rows(extension);
   const Solid body = tetrahedron();  // four lines
   const std::string text = csv_text(body, separator);
@@ -45,9 +45,9 @@ void add_rows(const char* extension, const char* separator, std::vector<Row>* al
 
 std::vector<Row> point_rows() {
   std::vector<Row> all;
-  add_rows(".xyz", " ", &all);
-  add_rows(".csv", ",", &all);
-  add_rows(".txt", "\t", &all);
+  add_point_rows(".xyz", " ", &all);
+  add_point_rows(".csv", ",", &all);
+  add_point_rows(".txt", "\t", &all);
   Rows rows(".csv", "csv in particular");
   const Solid body = box();
   rows.is("a heading", "x,y,z\n" + csv_text(body), body).hull();

@@ -7,7 +7,7 @@ namespace {
 
 using Kind = CoordinateDigits::Kind;
 
-void add_decimals(Rows* rows) {
+void add_rounding_decimals(Rows* rows) {
   // Edges of 2, a size of 5.6: the largest coordinate is 2.618.
   for (const auto& [format, n_decimals] : {std::pair{"%.4f", 4}, std::pair{"%.6f", 6}, std::pair{"%.9f", 9}}) {
     const double place = std::pow(10.0, -n_decimals);
@@ -48,7 +48,7 @@ void add_decimals(Rows* rows) {
   rows->is("a dent of one last decimal", obj_text(dented_box(0.01), as_printed("%.2f")), box()).convex_within(0.01);
 }
 
-void add_offsets(Rows* rows) {
+void add_rounding_offsets(Rows* rows) {
   for (const double offset : {1e3, 1e4, 1e7}) {
     const std::string at = " at " + printed("%.0f", offset);
     const Solid body = icosahedron({offset, offset, offset});
@@ -87,7 +87,7 @@ void add_offsets(Rows* rows) {
   rows->is("small whole numbers are doubles", obj_text(whole_wedge()), whole_wedge()).has_digits(Kind::doubles);
 }
 
-void add_welding(Rows* rows) {
+void add_rounding_welding(Rows* rows) {
   Solid loose = with_own_corners(box());
   loose.points[5].x += 0x1p-20;  // of more digits than any rounding leaves
   rows->no_body("corners apart by 2^-20", obj_text(loose), {"not closed"});
@@ -111,9 +111,9 @@ void add_welding(Rows* rows) {
 
 std::vector<Row> rounding_rows() {
   Rows rows(".obj", "rounding");
-  add_decimals(&rows);
-  add_offsets(&rows);
-  add_welding(&rows);
+  add_rounding_decimals(&rows);
+  add_rounding_offsets(&rows);
+  add_rounding_welding(&rows);
   return rows.rows();
 }
 

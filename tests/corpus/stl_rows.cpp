@@ -9,11 +9,11 @@ namespace {
 
 // Line 1 "solid body"; twelve times seven lines "facet normal", "outer loop", three of "vertex", "endloop", "endfacet"
 // from line 2 on; "endsolid body".
-std::string box_text() { return stl_text(box()); }
+std::string stl_box() { return stl_text(box()); }
 
-void add_text(Rows* rows) {
+void add_stl_text(Rows* rows) {
   const Solid body = box();
-  const std::string text = box_text();
+  const std::string text = stl_box();
   rows->is("plain", text, body);
   rows->is("line ends of DOS", with_crlf(text), body);
   rows->is("line ends of old Macs", with_cr(text), body);
@@ -57,7 +57,7 @@ void add_text(Rows* rows) {
   rows->is("coplanar vertices", stl_text(cut_box(2)), body).drops(26 - 8);
 }
 
-void add_binary(Rows* rows) {
+void add_stl_binary(Rows* rows) {
   const Solid body = box();
   const std::string bytes = stl_binary(body);
   rows->is("binary", bytes, body).has_digits(CoordinateDigits::Kind::floats);
@@ -80,8 +80,8 @@ void add_binary(Rows* rows) {
   rows->is("binary, a body of many triangles", stl_binary(twelve_prism()), twelve_prism());
 }
 
-void add_text_refusals(Rows* rows) {
-  const std::string text = box_text();
+void add_stl_text_refusals(Rows* rows) {
+  const std::string text = stl_box();
   for (const char* token : {"1.0D+01", "1x", "0x1", "1,5", "nan", "inf", "1e400"}) {
     rows->refused(std::string("the coordinate ") + token, with_line(text, 5, "vertex " + std::string(token) + " -1 5"),
                   {token, "line 5"});
@@ -108,7 +108,7 @@ void add_text_refusals(Rows* rows) {
   rows->refused("an .obj file", obj_text(box()));
 }
 
-void add_binary_refusals(Rows* rows) {
+void add_stl_binary_refusals(Rows* rows) {
   const std::string bytes = stl_binary(box());
   const auto with = [&](auto value, std::size_t at) {
     std::string raw;
@@ -134,10 +134,10 @@ void add_binary_refusals(Rows* rows) {
 
 std::vector<Row> stl_rows() {
   Rows rows(".stl");
-  add_text(&rows);
-  add_binary(&rows);
-  add_text_refusals(&rows);
-  add_binary_refusals(&rows);
+  add_stl_text(&rows);
+  add_stl_binary(&rows);
+  add_stl_text_refusals(&rows);
+  add_stl_binary_refusals(&rows);
   return rows.rows();
 }
 

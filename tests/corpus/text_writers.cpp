@@ -1,6 +1,5 @@
-#include "writers.h"
-
 #include "meshes/data/archives.h"
+#include "writers.h"
 
 namespace vex::tests {
 namespace {

@@ -9,7 +9,7 @@ namespace {
 
 // Lines: version, title, ASCII, DATASET POLYDATA, POINTS 8 double, eight points from line 6 on, POLYGONS 6 30, six
 // faces from line 15 on.
-std::string box_text() { return vtk_text(box()); }
+std::string vtk_box() { return vtk_text(box()); }
 
 /// The first coordinate is 2560, whose first byte is 10 when it is a short number, most significant byte first.
 Solid ten_wedge() {
@@ -29,9 +29,9 @@ std::string ten_first() {
          with_floats.substr(n_head + 7 + 12 * solid.points.size());
 }
 
-void add_legal(Rows* rows) {
+void add_vtk_legal(Rows* rows) {
   const Solid body = box();
-  const std::string text = box_text();
+  const std::string text = vtk_box();
   rows->is("plain", text, body);
   rows->is("line ends of DOS", with_crlf(text), body);
   rows->is("no final newline", without_final_newline(text), body);
@@ -75,8 +75,8 @@ void add_legal(Rows* rows) {
   rows->is("binary, a first byte of data that is a line end", ten_first(), ten_wedge());
 }
 
-void add_text_refusals(Rows* rows) {
-  const std::string text = box_text();
+void add_vtk_text_refusals(Rows* rows) {
+  const std::string text = vtk_box();
   for (const char* token : {"1.0D+01", "1x", "0x1", "1,5", "nan", "inf", "1e400"}) {
     rows->refused(std::string("the coordinate ") + token, with_line(text, 8, std::string(token) + " 1 2"),
                   {token, "line 8"});
@@ -116,7 +116,7 @@ void add_text_refusals(Rows* rows) {
   rows->refused("a folder", "").as_folder();
 }
 
-void add_binary_refusals(Rows* rows) {
+void add_vtk_binary_refusals(Rows* rows) {
   const std::string bytes = vtk_binary(box());
   const std::size_t points = up_to(bytes, " float\n").size() + 7;
   const std::size_t faces = up_to(bytes, " 6 30\n").size() + 6;
@@ -132,7 +132,7 @@ void add_binary_refusals(Rows* rows) {
   rows->refused("binary, cut within the points", bytes.substr(0, points + 50));
   rows->refused("binary, cut within the polygons", without_last(bytes, 30));
   rows->refused("binary, and text announced", replaced(bytes, "BINARY", "ASCII"));
-  rows->refused("text, and binary announced", replaced(box_text(), "ASCII", "BINARY"));
+  rows->refused("text, and binary announced", replaced(vtk_box(), "ASCII", "BINARY"));
   rows->refused("binary, version 5.1, cut", without_last(vtk51_binary(box()), 30));
   rows->refused("binary, more points announced than there are", replaced(bytes, "POINTS 8", "POINTS 9"));
 }
@@ -141,9 +141,9 @@ void add_binary_refusals(Rows* rows) {
 
 std::vector<Row> vtk_rows() {
   Rows rows(".vtk");
-  add_legal(&rows);
-  add_text_refusals(&rows);
-  add_binary_refusals(&rows);
+  add_vtk_legal(&rows);
+  add_vtk_text_refusals(&rows);
+  add_vtk_binary_refusals(&rows);
   return rows.rows();
 }
 

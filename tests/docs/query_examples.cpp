@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -18,6 +16,7 @@
 #include "shapes/ellipsoid.h"
 #include "shapes/sphere.h"
 // [end]
+#include "tests/docs/example_guide.h"
 
 namespace {
 
@@ -159,44 +158,10 @@ TEST(QueryExamples, Certificates) {
 
 // --- the guide
 
-constexpr std::size_t kExamples = 12;
-
-std::string text_of(const std::string& path) {
-  std::ifstream file(std::string(VEX_SOURCE_DIR) + "/" + path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-// Without the blanks that lines begin with, which differ by two.
-std::string unindented(const std::string& text) {
-  std::istringstream lines(text);
-  std::string result;
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t begin = line.find_first_not_of(' ');
-    if (begin != std::string::npos) result += line.substr(begin) + "\n";
-  }
-  return result;
-}
-
 TEST(QueryGuide, HasOnlyExamplesThatAreCompiledAndAllOfThem) {
-  const std::string source = text_of("tests/docs/query_examples.cpp"), guide = text_of("docs/queries.md");
-  std::vector<std::string> compiled, shown;
-  const std::string open = "// [", close = "// [end]";
-  for (std::size_t at = source.find(open); compiled.size() < kExamples; at = source.find(open, at + close.size())) {
-    ASSERT_NE(at, std::string::npos);
-    const std::size_t begin = source.find('\n', at) + 1;
-    at = source.find(close, begin);
-    ASSERT_NE(at, std::string::npos);
-    compiled.push_back(unindented(source.substr(begin, source.rfind('\n', at) + 1 - begin)));
-  }
-  for (std::size_t at = 0; (at = guide.find("```cpp\n", at)) != std::string::npos;) {
-    const std::size_t begin = at + 7, end = guide.find("```", begin);
-    ASSERT_NE(end, std::string::npos);
-    shown.push_back(unindented(guide.substr(begin, end - begin)));
-    at = end + 3;
-  }
-  EXPECT_EQ(shown, compiled);
+  const std::vector<std::string> compiled = vex::test::compiled_examples("tests/docs/query_examples.cpp");
+  EXPECT_EQ(compiled.size(), 12u);
+  EXPECT_EQ(vex::test::shown_examples("docs/queries.md"), compiled);
 }
 
 }  // namespace

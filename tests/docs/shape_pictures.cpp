@@ -40,9 +40,7 @@ Subject regular(const std::string& text, double right, double up) {
   return subject;
 }
 
-Subject mesh(const std::filesystem::path& path) {
-  return {path.filename().string(), ConvexBody(load(path).body)};
-}
+Subject mesh(const std::filesystem::path& path) { return {path.filename().string(), ConvexBody(load(path).body)}; }
 
 Subject rounded_box() {
   Subject subject = named("rounded:0.25,box:1.6,1.4,1.1", {});

@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 
 const Words kShortRun = {"--trials", "100", "--estimator", "hit-or-miss", "--quiet"};
-const std::string kShortLine = " --trials 100 --estimator hit-or-miss --quiet";
+const std::string kShortFile = " --trials 100 --estimator hit-or-miss --quiet";
 
 class OutputSafety : public ProgramTest {
  protected:
@@ -91,7 +91,7 @@ TEST_F(PairOutputSafety, TheFileBehindStandardInputIsAnInput) {
 TEST_F(OutputSafety, AListThatALoopReadsIsNotOverwritten) {
   write_file("bodies.txt", "box:1,1,1\nsphere:1\n");
   const Finished finished =
-      shell("while read body; do \"$VEX\" $body" + kShortLine + " --json bodies.txt; done < bodies.txt");
+      shell("while read body; do \"$VEX\" $body" + kShortFile + " --json bodies.txt; done < bodies.txt");
   EXPECT_NE(finished.err.find("is an input (bodies.txt, which is standard input)"), std::string::npos) << finished.err;
   EXPECT_EQ(read_file("bodies.txt"), "box:1,1,1\nsphere:1\n");
 }
@@ -104,7 +104,7 @@ TEST_F(OutputSafety, StandardOutputIsNotAppendedToAnInput) {
   expect_refusal(shell("\"$VEX\" - --format obj --trials 100 < cube.obj >> cube.obj"), 2,
                  "standard output goes into an input (standard input)");
   EXPECT_EQ(read_file("cube.obj"), cube_obj());
-  EXPECT_EQ(shell("\"$VEX\" cube.obj" + kShortLine + " >> cube.obj").exit_code, 0) << "nothing is printed";
+  EXPECT_EQ(shell("\"$VEX\" cube.obj" + kShortFile + " >> cube.obj").exit_code, 0) << "nothing is printed";
   EXPECT_EQ(read_file("cube.obj"), cube_obj());
 }
 
@@ -159,15 +159,15 @@ TEST_F(OutputSafety, StandardOutputIsNotTheFileOfAnotherOutput) {
 }
 
 TEST_F(OutputSafety, DevicesAndPipesAreWrittenWhereTheyAre) {
-  EXPECT_TRUE(json::accept(shell("\"$VEX\" box:1,1,1" + kShortLine + " --json /dev/stdout | cat").out));
-  EXPECT_TRUE(json::accept(shell("{ \"$VEX\" box:1,1,1" + kShortLine + " --json /dev/fd/3 3>&1; } | cat").out));
+  EXPECT_TRUE(json::accept(shell("\"$VEX\" box:1,1,1" + kShortFile + " --json /dev/stdout | cat").out));
+  EXPECT_TRUE(json::accept(shell("{ \"$VEX\" box:1,1,1" + kShortFile + " --json /dev/fd/3 3>&1; } | cat").out));
   ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
-  EXPECT_EQ(shell("cat pipe > received & \"$VEX\" box:1,1,1" + kShortLine + " --json pipe && wait").exit_code, 0);
+  EXPECT_EQ(shell("cat pipe > received & \"$VEX\" box:1,1,1" + kShortFile + " --json pipe && wait").exit_code, 0);
   EXPECT_TRUE(json::accept(read_file("received")));
   EXPECT_TRUE(std::filesystem::is_fifo(folder() / "pipe"));
   // A file whose name is gone is still written to through its descriptor.
   EXPECT_TRUE(json::accept(
-      shell("exec 3<> gone; rm gone; \"$VEX\" box:1,1,1" + kShortLine + " --json /dev/fd/3; cat /dev/fd/3").out));
+      shell("exec 3<> gone; rm gone; \"$VEX\" box:1,1,1" + kShortFile + " --json /dev/fd/3; cat /dev/fd/3").out));
   EXPECT_EQ(files(), (std::vector<std::string>{"pipe", "received"}));
 }
 
@@ -175,7 +175,7 @@ TEST_F(OutputSafety, DevicesAndPipesAreWrittenWhereTheyAre) {
 TEST_F(OutputSafety, ALinkThatWaitsIsNotFollowed) {
   write_file("victim", "kept");
   EXPECT_EQ(
-      shell("ln -s victim result.json.tmp$$; exec \"$VEX\" box:1,1,1" + kShortLine + " --json result.json").exit_code,
+      shell("ln -s victim result.json.tmp$$; exec \"$VEX\" box:1,1,1" + kShortFile + " --json result.json").exit_code,
       0);
   EXPECT_EQ(read_file("victim"), "kept");
   EXPECT_TRUE(json::accept(read_file("result.json")));
@@ -185,7 +185,7 @@ TEST_F(OutputSafety, PermissionsAreKept) {
   for (const unsigned mode : {0600u, 0640u, 0664u, 0666u, 0700u}) {
     write_file("result.json", "old");
     chmod(path("result.json").c_str(), mode);
-    EXPECT_EQ(shell("umask 027; \"$VEX\" box:1,1,1" + kShortLine + " --json result.json").exit_code, 0);
+    EXPECT_EQ(shell("umask 027; \"$VEX\" box:1,1,1" + kShortFile + " --json result.json").exit_code, 0);
     EXPECT_EQ(mode_of("result.json"), mode);
     EXPECT_TRUE(json::accept(read_file("result.json")));
   }
@@ -201,7 +201,7 @@ TEST_F(OutputSafety, ANewFileHasWhatTheMaskLeaves) {
   for (const auto& [mask, mode] : std::initializer_list<std::pair<const char*, unsigned>>{
            {"022", 0644u}, {"077", 0600u}, {"027", 0640u}, {"000", 0666u}}) {
     const std::string name = std::string("result") + mask + ".json";
-    EXPECT_EQ(shell(std::string("umask ") + mask + "; \"$VEX\" box:1,1,1" + kShortLine + " --json " + name).exit_code,
+    EXPECT_EQ(shell(std::string("umask ") + mask + "; \"$VEX\" box:1,1,1" + kShortFile + " --json " + name).exit_code,
               0);
     EXPECT_EQ(mode_of(name), mode) << mask;
   }
@@ -230,7 +230,7 @@ TEST_F(OutputSafety, TheOwnerIsKeptWhereThisUserMayGiveFilesAway) {
 TEST_F(OutputSafety, AFileThatCannotBeWrittenLeavesTheOldOneAndNothingBeside) {
   write_file("result.json", "old");
   // A document has more than the 512 or 1024 bytes that the limit lets through.
-  const Finished finished = shell("ulimit -f 1; \"$VEX\" box:1,1,1" + kShortLine + " --json result.json");
+  const Finished finished = shell("ulimit -f 1; \"$VEX\" box:1,1,1" + kShortFile + " --json result.json");
   EXPECT_EQ(finished.exit_code, 1) << finished.err;
   EXPECT_NE(finished.err.find("cannot be written (result.json: File too large)"), std::string::npos) << finished.err;
   EXPECT_EQ(read_file("result.json"), "old");
@@ -248,7 +248,7 @@ TEST_F(OutputSafety, ALongNameIsStillAName) {
 
 // The signal was remembered for a run that had ended, and the program waited on.
 TEST_F(OutputSafety, ASignalEndsTheWaitForAPipeThatNobodyReads) {
-  const Finished result = shell("mkfifo pipe && timeout -k 20 2 \"$VEX\" box:1,1,1 --json pipe" + kShortLine);
+  const Finished result = shell("mkfifo pipe && timeout -k 20 2 \"$VEX\" box:1,1,1 --json pipe" + kShortFile);
   EXPECT_EQ(result.exit_code, 124) << "timeout's own; 137 where it had to kill";
 }
 

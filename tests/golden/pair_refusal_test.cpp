@@ -64,7 +64,7 @@ TEST_F(PairRefusal, AQueryAndItsOptionsBelongTogether) {
   expect_wrong_query({"--query", "signed", "--margin", "0.1"}, 2, "(--margin with --query signed)");
   expect_wrong_query({"--until", "1"}, 2, "an end goes with motions (--until with --query overlap)");
   expect_wrong_query({"--query", "cast", "--cast", "1,0,0", "--until", "-1"}, 2, "an end below 0 (-1 for --until)");
-  expect_wrong_query({"--query", "cast", "--cast", "1,0,0", "--until", "inf"}, 3, "not finite (\"inf\" for --until)");
+  expect_wrong_query({"--query", "cast", "--cast", "1,0,0", "--until", "nan"}, 3, "not finite (\"nan\" for --until)");
   expect_wrong_query({"--toi-a", "1,0,0,0,0,0"}, 2, "(--toi-a with --query overlap)");
   expect_wrong_query({"--max-distance", "1"}, 2, "(--max-distance with --query overlap)");
   expect_wrong_query({"--margin", "-1"}, 2, "a margin below 0 (-1 for --margin)");

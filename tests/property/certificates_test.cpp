@@ -18,6 +18,10 @@ class Certificates : public testing::TestWithParam<QueryStratum> {
  protected:
   QueryScene scene(int k) { return GetParam().scene(random_, k); }
   double size_of(const QueryScene& scene) const { return scene.a.circumradius() + scene.b.circumradius(); }
+  // What any promise allows of points far from the origins of frames, and more.
+  double rounding_of(const QueryScene& scene) const {
+    return 0x1p-42 * (scene.a.reach() + 2.0 * scene.b.reach() + norm_1(scene.pose.translation));
+  }
 
   std::mt19937_64 random_{7};
 };
@@ -42,7 +46,7 @@ TEST_P(Certificates, NoneProvesAWrongDistance) {
   for (int k = 0; k < 10; ++k) {
     const QueryScene at = scene(k);
     const Separation truth = signed_distance(at.a, at.b, at.pose);
-    const double wrong = 1e-6 * (size_of(at) + std::fabs(truth.signed_distance));
+    const double wrong = std::fmax(1e-6 * (size_of(at) + std::fabs(truth.signed_distance)), rounding_of(at));
     if (!truth.has_witnesses || !(truth.upper - truth.lower < 1e-3 * wrong)) continue;
     const auto refuses = [&](Separation claim, const char* what) {
       claim.signed_distance = std::fmin(std::fmax(claim.signed_distance, claim.lower), claim.upper);
@@ -130,7 +134,7 @@ TEST_P(Certificates, NoneProvesAWrongManifold) {
   int n_claims = 0;
   for (int k = 0; k < 20; ++k) {
     const QueryScene at = scene(k);
-    const double margin = 1e-3 * size_of(at), wrong = 1e-5 * size_of(at);
+    const double margin = 1e-3 * size_of(at), wrong = std::fmax(1e-5 * size_of(at), rounding_of(at));
     const ContactManifold truth = contact_manifold(at.a, at.b, at.pose, margin);
     if (truth.contacts.empty() || !(promised_accuracy(at.a, at.b, truth.separation) < 1e-2 * wrong)) continue;
     const auto refuses = [&](const ContactManifold& claim, const char* what) {

@@ -43,7 +43,9 @@ void take(const QueryScene& scene, bool turns, const FirstContact& found, Certif
   answer.outcome = found.verdict.outcome;
   answer.n_support_calls = found.n_support_calls;
   if (found.verdict.outcome != Outcome::overlap) return;
-  const double turning = turns ? safe_norm(scene.motion.angular_velocity) * scene.b.reach() : 0.0;
+  const double turning = turns ? safe_norm(scene.motion.angular_velocity) * scene.b.reach() +
+                                     safe_norm(scene.motion_a.angular_velocity) * scene.a.reach()
+                               : 0.0;
   const double speed = safe_norm(scene.motion.velocity) + turning;
   const double width = (found.upper - found.lower) * speed / size_of(scene);
   if (std::isfinite(width)) answer.width = width;
@@ -68,12 +70,13 @@ CertifiedAnswer ask_separation(const QueryScene& scene, CertifiedQuery query) {
 
 CertifiedAnswer ask_contact(const QueryScene& scene, CertifiedQuery query) {
   CertifiedAnswer answer;
-  const auto& [a_text, b_text, a, b, pose, motion, until] = scene;
+  const auto& [a_text, b_text, a, b, pose, motion, motion_a, until] = scene;
   if (query == CertifiedQuery::ray) {
-    const FirstContact found = timed(answer, [&] { return cast_ray(a, pose.translation, motion.velocity, until); });
+    const Vec3d origin = pose(b.centre());
+    const FirstContact found = timed(answer, [&] { return cast_ray(a, origin, motion.velocity, until); });
     take(scene, false, found, answer);
-    take(check_ray_certificate(a, pose.translation, motion.velocity, found,
-                               certify_ray(a, pose.translation, motion.velocity, found, until), until),
+    take(check_ray_certificate(a, origin, motion.velocity, found, certify_ray(a, origin, motion.velocity, found, until),
+                               until),
          answer);
     return answer;
   }
@@ -81,6 +84,15 @@ CertifiedAnswer ask_contact(const QueryScene& scene, CertifiedQuery query) {
     const FirstContact found = timed(answer, [&] { return linear_cast(a, b, pose, motion.velocity, until); });
     take(scene, false, found, answer);
     take(check_certificate(a, b, pose, motion.velocity, found, certify(a, b, pose, motion.velocity, found, until),
+                           until),
+         answer);
+    return answer;
+  }
+  if (norm_1(motion_a.velocity) + norm_1(motion_a.angular_velocity) > 0.0) {
+    const RigidMotion motion_b{motion.velocity + motion_a.velocity, motion.angular_velocity};
+    const FirstContact found = timed(answer, [&] { return time_of_impact(a, b, pose, motion_a, motion_b, until); });
+    take(scene, true, found, answer);
+    take(check_certificate(a, b, pose, motion_a, motion_b, found, certify(a, b, pose, motion_a, motion_b, found, until),
                            until),
          answer);
     return answer;

@@ -11,7 +11,7 @@
 namespace vex::exact {
 namespace {
 
-constexpr int kMaxSteps = 1000;
+constexpr int kMostFaces = 1000;
 // Coordinates are a few units; of a face no smaller than what `kNearEnough` takes, heights are right to less.
 constexpr double kSeen = 0x1p-80;
 // Points whose hull is thinner than this have no volume.
@@ -23,7 +23,7 @@ class DifferenceHull {
 
   Bounds depth() {
     if (!make_tetrahedron()) return bounds_;
-    for (int step = 0; step < kMaxSteps; ++step) {
+    for (int step = 0; step < kMostFaces; ++step) {
       while (!faces_[nearest_.top().second].is_there) nearest_.pop();
       const std::size_t index = nearest_.top().second;
       const Face face = faces_[index];

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <map>
 #include <mutex>
+#include <numbers>
 #include <optional>
 
 #include "engine/query/separation.h"
@@ -35,11 +36,18 @@ std::string length_text(double x) {
   return text.data();
 }
 
-QueryScene scene_of(const std::string& a, const std::string& b) {
-  return {a, b, body_of(a), body_of(b), Transformd{}, RigidMotion{}, HUGE_VAL};
+std::string vector_text(const Vec3d& v) {
+  std::array<char, 96> text;
+  std::snprintf(text.data(), text.size(), "%a,%a,%a", v.x, v.y, v.z);
+  return text.data();
 }
 
-double size_of(const QueryScene& scene) { return scene.a.circumradius() + scene.b.circumradius(); }
+QueryScene scene_of(const std::string& a, const std::string& b) {
+  return {a, b, body_of(a), body_of(b), {}, {}, {}, HUGE_VAL};
+}
+
+double size_of_scene(const QueryScene& scene) { return scene.a.circumradius() + scene.b.circumradius(); }
+Vec3d between_centres(const QueryScene& scene) { return scene.pose(scene.b.centre()) - scene.a.centre(); }
 
 // Every body of the test list, hulls, bars and needles.
 std::string ordinary_text(Random& random) {
@@ -51,8 +59,8 @@ std::string ordinary_text(Random& random) {
 void move_somewhere(QueryScene& scene, Random& random, int k) {
   Vec3d dir = random_direction(random);
   // Nearly always missed, were it not aimed.
-  if (k % 3 != 0) dir = 0.3 * dir - (1.0 / size_of(scene)) * scene.pose.translation;
-  scene.motion.velocity = size_of(scene) * dir;
+  if (k % 3 != 0) dir = 0.3 * dir - (1.0 / size_of_scene(scene)) * between_centres(scene);
+  scene.motion.velocity = size_of_scene(scene) * dir;
   const double spin = std::ldexp(1.0, static_cast<int>(random() % 6) - 3);
   scene.motion.angular_velocity = spin * random_direction(random);
   if (k % 11 == 5) scene.motion.velocity = {};
@@ -77,7 +85,7 @@ QueryScene thin(Random& random, int k) {
     }
   };
   const std::string a = text(), b = text();
-  QueryScene scene{a, b, separation_body(a), separation_body(b), {}, {}, HUGE_VAL};
+  QueryScene scene{a, b, separation_body(a), separation_body(b), {}, {}, {}, HUGE_VAL};
   if (k % 2 == 0) {
     scene.pose = random_pose(random, ball_domain(scene.a, scene.b), scene.b);
   } else {
@@ -126,8 +134,8 @@ QueryScene grazing(Random& random, int k) {
   const Separation found = signed_distance(scene.a, scene.b, scene.pose);
   const Vec3d normal = norm_1(found.normal) > 0.0 ? found.normal : Vec3d{0.0, 0.0, 1.0};
   const Vec3d aside = cross(normal, random_direction(random));
-  const double off = (k % 2 == 0 ? 1.0 : -1.0) * std::ldexp(size_of(scene), -4 - static_cast<int>(random() % 48));
-  scene.pose.translation = scene.pose.translation + (off * normal - (3.0 * size_of(scene) / norm(aside)) * aside);
+  const double off = (k % 2 == 0 ? 1.0 : -1.0) * std::ldexp(size_of_scene(scene), -4 - static_cast<int>(random() % 48));
+  scene.pose.translation = scene.pose.translation + (off * normal - (3.0 * size_of_scene(scene) / norm(aside)) * aside);
   scene.motion.velocity = aside;
   scene.motion.angular_velocity = std::ldexp(1.0, -static_cast<int>(random() % 30)) * random_direction(random);
   return scene;
@@ -161,10 +169,11 @@ QueryScene coaxial(Random& random, int k) {
 
 QueryScene far(Random& random, int k) {
   QueryScene scene = ordinary(random, k);
-  const double away = std::ldexp(size_of(scene), 5 + static_cast<int>(random() % 35));
+  const double away = std::ldexp(size_of_scene(scene), 5 + static_cast<int>(random() % 35));
   const Vec3d dir = random_direction(random);
   scene.pose.translation = scene.pose.translation + away * dir;
-  scene.motion.velocity = (k % 3 == 0 ? 1.0 : -1.0) * (away * dir + (0.3 * size_of(scene)) * random_direction(random));
+  scene.motion.velocity =
+      (k % 3 == 0 ? 1.0 : -1.0) * (away * dir + (0.3 * size_of_scene(scene)) * random_direction(random));
   return scene;
 }
 
@@ -178,6 +187,7 @@ QueryScene sizes(Random& random, int k) {
                    b + " * " + length_text(scale_b),
                    separation_body(a, scale_a),
                    separation_body(b, scale_b),
+                   {},
                    {},
                    {},
                    HUGE_VAL};
@@ -206,22 +216,68 @@ QueryScene hulls(Random& random, int k) {
   return scene;
 }
 
-// Every fourth motion has an end, before or after what may happen.
-using MakeScene = QueryScene (*)(Random& random, int k);
-template <MakeScene make>
-QueryScene with_end(Random& random, int k) {
-  QueryScene scene = make(random, k);
-  if (k % 4 != 2) return scene;
-  const double speed = safe_norm(scene.motion.velocity), spin = safe_norm(scene.motion.angular_velocity);
-  const double way = safe_norm(scene.pose.translation) + size_of(scene);
-  scene.until = 2.0 * random_in_unit_interval(random) * (speed > 0.0 ? way / speed : 7.0 / spin);
+// A box, a prism or points on a sphere, turned or not.
+std::vector<Vec3d> solid_points(Random& random) {
+  std::vector<Vec3d> points;
+  const std::uint64_t kind = random() % 3;
+  if (kind == 0) points = box_vertices(1.0, 0.5 + random_in_unit_interval(random), 1.0);
+  const int n = 3 + static_cast<int>(random() % 20);
+  for (int k = 0; kind == 1 && k < n; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / n;
+    for (const double z : {-0.4, 0.4}) points.push_back({0.7 * std::cos(angle), 0.7 * std::sin(angle), z});
+  }
+  for (int k = 0; kind == 2 && k < 20 + 4 * n; ++k) {
+    const Vec3d d = random_direction(random);
+    points.push_back((0.8 / norm(d)) * d);
+  }
+  const Transformd turn = random() % 2 == 0 ? random_rotation(random) : Transformd{};
+  for (Vec3d& p : points) p = turn(p);
+  return points;
+}
+
+// Polytopes of size 1 so far from the origins of their own frames that coordinates hardly tell their corners apart; the
+// pose brings them together.
+QueryScene displaced(Random& random, int k) {
+  const double far = std::pow(10.0, static_cast<int>(random() % 11) + 3);
+  const auto body = [&](std::string& text) {
+    const Vec3d middle = far * random_direction(random);
+    std::vector<Vec3d> vertices = solid_points(random);
+    for (Vec3d& v : vertices) v = v + middle;
+    text = std::to_string(vertices.size()) + " points about " + vector_text(middle);
+    return ConvexBody(Polytope(vertices, middle, 0.0));
+  };
+  std::string a_text, b_text;
+  const ConvexBody a = body(a_text), b = body(b_text);
+  QueryScene scene{a_text, b_text, a, b, {}, {}, {}, HUGE_VAL};
+  switch (k % 3) {
+    case 0:
+      put_centres_apart(a, b, (2.0 * random_in_unit_interval(random)) * random_direction(random), scene.pose);
+      break;
+    case 1: scene.pose = near_contact_pose(a, b, random, k / 3); break;
+    default: scene.pose = aligned_pose(a, b, random, k); break;
+  }
+  move_somewhere(scene, random, k);
   return scene;
 }
 
-std::string vector_text(const Vec3d& v) {
-  std::array<char, 96> text;
-  std::snprintf(text.data(), text.size(), "%a,%a,%a", v.x, v.y, v.z);
-  return text.data();
+// Every fourth motion has an end, before or after what may happen; of every third pair A moves as well, and B moves as
+// is said beside that.
+using MakeScene = QueryScene (*)(Random& random, int k);
+template <MakeScene make>
+QueryScene with_ends(Random& random, int k) {
+  QueryScene scene = make(random, k);
+  const double speed = safe_norm(scene.motion.velocity), spin = safe_norm(scene.motion.angular_velocity);
+  if (k % 4 == 2) {
+    const double way = safe_norm(between_centres(scene)) + size_of_scene(scene);
+    scene.until = 2.0 * random_in_unit_interval(random) * (speed > 0.0 ? way / speed : 7.0 / spin);
+  }
+  if (k % 3 == 1) {
+    scene.motion_a.velocity = speed * random_direction(random);
+    // It may turn with B, against it, or neither.
+    scene.motion_a.angular_velocity = k % 2 == 0 ? spin * random_direction(random) : scene.motion.angular_velocity;
+    if (k % 5 == 0) scene.motion_a.angular_velocity = {};
+  }
+  return scene;
 }
 
 }  // namespace
@@ -229,15 +285,16 @@ std::string vector_text(const Vec3d& v) {
 std::string QueryScene::text() const {
   return "'" + a_text + "' '" + b_text + "' --matrix " + vector_text(pose.row_x) + "," + vector_text(pose.row_y) + "," +
          vector_text(pose.row_z) + "," + vector_text(pose.translation) + " velocity " + vector_text(motion.velocity) +
-         " radians " + vector_text(motion.angular_velocity) + " until " + length_text(until);
+         " radians " + vector_text(motion.angular_velocity) + " A's " + vector_text(motion_a.velocity) + "," +
+         vector_text(motion_a.angular_velocity) + " until " + length_text(until);
 }
 
 const std::vector<QueryStratum>& query_strata() {
   static const std::vector<QueryStratum> strata = {
-      {"ordinary", with_end<ordinary>}, {"thin", with_end<thin>},       {"touching", with_end<touching>},
-      {"leaving", with_end<leaving>},   {"grazing", with_end<grazing>}, {"parallel", with_end<parallel>},
-      {"coaxial", with_end<coaxial>},   {"far", with_end<far>},         {"sizes", with_end<sizes>},
-      {"fast", with_end<fast>},         {"hulls", with_end<hulls>}};
+      {"ordinary", with_ends<ordinary>}, {"thin", with_ends<thin>},       {"touching", with_ends<touching>},
+      {"leaving", with_ends<leaving>},   {"grazing", with_ends<grazing>}, {"parallel", with_ends<parallel>},
+      {"coaxial", with_ends<coaxial>},   {"far", with_ends<far>},         {"sizes", with_ends<sizes>},
+      {"fast", with_ends<fast>},         {"hulls", with_ends<hulls>},     {"displaced", with_ends<displaced>}};
   return strata;
 }
 

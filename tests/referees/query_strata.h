@@ -16,7 +16,8 @@ struct QueryScene {
   std::string a_text, b_text;
   ConvexBody a, b;
   Transformd pose;
-  RigidMotion motion;       // of a cast the velocity alone
+  RigidMotion motion;       // of B beside A's velocity; of a cast the velocity alone
+  RigidMotion motion_a;     // of impacts alone
   double until = HUGE_VAL;  // of motions
 
   std::string text() const;  // enough to ask again
@@ -28,7 +29,7 @@ struct QueryStratum {
 };
 
 /// ordinary, thin, touching, leaving, grazing, parallel, coaxial, far, tiny and huge, fast, hulls of up to 1000
-/// vertices.
+/// vertices, far from the origins of their own frames.
 const std::vector<QueryStratum>& query_strata();
 
 }  // namespace vex

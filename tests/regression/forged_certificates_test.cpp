@@ -101,6 +101,61 @@ TEST_F(BarAboveBox, TouchesWhereItsPointsAre) {
   }
 }
 
+// A normal was read for its length and the points' distance along it alone; and nothing of what touches at the start.
+TEST(ForgedCertificates, HaveTheNormalOfTheContact) {
+  const ConvexBody a = Box(1, 1, 1), b = Sphere(0.5);
+  const Transformd pose{.translation = {3, 0.1, 0.2}}, inside{.translation = {0.9, 0.1, 0.2}};
+  const RigidMotion turning{{-1, 0, 0}, {0, 0.1, 0}}, of_a{{1, 0, 0}, {0, 0.1, 0}}, still;
+  const Vec3d motion{-1, 0, 0};
+  const auto refuses_others = [](const FirstContact& truth, const auto& check) {
+    const auto is_accepted = [&](const FirstContact& claimed) { return check(claimed).is_proven; };
+    EXPECT_EQ(check(truth).fault, "");
+    for (const Vec3d& normal :
+         {-truth.normal, Vec3d{0, 1, 0}, Vec3d{0, 0, -1}, Vec3d{0.8, 0.6, 0}, Vec3d{kNaN, 0, 0}}) {
+      FirstContact claimed = truth;
+      claimed.normal = normal;
+      EXPECT_FALSE(is_accepted(claimed)) << normal.x << " " << normal.y << " " << normal.z;
+    }
+    FirstContact claimed = truth;
+    claimed.point_b = claimed.point_b + Vec3d{0, 0.3, 0};
+    EXPECT_FALSE(is_accepted(claimed));
+    claimed = truth;
+    claimed.point_a.z = kNaN;
+    EXPECT_FALSE(is_accepted(claimed));
+    claimed = truth;
+    claimed.point_b_in_b.y += 0.1;
+    EXPECT_FALSE(is_accepted(claimed));
+  };
+  for (const Transformd& at : {pose, inside}) {
+    refuses_others(linear_cast(a, b, at, motion), [&](const FirstContact& claimed) {
+      return check_certificate(a, b, at, motion, claimed, certify(a, b, at, motion, claimed));
+    });
+    refuses_others(time_of_impact(a, b, at, turning), [&](const FirstContact& claimed) {
+      return check_certificate(a, b, at, turning, claimed, certify(a, b, at, turning, claimed));
+    });
+    refuses_others(time_of_impact(a, b, at, of_a, still), [&](const FirstContact& claimed) {
+      return check_certificate(a, b, at, of_a, still, claimed, certify(a, b, at, of_a, still, claimed));
+    });
+  }
+  for (const Vec3d& origin : {Vec3d{3, 0.1, 0.2}, Vec3d{0.4, 0.1, 0.2}}) {
+    refuses_others(cast_ray(a, origin, motion), [&](const FirstContact& claimed) {
+      return check_ray_certificate(a, origin, motion, claimed, certify_ray(a, origin, motion, claimed));
+    });
+  }
+}
+
+TEST(ForgedCertificates, HaveAVerdict) {
+  const ConvexBody box = Box(1, 1, 1);
+  for (const double x : {0.5, 3.0}) {
+    const Transformd pose{.translation = {x, 0, 0}};
+    Separation claimed = signed_distance(box, box, pose);
+    const SeparationCertificate proof = certify(box, box, pose, claimed);
+    claimed.verdict.outcome = static_cast<Outcome>(7);
+    EXPECT_FALSE(check_certificate(box, box, pose, claimed, proof).is_proven);
+    EXPECT_FALSE(check_certificate(box, box, pose, claimed.verdict.outcome, proof.sign).is_proven);
+  }
+}
+
 TEST(ForgedCertificates, OneInputHasOneAnswer) {
   // B as it is placed has its corner at 0.5 and touches; as it moves it is 5.55e-17 beyond, and leaves.
   const ConvexBody a = Box(1, 1, 1), b = Box(0.6, 0.6, 0.6);

@@ -18,20 +18,20 @@
 namespace vex {
 namespace {
 
-ConvexBody body_of(const std::string& text) { return parse_shape(text, 1.0, kQueriedSizes).body; }
+ConvexBody cast_body(const std::string& text) { return parse_shape(text, 1.0, kQueriedSizes).body; }
 
 FirstContact cast(const char* a, const char* b, const Vec3d& from, const Vec3d& motion) {
-  return linear_cast(body_of(a), body_of(b), Transformd{.translation = from}, motion);
+  return linear_cast(cast_body(a), cast_body(b), Transformd{.translation = from}, motion);
 }
 
 TEST(LeavingCasts, OfTheReport) {
   EXPECT_NE(cast("plate:1,1", "plate:1,1", {0.1, 0.05, 1e-15}, {0, 0, 1}).verdict.outcome, Outcome::overlap);
-  EXPECT_NE(time_of_impact(body_of("plate:1,1"), body_of("plate:1,1"), Transformd{.translation = {0.1, 0.05, 1e-15}},
-                           {{0, 0, 1}, {}})
+  EXPECT_NE(time_of_impact(cast_body("plate:1,1"), cast_body("plate:1,1"),
+                           Transformd{.translation = {0.1, 0.05, 1e-15}}, {{0, 0, 1}, {}})
                 .verdict.outcome,
             Outcome::overlap);
-  EXPECT_NE(cast_ray(body_of("plate:1000,1000"), {3, 5, 3e-12}, {0.1, 0.05, 1}).verdict.outcome, Outcome::overlap);
-  EXPECT_NE(cast_ray(body_of("plate:1000,1000"), {-3, 5, -3e-12}, {0.1, 0.05, -1}).verdict.outcome, Outcome::overlap);
+  EXPECT_NE(cast_ray(cast_body("plate:1000,1000"), {3, 5, 3e-12}, {0.1, 0.05, 1}).verdict.outcome, Outcome::overlap);
+  EXPECT_NE(cast_ray(cast_body("plate:1000,1000"), {-3, 5, -3e-12}, {0.1, 0.05, -1}).verdict.outcome, Outcome::overlap);
 }
 
 // Above or below A by a gap of any size: away from it is a miss, or left open, towards it a hit at gap / speed, or left
@@ -49,10 +49,10 @@ TEST(LeavingCasts, OfFlatAndThinBodiesAreNeverHits) {
       half = kind < 2 ? 0.0 : 0.5 * std::exp2(between(-60, -48));
       const std::string size = shortest_number(between(0.5, 2.0));
       is_polytope = is_polytope && kind % 2 == 0;
-      if (kind == 0) return body_of("plate:" + size + ",1");
-      if (kind == 1) return body_of("disc:" + size);
-      if (kind == 2) return body_of("box:1," + size + "," + shortest_number(2.0 * half));
-      return body_of("cylinder:" + shortest_number(2.0 * half) + ",1");
+      if (kind == 0) return cast_body("plate:" + size + ",1");
+      if (kind == 1) return cast_body("disc:" + size);
+      if (kind == 2) return cast_body("box:1," + size + "," + shortest_number(2.0 * half));
+      return cast_body("cylinder:" + shortest_number(2.0 * half) + ",1");
     };
     double half_a = 0.0, half_b = 0.0;
     is_polytope = true;
@@ -91,7 +91,7 @@ TEST(LeavingCasts, OfFlatAndThinBodiesAreNeverHits) {
 // Thick bodies that touch, or nearly, go into each other: still hits, for the far side of A - B tells.
 TEST(LeavingCasts, IntoEachOtherAreHitsFromTouchingStarts) {
   for (const char* const text : {"box:1,1,1", "sphere:0.5", "cylinder:1,0.5", "cone:1,0.5", "ellipsoid:0.4,0.3,0.5"}) {
-    const ConvexBody a = body_of("box:4,4,1"), b = body_of(text);
+    const ConvexBody a = cast_body("box:4,4,1"), b = cast_body(text);
     const double below = -b.support({0, 0, -1}).z;
     for (const double gap : {0.0, 1e-17, 3e-16, 1e-15, 1e-13}) {
       const Vec3d from{0.1, 0.2, 0.5 + below + gap};

@@ -18,13 +18,13 @@
 namespace vex {
 namespace {
 
-ConvexBody body_of(const std::string& text) { return parse_shape(text, 1.0, kQueriedSizes).body; }
+ConvexBody hull_body(const std::string& text) { return parse_shape(text, 1.0, kQueriedSizes).body; }
 
 TEST(RepeatedHullPoints, OfTheReport) {
-  const ConvexBody bar = body_of("box:2.0728320725302815e-09,2.0728320725302815e-09,1");
+  const ConvexBody bar = hull_body("box:2.0728320725302815e-09,2.0728320725302815e-09,1");
   const Separation of_bars =
       signed_distance(bar, bar, Transformd{.translation = {-0x1.23dee9e35ce83p-30, -0x1.23dee9e35ce83p-30, 0x1p+0}});
-  const Separation of_plates = signed_distance(body_of("box:1,1,1.1118237850410151e-10"), body_of("plate:1,2"),
+  const Separation of_plates = signed_distance(hull_body("box:1,1,1.1118237850410151e-10"), hull_body("plate:1,2"),
                                                Transformd{.translation = {-0x1p+0, -0x1.8p+0, -0x1.e8fc3ac712835p-35}});
   for (const Separation& found : {of_bars, of_plates}) {  // they touch at a corner
     EXPECT_EQ(found.verdict.outcome, Outcome::overlap);
@@ -42,7 +42,7 @@ TEST(RepeatedHullPoints, OfTouchingThinBoxes) {
     const auto size = [&random] { return std::ldexp(1.0, -static_cast<int>(random() % 40)); };
     const Vec3d a{size(), size(), size()}, b{size(), size(), size()};
     const auto box = [](const Vec3d& e) {
-      return body_of("box:" + shortest_number(e.x) + "," + shortest_number(e.y) + "," + shortest_number(e.z));
+      return hull_body("box:" + shortest_number(e.x) + "," + shortest_number(e.y) + "," + shortest_number(e.z));
     };
     const auto sign = [&random] { return random() % 2 == 0 ? 1.0 : -1.0; };
     const auto touching = [&](double x, double y, bool touch) {

@@ -1,7 +1,7 @@
 // Queries of every kind in every stratum (tests/referees/query_strata.h), the certificate of each answer judged by the
 // exact checker: a table of how many were proven, how long they took, and how far apart their bounds are. Ends with 1
 // where the checker does not accept one, and says of the first how to ask again.
-//   vex_certified_queries [--scenes N] [--threads N] [--seed N] [STRATUM...]
+//   vex_certified_queries [--scenes N] [--threads N] [--seed N] [STRATUM...] [QUERY...]
 // Each stratum has N impacts and N manifolds, 5 N casts, as many rays, 4 N signed distances, and 3 N distances and
 // depths each. Without options 9100 scenes: a million casts and rays, a million distances and depths, 100 100 impacts
 // and as many manifolds. An hour and more on two cores.
@@ -22,7 +22,7 @@ namespace {
 
 struct Settings {
   int n_scenes = 9100, n_threads = 2, seed = 1;
-  std::vector<std::string> strata;
+  std::vector<std::string> names;  // of strata and queries: all strata, or all queries, where none is named
 };
 
 int scenes_of(CertifiedQuery query, int n) {
@@ -97,9 +97,16 @@ bool run(const Settings& settings) {
     CertifiedQuery query;
   };
   std::vector<Job> jobs;
+  const auto is_named = [&](std::string_view name) { return std::ranges::count(settings.names, name) > 0; };
+  const bool all_strata =
+      std::ranges::none_of(query_strata(), [&](const QueryStratum& stratum) { return is_named(stratum.name); });
+  const bool all_queries =
+      std::ranges::none_of(kCertifiedQueries, [&](CertifiedQuery query) { return is_named(name_of(query)); });
   for (const QueryStratum& stratum : query_strata()) {
-    if (!settings.strata.empty() && std::ranges::find(settings.strata, stratum.name) == settings.strata.end()) continue;
-    for (const CertifiedQuery query : kCertifiedQueries) jobs.push_back({&stratum, query});
+    for (const CertifiedQuery query : kCertifiedQueries) {
+      if ((all_strata || is_named(stratum.name)) && (all_queries || is_named(name_of(query))))
+        jobs.push_back({&stratum, query});
+    }
   }
   std::printf("%-10s %-9s %8s %8s %8s %6s %6s %9s %9s %9s %8s %7s\n", "stratum", "query", "asked", "disjoint",
               "overlap", "undec.", "wrong", "median us", "99.9 %", "slowest", "widest", "calls");
@@ -143,7 +150,7 @@ int main(int argc, char** argv) {
         {"--scenes", &settings.n_scenes}, {"--threads", &settings.n_threads}, {"--seed", &settings.seed}};
     const auto* const option = std::ranges::find_if(options, [&](const auto& one) { return text == one.first; });
     if (option == std::end(options)) {
-      settings.strata.push_back(text);
+      settings.names.push_back(text);
     } else if (++k < argc) {
       *option->second = std::atoi(argv[k]);
     } else {

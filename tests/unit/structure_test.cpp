@@ -52,6 +52,7 @@ TEST(Structure, EveryRoomSeesOnlyTheRoomsBelowIt) {
       {"engine/numeric", {"engine/numeric/"}},
       {"engine/support", {"engine/numeric/", "engine/support/"}},
       {"engine/query", {"engine/numeric/", "engine/support/", "engine/query/"}},
+      {"engine/scene", {"engine/numeric/", "engine/support/", "engine/query/", "engine/scene/"}},
       {"engine/sampling", {"engine/"}},
       {"shapes", {"engine/numeric/", "engine/support/", "shapes/"}},
       {kEstimators, {"engine/numeric/", "engine/support/", "engine/sampling/", "shapes/"}},

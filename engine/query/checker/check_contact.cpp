@@ -22,9 +22,12 @@ using whole::Dyadic;
 using whole::DyadicVector;
 using Apart = ContactCertificate::Apart;
 
-// Of the circumradii: the points of a contact are no farther apart across the normal, where surfaces leave each other by
-// less than rounding.
+// Of the circumradii: the points of a contact are no farther apart across the normal, where surfaces leave each other
+// by less than rounding.
 constexpr double kAcross = 1e-8;
+// The same: of bodies that overlap at the start, how deep they are in each other along the normal. A contact does not
+// tell how near the bounds of that depth are; `penetration_depth` does, and has a certificate of its own.
+constexpr double kDepth = 1e-3;
 
 DyadicVector times(const Dyadic& s, const DyadicVector& v) { return {s * v.x, s * v.y, s * v.z}; }
 
@@ -81,6 +84,11 @@ class StraightMotion {
       places.of_b.push_back(pair_.point_of_b(w) + times(Dyadic(time), v_b_));
     }
     return places;
+  }
+
+  // Of the cores, times the length of `dir`, from below.
+  std::optional<Dyadic> gap_at(double time, const DyadicVector& dir) const {
+    return pair_.gap_of_cores(dir) + Dyadic(time) * dot(dir, motion_);
   }
 
   bool meets(const FirstContact& claimed, const ContactCertificate& certificate) const {
@@ -165,6 +173,12 @@ class TurningMotion {
       points.push_back(place->pose_a(pair_.point_of_a(witness)) - place->pair.point_of_b(witness));
     }
     return checker::comes_as_near_as(points, certificate.hull.faces, pair_.radii(), margin_at(*place), Dyadic());
+  }
+
+  std::optional<Dyadic> gap_at(double time, const DyadicVector& dir) const {
+    const std::optional<Place> place = at(Dyadic(time));
+    if (!place) return std::nullopt;
+    return -(support_of_a(*place, dir) + place->pair.support_of_b(-dir));
   }
 
   std::optional<Places> places(double time, const ContactCertificate& certificate) const {
@@ -295,8 +309,7 @@ std::string fault_of_statement(const FirstContact& claimed, double until) {
   return {};
 }
 
-// Of a contact that is not at the start, where they are those of the depth. `moving`: how fast any point of a body
-// moves, about.
+// `moving`: how fast any point of a body moves, about.
 template <class Motion>
 std::string fault_of_touch(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const ExactPair& pair,
                            const Motion& motion, double moving, double turning, const FirstContact& claimed,
@@ -333,10 +346,22 @@ std::string fault_of_touch(const ConvexBody& a, const ConvexBody& b, const Pose&
     return "point_b_in_b is not in B";
   }
   const double waited = 2.0 * (moving + turning * (a.reach() + b.reach())) * (claimed.upper - claimed.lower);
-  const Dyadic along = dot(normal, of_b - of_a), along_allowed(near + waited),
-               allowed(kAcross * size + near + waited);
-  if (along_allowed < along || along < -along_allowed) return "the points are apart along the normal";
   const DyadicVector off = of_b - of_a;
+  const Dyadic along = dot(normal, off), along_allowed(near + waited), allowed(kAcross * size + near + waited);
+  const std::optional<Dyadic> gap = motion.gap_at(claimed.time, normal);
+  if (!gap) return "the contact is beyond what is looked at";
+  const Dyadic touching = *gap - pair.radii();
+  if (claimed.upper == 0.0) {
+    const Dyadic deep_allowed(kDepth * size + near);
+    const DyadicVector beside = off - times(along, normal);
+    if (deep_allowed < along - touching || along - touching < -deep_allowed) {
+      return "along the normal the bodies are not as deep in each other as the points";
+    }
+    if (deep_allowed * deep_allowed < dot(beside, beside)) return "the points are not opposite each other";
+    return {};
+  }
+  if (along_allowed < along || along < -along_allowed) return "the points are apart along the normal";
+  if (touching < -along_allowed) return "along the normal the bodies do not touch";
   if (allowed * allowed < dot(off, off)) return "the points are not one";
   return {};
 }
@@ -350,10 +375,12 @@ std::string fault_of(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
   const auto is_proven_at_start = [&](Outcome at_start) {
     return check_certificate(a, b, pose.a_from_b(), at_start, certificate.at_start).is_proven;
   };
-  if (outcome == Outcome::overlap && claimed.upper == 0.0 && is_proven_at_start(outcome)) return {};
+  if (outcome == Outcome::overlap && claimed.upper == 0.0 && is_proven_at_start(outcome)) {
+    return fault_of_touch(a, b, pose, pair, motion, moving, turning, claimed, certificate);
+  }
   if (outcome == Outcome::disjoint && until == 0.0 && is_proven_at_start(outcome)) return {};
   if (outcome == Outcome::disjoint || claimed.lower > 0.0) {
-    // B as it stands has its vertices rounded, and as it moves it has not: what is apart is so in either sense.
+    // B as it stands has its vertices rounded, and where a body turns it has not: what is apart is so in either sense.
     if (turning > 0.0 && !is_proven_at_start(Outcome::disjoint)) return "that they are apart at first is not proven";
     if (!are_intervals(certificate.apart)) return "an interval has no time";
     for (const Apart& interval : certificate.apart) {

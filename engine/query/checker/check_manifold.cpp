@@ -46,20 +46,23 @@ std::string fault_of_contact(const ExactPair& pair, const DyadicVector& normal, 
   return {};
 }
 
-// `p` is beyond the side from `from` to `to` of a polygon, by more than `tolerance`.
+// `p` is beyond the side from `from` to `to` of a polygon, whichever points within `tolerance` of the side's ends are
+// meant: its direction is known the less the shorter it is.
 bool is_outside(const DyadicVector& normal, const DyadicVector& from, const DyadicVector& to, const DyadicVector& p,
                 const Dyadic& tolerance) {
-  const DyadicVector side = to - from;
-  const Dyadic turn = dot(normal, checker::cross(side, p - from));
-  return !checker::is_at_least(turn, -tolerance, dot(side, side)) && whole::sign(dot(side, side)) > 0;
+  const DyadicVector side = to - from, off = p - from;
+  const Dyadic turn = dot(normal, checker::cross(side, off));
+  const Dyadic allowed =
+      tolerance * (checker::root_from_above(dot(side, side)) + checker::root_from_above(dot(off, off)));
+  return turn + allowed < Dyadic();
 }
 
 // Once around it goes up once along an axis and down once, but for sides too short to tell.
 bool goes_around_once(const std::vector<Contact>& contacts, const DyadicVector& axis, const Dyadic& tolerance) {
   std::vector<int> ways;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const DyadicVector side = whole::exactly(contacts[(k + 1) % contacts.size()].point_a) -
-                              whole::exactly(contacts[k].point_a);
+    const DyadicVector side =
+        whole::exactly(contacts[(k + 1) % contacts.size()].point_a) - whole::exactly(contacts[k].point_a);
     const Dyadic along = dot(axis, side);
     if (tolerance < along) ways.push_back(1);
     if (along < -tolerance) ways.push_back(-1);
@@ -130,7 +133,8 @@ CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, con
   for (std::size_t k = 0; k < claimed.contacts.size() && fault.empty(); ++k) {
     fault = fault_of_contact(*pair, normal, claimed.contacts[k], certificate.contacts[k], tolerance,
                              slope * 2.0 * a.circumradius(), slope * 2.0 * b.circumradius(),
-                             tolerance + slope * 2.0 * (a.circumradius() + b.circumradius()), std::fmax(margin, found.upper));
+                             tolerance + slope * 2.0 * (a.circumradius() + b.circumradius()),
+                             std::fmax(margin, found.upper));
   }
   const double off_polygon = slope * (a.circumradius() + b.circumradius());
   if (fault.empty()) fault = fault_of_polygon(normal, claimed.contacts, found, tolerance, off_polygon);

@@ -7,6 +7,7 @@
 #include "engine/numeric/rounding.h"
 #include "engine/query/checker/exact_hull.h"
 #include "engine/query/checker/exact_pair.h"
+#include "engine/query/checker/inner_balls.h"
 #include "engine/query/checker/witness_proof.h"
 #include "engine/query/separation_certificate.h"
 
@@ -24,6 +25,12 @@ constexpr double kOfOwnBody = 1e-12;
 std::string fault_of_bounds(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const ExactPair& pair,
                             const Separation& claimed, const SeparationCertificate& certificate) {
   const Outcome outcome = claimed.verdict.outcome;
+  switch (outcome) {
+    case Outcome::disjoint:
+    case Outcome::overlap:
+    case Outcome::undecided: break;
+    default: return "the verdict is none";
+  }
   const bool sign_is_proven =
       outcome != Outcome::undecided && check_certificate(a, b, pose.a_from_b(), outcome, certificate.sign).is_proven;
   const bool lower_by_sign = sign_is_proven && outcome == Outcome::disjoint && claimed.lower <= 0.0;
@@ -36,7 +43,8 @@ std::string fault_of_bounds(const ConvexBody& a, const ConvexBody& b, const Pose
   }
   if (!upper_by_sign && claimed.upper < HUGE_VAL) {
     if (!std::isfinite(claimed.upper)) return "the upper bound is no number";
-    if (!comes_as_near_as(pair, certificate.hull, Dyadic(claimed.upper))) {
+    if (!comes_as_near_as(pair, certificate.hull, Dyadic(claimed.upper)) &&
+        !checker::balls_come_as_near_as(pair.a(), pair.b(), pose.a_from_b(), Dyadic(claimed.upper))) {
       return "the witnesses do not prove the upper bound";
     }
   }

@@ -21,10 +21,10 @@
 namespace vex {
 namespace {
 
-using checker::ExactPair;
+using whole::DyadicVector;
 using Apart = ContactCertificate::Apart;
 
-constexpr int kMostCalls = 1 << 11;
+constexpr int kMostCallsOfContacts = 1 << 11;
 
 // t m in the units of the forms.
 Vec3e way(double time, const Vec3d& motion, int exponent) {
@@ -48,15 +48,27 @@ void take_points(const ConvexBody& a, const ConvexBody& b, const Pose& pose, con
   certificate.near_b = nearest_of_b(b, {}, found.point_b_in_b, pose.a_from_b().direction_to_b(found.normal));
 }
 
-/// A straight motion.
+/// Straight motions of both bodies: B moves by the difference of the velocities, as A sees it, and `motion_` is that
+/// rounded.
 class CastCertifier {
  public:
-  CastCertifier(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& motion,
-                const FirstContact& found, double until)
-      : a_(a), b_(b), pose_(pose), motion_(motion), found_(found), until_(until) {}
+  CastCertifier(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& velocity_a,
+                const Vec3d& velocity_b, const FirstContact& found, double until)
+      : a_(a),
+        b_(b),
+        pose_(pose),
+        motion_a_{velocity_a, {}},
+        motion_b_{velocity_b, {}},
+        motion_(velocity_b - velocity_a),
+        exact_motion_(is_finite(motion_) ? whole::exactly(velocity_b) - whole::exactly(velocity_a) : DyadicVector{}),
+        found_(found),
+        until_(until) {}
 
   ContactCertificate run() {
     const Outcome outcome = found_.verdict.outcome;
+    if (outcome == Outcome::overlap) {
+      take_points(a_, b_, pose_, found_.point_a - found_.time * motion_a_.velocity, found_, certificate_);
+    }
     if (outcome == Outcome::overlap && found_.upper == 0.0) {
       overlap(a_, b_, pose_, &certificate_.at_start);
       return certificate_;
@@ -64,7 +76,6 @@ class CastCertifier {
     const std::optional<PlacedForms> placed = placed_forms(a_, b_, pose_.a_from_b());
     if (!placed) return certificate_;
     if (outcome == Outcome::disjoint && until_ == 0.0) overlap(a_, b_, pose_, &certificate_.at_start);
-    if (outcome == Outcome::overlap) take_points(a_, b_, pose_, found_.point_a, found_, certificate_);
     if (placed->a.is_polytope() && placed->b.is_polytope() && norm_1(motion_) > 0.0) prove_by_programme(*placed);
     if (!is_proven()) prove_by_search(*placed);
     return certificate_;
@@ -72,7 +83,10 @@ class CastCertifier {
 
  private:
   double until() const { return found_.verdict.outcome == Outcome::disjoint ? until_ : found_.lower; }
-  bool is_proven() const { return check_certificate(a_, b_, pose_, motion_, found_, certificate_, until_).is_proven; }
+  bool proves(const FirstContact& found, const ContactCertificate& certificate) const {
+    return check_certificate(a_, b_, pose_, motion_a_, motion_b_, found, certificate, until_).is_proven;
+  }
+  bool is_proven() const { return proves(found_, certificate_); }
   // Whether the directions are enough, whatever proves the contact.
   bool is_apart(const ContactCertificate& certificate) const {
     FirstContact only_apart = found_;
@@ -80,11 +94,27 @@ class CastCertifier {
       only_apart.verdict = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);
       only_apart.upper = HUGE_VAL;
     }
-    return check_certificate(a_, b_, pose_, motion_, only_apart, certificate, until_).is_proven;
+    return proves(only_apart, certificate);
+  }
+  // The velocity, times a power of two.
+  std::vector<ExactVector::Part> motion_parts(int exponent) const {
+    return {{motion_b_.velocity, exponent}, {-motion_a_.velocity, exponent}};
+  }
+  // Of a direction along which the bodies part for ever, if it were not for the rounding of `motion_`: the nearest one,
+  // nearly, along which they do.
+  void bend(ExactVector& dir) const {
+    const DyadicVector exact = checker::exactly(dir);
+    const whole::Dyadic rate = dot(exact, exact_motion_), speed_sq = dot(exact_motion_, exact_motion_);
+    if (whole::sign(rate) >= 0 || whole::sign(speed_sq) == 0) return;
+    const int exponent = whole::exponent_of(-rate) - whole::exponent_of(speed_sq) + 2;
+    for (const ExactVector::Part& part : motion_parts(exponent)) dir.parts.push_back(part);
   }
   bool offer_apart(std::vector<Apart> apart) {
     ContactCertificate only;
     only.apart = std::move(apart);
+    for (Apart& interval : only.apart) {
+      if (interval.to == HUGE_VAL) bend(interval.dir);
+    }
     if (!is_apart(only)) return false;
     certificate_.apart = std::move(only.apart);
     return true;
@@ -119,9 +149,9 @@ class CastCertifier {
     const double end = std::fmin(until(), beyond);
     const RecordedCore core(forms, {}, way(end, motion_, forms.exponent()));
     for (const double gap : {0x1p-40, 0x1p-60, 0.0}) {
-      const ExactVector dir = prove_nearness(core, searched_normal(), gap, kMostCalls).dir;
+      const ExactVector dir = prove_nearness(core, searched_normal(), gap, kMostCallsOfContacts).dir;
       if (end == until() ? offer_apart({{0.0, end, dir}})
-                         : offer_apart({{0.0, end, dir}, {end, HUGE_VAL, {{{motion_, 0}}}}}) ||
+                         : offer_apart({{0.0, end, dir}, {end, HUGE_VAL, {motion_parts(0)}}}) ||
                                offer_apart({{0.0, HUGE_VAL, dir}})) {
         return;
       }
@@ -142,7 +172,7 @@ class CastCertifier {
     const RecordedCore core(forms, way(found_.lower, motion_, forms.exponent()),
                             way(found_.upper, motion_, forms.exponent()));
     for (const double gap : {0x1p-50, 0x1p-70, 0.0}) {
-      CoreProof proof = prove_nearness(core, found_.normal, gap, kMostCalls);
+      CoreProof proof = prove_nearness(core, found_.normal, gap, kMostCallsOfContacts);
       take(std::move(proof.hull), proof.is_late, found_.lower, found_.upper, certificate_);
       if (is_proven()) return;
       if (proof.surface.faces.empty()) continue;
@@ -154,7 +184,9 @@ class CastCertifier {
   const ConvexBody& a_;
   const ConvexBody& b_;
   const Pose& pose_;
-  const Vec3d& motion_;
+  RigidMotion motion_a_, motion_b_;
+  Vec3d motion_;
+  DyadicVector exact_motion_;
   const FirstContact& found_;
   double until_;
   ContactCertificate certificate_;
@@ -164,7 +196,7 @@ class CastCertifier {
 
 ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& motion,
                            const FirstContact& found, double until) {
-  return CastCertifier(a, b, pose, motion, found, until).run();
+  return CastCertifier(a, b, pose, {}, motion, found, until).run();
 }
 
 ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion,
@@ -177,18 +209,16 @@ ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose&
                            const RigidMotion& motion_b, const FirstContact& found, double until) {
   const Vec3d velocity = motion_b.velocity - motion_a.velocity;
   if (norm_1(motion_a.angular_velocity) + norm_1(motion_b.angular_velocity) == 0.0) {
-    // As A sees it.
-    FirstContact relative = found;
-    if (found.verdict.outcome == Outcome::overlap) {
-      relative.point_a = found.point_a - found.time * motion_a.velocity;
-      relative.point_b = found.point_b - found.time * motion_a.velocity;
-    }
-    const ContactCertificate straight = certify(a, b, pose, velocity, relative, until);
+    const ContactCertificate straight =
+        CastCertifier(a, b, pose, motion_a.velocity, motion_b.velocity, found, until).run();
     if (check_certificate(a, b, pose, motion_a, motion_b, found, straight, until).is_proven) return straight;
   }
   ContactCertificate certificate;
   overlap(a, b, pose, &certificate.at_start);
-  if (found.verdict.outcome == Outcome::overlap && found.upper == 0.0) return certificate;
+  if (found.verdict.outcome == Outcome::overlap && found.upper == 0.0) {
+    take_points(a, b, pose, found.point_a, found, certificate);
+    return certificate;
+  }
   std::vector<ApartDuring> record;
   time_of_impact(a, b, pose, motion_a, motion_b, until, record);
   for (const ApartDuring& step : record) certificate.apart.push_back({step.from, step.to, {{{step.normal, 0}}}});
@@ -203,7 +233,7 @@ ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose&
   FirstContact only_contact = found;  // that nothing is before it costs more to be shown
   only_contact.lower = 0.0;
   for (const double gap : {0x1p-50, 0x1p-70, 0.0}) {
-    const CoreProof proof = prove_nearness(core, found.normal, gap, kMostCalls);
+    const CoreProof proof = prove_nearness(core, found.normal, gap, kMostCallsOfContacts);
     for (const WitnessHull* const hull : {&proof.hull, &proof.surface}) {
       if (hull->witnesses.empty()) continue;
       certificate.hull = *hull;

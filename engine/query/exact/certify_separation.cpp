@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/query/checker/exact_pair.h"
+#include "engine/query/checker/inner_balls.h"
 #include "engine/query/checker/witness_proof.h"
 #include "engine/query/exact/exact_overlap.h"
 #include "engine/query/exact/exact_witness.h"
@@ -21,7 +22,7 @@ namespace {
 using checker::ExactPair;
 using whole::Dyadic;
 
-constexpr int kMostCalls = 1 << 11, kMostCallsOfTies = 1 << 16;
+constexpr int kMostCallsOfBounds = 1 << 11, kMostCallsOfTies = 1 << 16;
 
 void find_bounds(const ExactPair& pair, const PlacedForms& placed, const Separation& found,
                  SeparationCertificate& certificate) {
@@ -56,7 +57,7 @@ void find_bounds(const ExactPair& pair, const PlacedForms& placed, const Separat
     // Where rounding stalls one descent it may not stall another.
     for (const Vec3d& first_dir : {found.normal, Vec3d{}}) {
       const RecordedCore core(forms);
-      CoreProof proof = prove_nearness(core, first_dir, gap, kMostCalls);
+      CoreProof proof = prove_nearness(core, first_dir, gap, kMostCallsOfBounds);
       is_capped = is_capped || proof.is_capped;
       offer_dir(std::move(proof.dir));
       offer_hull(std::move(proof.hull));
@@ -90,6 +91,11 @@ SeparationCertificate certify(const ConvexBody& a, const ConvexBody& b, const Po
   const std::optional<ExactPair> pair = ExactPair::of(a, b, pose.a_from_b(), fault);
   const std::optional<PlacedForms> placed = placed_forms(a, b, pose.a_from_b());
   if (!pair || !placed) return certificate;
+  // What the checker needs no witness for is not looked for.
+  if (open.upper < HUGE_VAL &&
+      checker::balls_come_as_near_as(pair->a(), pair->b(), pose.a_from_b(), whole::Dyadic(open.upper))) {
+    open.upper = HUGE_VAL;
+  }
   if (open.lower > -HUGE_VAL || open.upper < HUGE_VAL) find_bounds(*pair, *placed, open, certificate);
   if (found.has_witnesses) {
     certificate.near_a = nearest_of_a(a, found.point_a, found.normal);

@@ -29,7 +29,7 @@ std::size_t farthest(const VertexSet& points, const Vector& dir, const PointOf& 
   return best;
 }
 
-struct Point {
+struct SimplexPoint {
   Vector at;
   std::size_t a, b;
 };
@@ -41,7 +41,7 @@ struct Point {
 // is always among the carriers, for without it nothing was nearer before.
 class Carrier {
  public:
-  explicit Carrier(std::vector<Point>& simplex) : simplex_(simplex) {
+  explicit Carrier(std::vector<SimplexPoint>& simplex) : simplex_(simplex) {
     const std::size_t n = simplex.size();
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j <= i; ++j) inner_[i][j] = inner_[j][i] = whole::dot(simplex[i].at, simplex[j].at);
@@ -86,7 +86,7 @@ class Carrier {
   }
 
   void keep(unsigned set) {
-    std::vector<Point> kept;
+    std::vector<SimplexPoint> kept;
     denominator_ = 0;
     numerator_ = {};
     for (std::size_t i = 0; i < simplex_.size(); ++i) {
@@ -98,7 +98,7 @@ class Carrier {
     simplex_ = std::move(kept);
   }
 
-  std::vector<Point>& simplex_;
+  std::vector<SimplexPoint>& simplex_;
   std::array<std::array<Integer, 4>, 4> inner_;
   std::array<std::array<Integer, 4>, 16> determinant_;
   Vector numerator_;
@@ -115,7 +115,7 @@ ExactOverlap descend(const PlacedForms& forms, Vector* nearest) {
   const Integer radii_sq = radii * radii;
 
   ExactOverlap result;
-  std::vector<Point> simplex = {{points.a(0) - points.b(0), 0, 0}};
+  std::vector<SimplexPoint> simplex = {{points.a(0) - points.b(0), 0, 0}};
   while (true) {
     // The nearest point is p = v / denominator.
     const Carrier carrier(simplex);
@@ -137,7 +137,7 @@ ExactOverlap descend(const PlacedForms& forms, Vector* nearest) {
     if (along * denominator >= v_sq) break;
     simplex.push_back({w, a, b});
   }
-  for (const Point& point : simplex) {
+  for (const SimplexPoint& point : simplex) {
     result.carriers_a[static_cast<std::size_t>(result.n_carriers)] = point.a;
     result.carriers_b[static_cast<std::size_t>(result.n_carriers)] = point.b;
     ++result.n_carriers;

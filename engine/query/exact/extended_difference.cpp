@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/numeric/expect.h"
 #include "engine/numeric/whole.h"
 #include "engine/support/combinators.h"
 
 namespace vex {
 namespace {
-
-Vec3e extended(const Vec3d& v) { return broadcast<Extended>(v); }
 
 // The middle of the box about points and centres; zero where there are none.
 class Box {
@@ -70,7 +69,7 @@ LocalForms::LocalForms(const PlacedForms& forms) : forms_(forms) {
   // The vector between the middles is exact before it is rounded to two doubles: what cancels is not lost.
   whole::DyadicVector between;
   int exponent_b = 0;
-  if (b.is_polytope()) {
+  if (forms.is_b_rounded) {
     middle_of_placed_b_ = middle_of(forms.placed_b, {});
     between = whole::exactly(middle_of_placed_b_) - whole::exactly(middle_a_);
     exponent_b = kNoExponent;
@@ -108,6 +107,15 @@ Vec3d LocalForms::own(const Vec3e& local, const Vec3d& middle) const {
   return middle + times_power_of_two(high_part(local), exponent_);
 }
 
+Vec3e LocalForms::arm_of_b() const {
+  VEX_EXPECT(!forms_.is_b_rounded);
+  return turned(local(middle_b_, {}));
+}
+
+Vec3e LocalForms::turned(const Vec3e& point) const {
+  return {dot(a_from_b_.row_x, point), dot(a_from_b_.row_y, point), dot(a_from_b_.row_z, point)};
+}
+
 // c + D D d / |D d|, and its height, for the piece that is farthest.
 LocalForms::Farthest LocalForms::farthest_piece(const std::vector<Piece>& pieces, const Vec3e& dir) const {
   Farthest best;
@@ -142,9 +150,6 @@ LocalForms::Farthest LocalForms::farthest_of_a(const Vec3e& dir) const {
 }
 
 LocalForms::Farthest LocalForms::farthest_of_b(const Vec3e& dir, const Vec3e& dir_b) const {
-  const auto turned = [this](const Vec3e& point) {
-    return Vec3e{dot(a_from_b_.row_x, point), dot(a_from_b_.row_y, point), dot(a_from_b_.row_z, point)};
-  };
   Farthest best = farthest_piece(pieces_b_, dir_b);
   if (best.is_any) {
     best.own = own(best.point, middle_b_);
@@ -152,8 +157,8 @@ LocalForms::Farthest LocalForms::farthest_of_b(const Vec3e& dir, const Vec3e& di
     best.height = dot(best.point, dir);
   }
   for (const std::size_t i : forms_.points_b.farthest(vertex_direction(dir))) {
-    const Vec3e point = forms_.b.is_polytope() ? local(forms_.placed_b[i], middle_of_placed_b_)
-                                               : turned(local(forms_.b.points[i], middle_b_));
+    const Vec3e point = forms_.is_b_rounded ? local(forms_.placed_b[i], middle_of_placed_b_)
+                                            : turned(local(forms_.b.points[i], middle_b_));
     const Extended height = dot(point, dir);
     if (!best.is_any || height > best.height) best = {point, forms_.b.points[i], height, true};
   }

@@ -13,6 +13,8 @@ namespace vex {
 using Extended = DoubleDouble;
 using Vec3e = Vec3<Extended>;
 
+inline Vec3e extended(const Vec3d& v) { return broadcast<Extended>(v); }
+
 inline Vec3d high_part(const Vec3e& v) { return {v.x.high, v.y.high, v.z.high}; }
 inline Vec3d low_part(const Vec3e& v) { return {v.x.low, v.y.low, v.z.low}; }
 
@@ -41,17 +43,21 @@ class LocalForms {
   /// From A's middle to B's; and B's frame turned into A's, which the middles are taken out of.
   const Transform<Extended>& a_from_b() const { return a_from_b_; }
   const Extended& ball_radius() const { return ball_radius_; }
+  /// From the origins of the bodies' frames to their middles, in A's directions; of a B that turns.
+  Vec3e arm_of_a() const { return local(middle_a_, {}); }
+  Vec3e arm_of_b() const;
   int exponent() const { return exponent_; }
 
  private:
   Vec3e local(const Vec3d& point, const Vec3d& middle) const;
   Vec3d own(const Vec3e& local, const Vec3d& middle) const;
+  Vec3e turned(const Vec3e& point) const;  // from B's frame into A's directions
   Farthest farthest_piece(const std::vector<Piece>& pieces, const Vec3e& dir) const;
 
   const PlacedForms& forms_;
   int exponent_ = 0;
   Vec3d middle_a_, middle_b_;
-  Vec3d middle_of_placed_b_;  // where B is a polytope: then the middle of that, in A's frame
+  Vec3d middle_of_placed_b_;  // where B's points are rounded as placed: the middle of those, in A's frame
   std::vector<Piece> pieces_a_, pieces_b_;
   Transform<Extended> a_from_b_;
   Extended ball_radius_;

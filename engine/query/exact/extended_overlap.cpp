@@ -15,25 +15,23 @@
 namespace vex {
 namespace {
 
-Vec3e extended(const Vec3d& v) { return broadcast<Extended>(v); }
-
 // Directions that span space, and the weights of inner points.
-constexpr std::array<Vec3d, 6> kDirections = {{{0.6113, 0.4717, 0.6361},
-                                               {-0.7331, 0.2917, 0.4129},
-                                               {0.1733, -0.8311, -0.5297},
-                                               {-0.1237, 0.3119, -0.9419},
-                                               {-0.5171, -0.6173, 0.3371},
-                                               {0.8219, -0.1913, -0.4733}}};
-constexpr std::array<std::array<double, 6>, 2> kWeights = {
+constexpr std::array<Vec3d, 6> kSpanningDirections = {{{0.6113, 0.4717, 0.6361},
+                                                       {-0.7331, 0.2917, 0.4129},
+                                                       {0.1733, -0.8311, -0.5297},
+                                                       {-0.1237, 0.3119, -0.9419},
+                                                       {-0.5171, -0.6173, 0.3371},
+                                                       {0.8219, -0.1913, -0.4733}}};
+constexpr std::array<std::array<double, 6>, 2> kInnerWeights = {
     {{0.171875, 0.203125, 0.1328125, 0.1484375, 0.1796875, 0.1640625},
      {0.34375, 0.078125, 0.265625, 0.0625, 0.15625, 0.09375}}};
 
-// Points of A - B, each a convex combination of the same support points: the weights add up to 1 exactly.
-std::array<Vec3e, kWeights.size()> inner_points(const ExtendedDifference& difference) {
-  std::array<Vec3e, kWeights.size()> points;
-  for (std::size_t k = 0; k < kDirections.size(); ++k) {
-    const Vec3e w = difference.support(extended(kDirections[k]));
-    for (std::size_t j = 0; j < kWeights.size(); ++j) points[j] = points[j] + Extended(kWeights[j][k]) * w;
+// PointsOfDifference of A - B, each a convex combination of the same support points: the weights add up to 1 exactly.
+std::array<Vec3e, kInnerWeights.size()> inner_points(const ExtendedDifference& difference) {
+  std::array<Vec3e, kInnerWeights.size()> points;
+  for (std::size_t k = 0; k < kSpanningDirections.size(); ++k) {
+    const Vec3e w = difference.support(extended(kSpanningDirections[k]));
+    for (std::size_t j = 0; j < kInnerWeights.size(); ++j) points[j] = points[j] + Extended(kInnerWeights[j][k]) * w;
   }
   return points;
 }
@@ -41,19 +39,19 @@ std::array<Vec3e, kWeights.size()> inner_points(const ExtendedDifference& differ
 constexpr QueryError<Extended> kError{Extended(8.0), Extended(kExtendedError)};
 
 // What the searches of distances take: A - B, point by point.
-struct Point {
+struct PointOfDifference {
   Vec3e w;
 };
-class Points {
+class PointsOfDifference {
  public:
-  explicit Points(const ExtendedDifference& difference) : difference_(difference) {}
-  Point support(const Vec3e& dir) const { return {difference_.support(dir)}; }
+  explicit PointsOfDifference(const ExtendedDifference& difference) : difference_(difference) {}
+  PointOfDifference support(const Vec3e& dir) const { return {difference_.support(dir)}; }
 
  private:
   const ExtendedDifference& difference_;
 };
 
-using Hull = ExpandingPolytope<Extended, Point, Points>;
+using Hull = ExpandingPolytope<Extended, PointOfDifference, PointsOfDifference>;
 
 // Grows from a few directions of its own, until every face has the origin behind it by more than the points' error.
 bool goes_around_origin(Hull& hull) {
@@ -64,7 +62,7 @@ bool goes_around_origin(Hull& hull) {
 }
 
 double distance_of_triangle(const Vec3e& v1, const Vec3e& v2, const Vec3e& v3) {
-  NearestSimplex<Extended, Point> simplex;
+  NearestSimplex<Extended, PointOfDifference> simplex;
   for (const Vec3e& v : {v1, v2, v3}) simplex.add({v});
   return norm(simplex.at()).high;
 }
@@ -81,7 +79,7 @@ struct Findings {
 // Searches from two inner points: the fastest, but not of flat differences, nor where the origin is in a plane of
 // symmetry.
 bool portal_overlaps(const ExtendedDifference& difference, int max_support_calls, Findings& findings) {
-  findings.n_support_calls += static_cast<int>(kDirections.size());
+  findings.n_support_calls += static_cast<int>(kSpanningDirections.size());
   for (const Vec3e& start : inner_points(difference)) {
     const PortalResult<Extended> found = refine_portal<Extended>(difference, start, kError, max_support_calls);
     findings.n_support_calls += found.n_support_calls;
@@ -94,19 +92,19 @@ bool portal_overlaps(const ExtendedDifference& difference, int max_support_calls
 
 // The nearest point: of any difference, but no proof of an overlap.
 void descend_to_nearest(const ExtendedDifference& difference, int max_support_calls, Findings& findings) {
-  using Descent = NearestDescent<Extended, Point>;
+  using Descent = NearestDescent<Extended, PointOfDifference>;
   const auto nearest = [](const Extended&) { return Extended(0.0); };
-  const Descent found =
-      descend_to_origin<Extended, Point>(Points(difference), extended(kDirections.front()), {}, kError, nearest,
-                                         Extended(0.0), DescentGoal::separated, max_support_calls);
+  const Descent found = descend_to_origin<Extended, PointOfDifference>(
+      PointsOfDifference(difference), extended(kSpanningDirections.front()), {}, kError, nearest, Extended(0.0),
+      DescentGoal::separated, max_support_calls);
   findings.n_support_calls += found.n_support_calls;
   findings.is_capped = found.end == Descent::End::capped;
   findings.limit_gap(norm(found.simplex.at()).high);
 }
 
 bool hull_overlaps(const ExtendedDifference& difference, int max_support_calls, Findings& findings) {
-  const Points points(difference);
-  PolytopeStore<Extended, Point> store;
+  const PointsOfDifference points(difference);
+  PolytopeStore<Extended, PointOfDifference> store;
   Hull hull(points, kError, max_support_calls, store);
   const bool overlaps = goes_around_origin(hull);
   findings.n_support_calls += hull.n_support_calls();
@@ -173,10 +171,10 @@ bool find_witnesses_by_portal(const LocalForms& forms, OverlapCertificate& certi
     const std::array<std::size_t, 3> portal = {witnesses.call_of(found.v1), witnesses.call_of(found.v2),
                                                witnesses.call_of(found.v3)};
     for (int n = 1; n <= 3; ++n) {
-      for (unsigned set = 1; set < (1u << kDirections.size()); ++set) {
+      for (unsigned set = 1; set < (1u << kSpanningDirections.size()); ++set) {
         if (std::popcount(set) != n) continue;
         std::vector<std::size_t> calls(portal.begin(), portal.end());
-        for (std::size_t k = 0; k < kDirections.size(); ++k) {
+        for (std::size_t k = 0; k < kSpanningDirections.size(); ++k) {
           if (((set >> k) & 1u) != 0) calls.push_back(k);
         }
         if (witnesses.prove(calls)) return true;
@@ -193,12 +191,12 @@ bool find_witnesses_by_hull(const LocalForms& forms, OverlapCertificate& certifi
   std::vector<ExtendedRecord> records;
   const ExtendedDifference difference(forms, &records);
   const Witnesses witnesses(records, certificate, is_proof);
-  const Points points(difference);
-  PolytopeStore<Extended, Point> store;
+  const PointsOfDifference points(difference);
+  PolytopeStore<Extended, PointOfDifference> store;
   Hull hull(points, kError, kMaxSupportCalls, store);
   if (!goes_around_origin(hull)) return false;
   std::vector<Vec3e> lines;
-  for (const Vec3d& dir : kDirections) lines.push_back(extended(dir));
+  for (const Vec3d& dir : kSpanningDirections) lines.push_back(extended(dir));
   for (std::size_t k = 1; k < store.points.size(); ++k) {
     lines.push_back(store.points[k].w + Extended(0.37) * store.points[k - 1].w);
     lines.push_back(store.points[k].w);

@@ -9,7 +9,7 @@
 namespace vex {
 namespace {
 
-constexpr int kMostCalls = 1 << 11;
+constexpr int kMostCallsOfPoints = 1 << 11;
 constexpr double kPointGap = 0x1p-52;
 
 // Of what is nearest to a point; `normal` is from A towards B, of which one is the point.
@@ -17,7 +17,7 @@ std::vector<Witness> nearest_witnesses(const std::optional<PlacedForms>& placed,
   if (!placed) return {};
   const LocalForms forms(*placed);
   const RecordedCore core(forms);
-  return prove_nearness(core, normal, kPointGap, kMostCalls).hull.witnesses;
+  return prove_nearness(core, normal, kPointGap, kMostCallsOfPoints).hull.witnesses;
 }
 
 }  // namespace

@@ -56,10 +56,12 @@ const std::vector<std::size_t>& VertexSet::farthest(const Vec3d& dir) const {
   return found_;
 }
 
-std::optional<PlacedForms> placed_forms(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b) {
+std::optional<PlacedForms> placed_forms(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
+                                        bool turns) {
   std::optional<ExactForm> form_a = a.exact_form(), form_b = b.exact_form();
   if (!form_a || !form_b) return std::nullopt;
-  PlacedForms forms{std::move(*form_a), std::move(*form_b), a_from_b, {}, VertexSet({}), VertexSet({})};
+  PlacedForms forms{std::move(*form_a), std::move(*form_b), a_from_b, {}, VertexSet({}), VertexSet({}), false};
+  forms.is_b_rounded = forms.b.is_polytope() && !turns;
   const double length_a = largest_length(forms.a), length_b = largest_length(forms.b);
   if (!std::isfinite(length_a) || !std::isfinite(length_b) || !is_finite(a_from_b)) return std::nullopt;
   for (const Vec3d& p : forms.b.points) {
@@ -67,8 +69,8 @@ std::optional<PlacedForms> placed_forms(const ConvexBody& a, const ConvexBody& b
     if (!is_finite(forms.placed_b.back())) return std::nullopt;
   }
   forms.points_a = VertexSet(unit_offsets(forms.a.points));
-  std::vector<Vec3d> offsets_b = unit_offsets(forms.b.is_polytope() ? forms.placed_b : forms.b.points);
-  if (!forms.b.is_polytope()) {
+  std::vector<Vec3d> offsets_b = unit_offsets(forms.is_b_rounded ? forms.placed_b : forms.b.points);
+  if (!forms.is_b_rounded) {
     Transformd turn = a_from_b;
     turn.translation = {};
     for (Vec3d& p : offsets_b) p = turn(p);

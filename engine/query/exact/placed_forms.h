@@ -32,14 +32,18 @@ class VertexSet {
 struct PlacedForms {
   ExactForm a, b;
   Transformd a_from_b;
-  /// B's points in A's frame: of a polytope these rounded ones are the body.
+  /// B's points in A's frame.
   std::vector<Vec3d> placed_b;
   VertexSet points_a{{}}, points_b{{}};  // those of B placed
+  /// The rounded points above are the body: of a polytope, unless it or A turns as they move (E25).
+  bool is_b_rounded;
 
   bool are_rounded_polytopes() const { return a.is_rounded_polytope() && b.is_rounded_polytope(); }
 };
 
-/// None where a body has no exact form, or a placed coordinate is not finite.
-std::optional<PlacedForms> placed_forms(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b);
+/// None where a body has no exact form, or a placed coordinate is not finite. `turns`: no point of B is rounded, for
+/// the pose is where a motion begins in which a body turns.
+std::optional<PlacedForms> placed_forms(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
+                                        bool turns = false);
 
 }  // namespace vex

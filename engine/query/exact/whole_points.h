@@ -14,7 +14,7 @@ namespace vex {
 /// Made when they are asked for. Holds a reference.
 class WholePoints {
  public:
-  explicit WholePoints(const PlacedForms& forms) : forms_(forms), is_placed_exactly_(!forms.b.is_polytope()) {
+  explicit WholePoints(const PlacedForms& forms) : forms_(forms), is_placed_exactly_(!forms.is_b_rounded) {
     for (const Vec3d& p : forms.a.points) lower_unit(p);
     if (is_placed_exactly_) {
       // Every product r * x and the sum with t is a multiple of the product of their units.

@@ -1,10 +1,11 @@
 #include "engine/query/search/advancement.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "engine/query/search/parting_start.h"
 #include "engine/query/search/ray_search.h"
-#include "engine/query/search/rigid_sweep.h"
 #include "engine/query/separation.h"
 
 namespace vex {
@@ -32,15 +33,17 @@ constexpr double kLatest = 0x1p480;
 
 class Advancement {
  public:
-  /// `ends`: the velocity is known well enough for the sweep's window to be one. Nothing after `last` is looked at.
-  Advancement(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion,
-              const Vec3d& spin_of_a, bool ends, double last, std::vector<ApartDuring>* record)
+  /// As `advance_to_contact`.
+  Advancement(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RelativeMotion& motion,
+              const OverlapAnswer& start, bool ends, double last, std::vector<ApartDuring>* record)
       : a_(a),
         b_(b),
         record_(record),
-        sweep_(a, b, a_from_b, motion, spin_of_a),
+        sweep_(a, b, a_from_b, motion.of_b, motion.spin_of_a, motion.is_exact),
+        start_(a, b, a_from_b, start, motion.turns, sweep_, record),
         size_(a.circumradius() + b.circumradius()),
         is_curved_(!a.is_rounded_polytope() || !b.is_rounded_polytope()),
+        is_apart_at_start_(start.verdict.outcome == Outcome::disjoint),
         ends_(ends),
         last_(last) {}
 
@@ -51,12 +54,15 @@ class Advancement {
     until_ = std::fmin(window.to, std::fmin(last_, kLatest));
     if (time_ > last_) return nothing();
     ends_ = until_ >= last_ || (ends_ && window.to < kLatest);
+    // Of an end that is the start nothing is known but what is known of the start. Where the window begins later the
+    // balls are apart when it does, too.
+    if (time_ >= until_ && !(time_ > 0.0) && !is_apart_at_start_) return undecided(UndecidedReason::rounding);
     while (n_calls() <= kMostSupportCalls) {
       if (time_ >= until_) return touched_ || !ends_ ? undecided(UndecidedReason::rounding) : nothing();
       if (touched_ && n_calls() - n_calls_before_touch_ > kMostCallsOfTouch) {
         return undecided(UndecidedReason::rounding);
       }
-      const Separation apart = separation_now();
+      Separation apart = separation_now();
       const double gap = apart.has_witnesses ? sweep_.gap_during(apart.normal, time_, 0.0) : 0.0;
       last_gap_ = std::fmax(gap, 0.0);
       last_normal_ = apart.normal;
@@ -69,7 +75,16 @@ class Advancement {
         time_ += advance;
         const bool is_short = advance * sweep_.most_speed(apart.normal) < kShortAdvance * size_;
         n_short_advances_ = is_short ? n_short_advances_ + 1 : 0;
+        // Where they are then, what bends from the start on is more than any gap that only twice the precision tells.
+        if (!is_short) start_.leave();
         if (record_ != nullptr && !touched_) record_->push_back({from, time_, apart.normal});
+        continue;
+      }
+      const double apart_until = touched_ ? time_ : start_.apart_until(time_, until_, apart.normal);
+      if (apart_until > time_) {
+        time_ = apart_until;
+        // Those that go on as slowly are looked at again at once.
+        n_short_advances_ = std::min(n_short_advances_, kMostShortAdvances);
         continue;
       }
       n_short_advances_ = 0;
@@ -77,6 +92,11 @@ class Advancement {
       if (!touched_) {
         touched_ = true;
         n_calls_before_touch_ = n_calls();
+        // Bodies that are nearer than their pose is known may be in each other as it is rounded.
+        if (!apart.has_witnesses) {
+          const Pose pose = Pose::unchecked(sweep_.relative_pose(time_));
+          apart = counted_and_turned(time_, signed_distance(a_, b_, pose));
+        }
         contact_.lower = time_;
         contact_.normal = apart.normal;
         contact_.point_a = apart.point_a;
@@ -93,7 +113,10 @@ class Advancement {
   Separation separation_at(double time, double relative_gap) {
     SeparationSettings settings;
     settings.relative_gap = relative_gap;
-    Separation found = distance(a_, b_, Pose::unchecked(sweep_.relative_pose(time)), settings, &warm_start_);
+    return counted_and_turned(time,
+                              distance(a_, b_, Pose::unchecked(sweep_.relative_pose(time)), settings, &warm_start_));
+  }
+  Separation counted_and_turned(double time, Separation found) {
     n_support_calls_ += found.n_support_calls;
     for (Vec3d* const v : {&found.normal, &found.point_a, &found.point_b}) *v = sweep_.turned_with_a(time, *v);
     return found;
@@ -266,9 +289,11 @@ class Advancement {
   const ConvexBody& b_;
   std::vector<ApartDuring>* record_;
   RigidSweep sweep_;
+  PartingStart start_;
   double size_;
   // Distances of polytopes and balls come to an end by themselves; small ones of curved bodies are dear.
   bool is_curved_;
+  bool is_apart_at_start_;
   bool ends_;
   double last_;  // that is looked at
   double time_ = 0.0, until_ = 0.0;
@@ -283,9 +308,9 @@ class Advancement {
 }  // namespace
 
 FirstContact advance_to_contact(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
-                                const RigidMotion& motion, const Vec3d& spin_of_a, bool ends, double last,
+                                const RelativeMotion& motion, const OverlapAnswer& start, bool ends, double last,
                                 std::vector<ApartDuring>* record) {
-  return Advancement(a, b, a_from_b, motion, spin_of_a, ends, last, record).run();
+  return Advancement(a, b, a_from_b, motion, start, ends, last, record).run();
 }
 
 }  // namespace vex

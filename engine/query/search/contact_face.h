@@ -11,8 +11,15 @@
 
 namespace vex {
 
-// Of the resolution: what is no farther apart is one corner.
-inline constexpr double kLeastContactExtent = 0x1p20;
+// How well a face's corners are known. `of_points`: how far they may be off a line or a plane that they are meant to be
+// in, for the roundings of what is computed of them and for those of their coordinates in the bodies' frames. What is
+// no farther apart than `of_edges` is no edge, but one corner.
+struct ContactResolution {
+  double of_points, of_edges;
+
+  ContactResolution(double computed, double given)
+      : of_points(std::fmax(computed, given)), of_edges(std::fmax(0x1p20 * computed, 4.0 * given)) {}
+};
 
 // A right-handed frame with the normal as its third axis: a place is where a point is across the normal.
 struct ContactFrame {
@@ -32,11 +39,9 @@ struct ContactFrame {
 // farthest vertex to the edge there that leans least, and about that to the one of its two faces that does.
 class ContactFeature {
  public:
-  ContactFeature(const std::vector<Vec3d>& vertices, const Vec3d& normal, double feature_angle, double resolution) {
+  ContactFeature(const std::vector<Vec3d>& vertices, const Vec3d& normal, double feature_angle, double least_extent) {
     const auto height = [&](const Vec3d& v) { return dot(normal, v); };
     top_ = *std::ranges::max_element(vertices, {}, height);
-    // Points that are no farther from each other are no edge: its direction would be in doubt.
-    const double least_extent = kLeastContactExtent * resolution;
     double best = -HUGE_VAL;
     for (const Vec3d& v : vertices) {
       const Vec3d along = v - top_;
@@ -85,18 +90,18 @@ class ContactFeature {
 class ContactFace {
  public:
   ContactFace(const std::vector<Vec3d>& vertices, const ContactFrame& frame, double outward, double feature_angle,
-              double resolution)
-      : resolution_(resolution) {
+              const ContactResolution& resolution)
+      : resolution_(resolution.of_points) {
     std::vector<PlanarPoint> places;
     const auto add = [&](const Vec3d& v) {
       corners_.push_back({{dot(frame.across_x, v), dot(frame.across_y, v)}, outward * dot(frame.normal, v)});
       places.push_back(corners_.back().at);
     };
-    const ContactFeature feature(vertices, outward * frame.normal, feature_angle, resolution);
+    const ContactFeature feature(vertices, outward * frame.normal, feature_angle, resolution.of_edges);
     for (const Vec3d& v : vertices) {
-      if (feature.distance_of(v) <= resolution) add(v);
+      if (feature.distance_of(v) <= resolution_) add(v);
     }
-    outline_ = planar_hull(places, resolution);
+    outline_ = planar_hull(places, resolution_);
     if (!feature.is_face() || outline_.size() < 3) {
       find_outline_corners();
       return;
@@ -109,10 +114,10 @@ class ContactFace {
       const PlanarPoint place{dot(frame.across_x, v), dot(frame.across_y, v)};
       // From a corner it is no nearer than from the polygon, and found at once.
       const PlanarPoint from_corner = place - of_feature.front();
-      if (!(below > resolution && below <= slope * std::hypot(from_corner.x, from_corner.y))) continue;
+      if (!(below > resolution_ && below <= slope * std::hypot(from_corner.x, from_corner.y))) continue;
       if (below <= slope * distance_to(of_feature, place)) add(v);
     }
-    outline_ = planar_hull(places, resolution);
+    outline_ = planar_hull(places, resolution_);
     find_outline_corners();
   }
 

@@ -12,7 +12,7 @@ namespace vex {
 namespace {
 
 // Of one line. On polytopes a search ends by itself; curved ones need some 20 to 40 rounds to come to rounding.
-constexpr int kMostTurns = 64, kMostPortals = 192;
+constexpr int kMostTurns = 64, kMostPortalsOfRay = 192;
 
 // Triangles are shrunk once a polytope of few faces would be done; by such ratios, each the square of the one before,
 // unless that fails often.
@@ -232,7 +232,7 @@ std::optional<RaySearch::Corners> RaySearch::close_in(Line& line) {
   std::optional<Corners> corners = corners_around(line);
   double ratio = kFirstRatio;
   int n_failures = 0;
-  for (int round = 0; corners && round < kMostPortals && !bounds_.is_miss; ++round) {
+  for (int round = 0; corners && round < kMostPortalsOfRay && !bounds_.is_miss; ++round) {
     const Corners& c = *corners;
     // Against the ray: the corners turn counter-clockwise seen along it.
     const Vec3d normal = scaled_to_unit_exponent(-detail::face_of(c[0].at, c[1].at, c[2].at).normal);

@@ -18,6 +18,9 @@ constexpr double kUp = 1.0 + 0x1p-40;  // more than any dozen of roundings
 // exact forms are not worth it for the same reason.
 constexpr int kMostCallsOfContact = 64;
 
+// Trials of how long bodies stay apart from the start on; and of the lengths that are looked at then.
+constexpr int kMostTrialsAtStart = 8, kLargestExponentAtStart = 400;
+
 // More than what is lost of three coordinates where they are subnormal.
 constexpr double kSubnormal = 0x1p-1072;
 
@@ -77,13 +80,14 @@ Reach reach_of(const ConvexBody& body, const Transformd& turn, const Vec3d& angu
 }  // namespace
 
 RigidSweep::RigidSweep(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion,
-                       const Vec3d& spin_of_a)
+                       const Vec3d& spin_of_a, bool is_exact)
     : a_(a),
       b_(b),
       a_from_b_(a_from_b),
       motion_(motion),
       spin_(safe_norm(motion.angular_velocity) * kUp),
       speed_1_(norm_1(motion.velocity) * kUp),
+      velocity_error_(is_exact ? 0.0 : 2.0 * kUnitRoundoff),
       motion_of_a_{{}, spin_of_a},
       spin_of_a_(safe_norm(spin_of_a) * kUp) {
   Transformd turn = a_from_b;
@@ -191,6 +195,64 @@ double RigidSweep::gap_during(const Vec3d& unit_normal, double from, double dura
   const double remainder = 0.5 * half * half * bent * kUp;
   const double balls = (a_.ball_radius() + b_.ball_radius()) * (1.0 + gamma(8));
   return least - balls - remainder - support_error(until) * longest - pose_error(until);
+}
+
+double RigidSweep::short_time() const { return std::fmin(0x1p256, 8.0 / std::fmax(spin_, spin_of_a_)); }
+
+// E23, about the start: the bound is the lesser one of both ends of the interval, as in `gap_during`, but no rotation
+// has to be known for it, so that it can be had in twice the precision.
+double RigidSweep::apart_until(double from, double last, const Vec3d& unit_normal, const LocalForms& forms) {
+  // Lengths below are in units of 2^exponent. What is lost of them where products are subnormal is next to nothing.
+  if (std::abs(forms.exponent()) > kLargestExponentAtStart) return from;
+  const auto in_units = [&forms](double length) { return std::ldexp(length, -forms.exponent()); };
+  const Vec3e n = broadcast<Extended>(unit_normal);
+  const Vec3e turning = cross(n, broadcast<Extended>(motion_.angular_velocity));
+  const Vec3e turning_of_a = cross(n, broadcast<Extended>(motion_of_a_.angular_velocity));
+  const Vec3e velocity = broadcast<Extended>(times_power_of_two(motion_.velocity, -forms.exponent()));
+  const Vec3e arm_a = forms.arm_of_a(), arm_b = spin_ > 0.0 ? forms.arm_of_b() : Vec3e{};
+  const Extended rate = dot(n, velocity) + dot(turning, arm_b) - dot(turning_of_a, arm_a);
+  const auto gap_at = [&](double time) {
+    const Extended t(time);
+    const Vec3e leaning = n + t * turning;
+    const Extended of_b = forms.farthest_of_b(-leaning, forms.a_from_b().direction_to_b(-leaning)).height;
+    const Extended of_a = forms.farthest_of_a(n + t * turning_of_a).height;
+    n_support_calls_ += 2;
+    return dot(n, forms.a_from_b().translation) + t * rate - of_b - of_a - forms.ball_radius() * norm(n);
+  };
+  // What bends, what is lost to rounding, and what a velocity that is a rounded difference is off by.
+  const double bend = in_units(safe_norm(high_part(turning)) * spin_ * from_axis_ +
+                               safe_norm(high_part(turning_of_a)) * spin_of_a_ * from_axis_a_);
+  const double arms = norm_1(high_part(arm_a)) + norm_1(high_part(arm_b));
+  const auto taken_off = [&](double until) {
+    const double way = in_units(until * speed_1_);
+    const double rounding = 16.0 * kExtendedError + 0x1p-90 * (1.0 + arms + way);
+    return (0.5 * until * until * bend + rounding + velocity_error_ * way) * kUp;
+  };
+  const Extended gap_at_first = gap_at(from);
+  // Concave in time, as all of its parts are; positive where the bodies are proven to be apart from `from` until then.
+  const auto surplus_at = [&](double until) {
+    const Extended gap = gap_at(until);
+    return ((gap_at_first < gap ? gap_at_first : gap) - Extended(taken_off(until))).high;
+  };
+  double surplus = (gap_at_first - Extended(taken_off(from))).high;
+  if (!(surplus > 0.0)) return from;
+  // What bends takes half of it.
+  const double end = std::fmin(std::fmin(short_time(), last), std::sqrt(surplus / bend));
+  double proven = from, failed = HUGE_VAL, surplus_failed = 0.0, trial = end;
+  for (int k = 0; k < kMostTrialsAtStart && trial > proven; ++k) {
+    const double found = surplus_at(trial);
+    if (found > 0.0) {
+      proven = trial;
+      surplus = found;
+    } else {
+      failed = trial;
+      surplus_failed = found;
+    }
+    if (proven == end || proven > 0.5 * failed) break;
+    // Where the chord comes to nought a concave function has not.
+    trial = proven + (1.0 - 0x1p-10) * surplus / (surplus - surplus_failed) * (failed - proven);
+  }
+  return proven;
 }
 
 // K holds the points of a tetrahedron about the origin, and with it the ball in the tetrahedron, a third as large.

@@ -10,17 +10,27 @@
 #pragma once
 
 #include "engine/numeric/transform.h"
+#include "engine/query/exact/extended_difference.h"
 #include "engine/query/first_contact.h"
 #include "engine/support/convex_body.h"
 
 namespace vex {
 
+/// In the frame that A's origin takes along, in A's directions at first: what moves straight is B, and A turns about
+/// its origin. `is_exact`: the velocity is no rounded difference of two.
+struct RelativeMotion {
+  RigidMotion of_b;
+  Vec3d spin_of_a;
+  bool is_exact;
+  bool turns;  // either body, if too slowly for its unit of time: else B is its vertices as they are rounded at first
+};
+
 class RigidSweep {
  public:
-  /// `spin_of_a`: the angular velocity of A about its origin, which stays: what moves straight is B, relative to it.
-  /// All vectors below are in A's frame as it is at first, but for `relative_pose`.
+  /// `spin_of_a`, `is_exact`: as of a `RelativeMotion`. All vectors below are in A's frame as it is at first, but for
+  /// `relative_pose`.
   RigidSweep(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion,
-             const Vec3d& spin_of_a = {});
+             const Vec3d& spin_of_a = {}, bool is_exact = false);
 
   /// Times outside of which the circumscribed balls are apart, proven: B's is about the origin of its frame, which
   /// moves straight, and so is A's if it turns. Nothing, from > to, where they never meet. Of one body that only turns,
@@ -32,6 +42,14 @@ class RigidSweep {
 
   /// A lower bound of the gap along `unit_normal` at every time from `from` to `from` + `duration`.
   double gap_during(const Vec3d& unit_normal, double from, double duration);
+
+  /// A time until which, `last` at most, nothing touches along that normal from `from` on, itself among them: shown in
+  /// twice the precision, which tells gaps that double precision takes for contact. `from` where nothing is shown, as
+  /// after `short_time`. `forms`: those of the bodies at the start, B rounded
+  /// unless a body turns.
+  double apart_until(double from, double last, const Vec3d& unit_normal, const LocalForms& forms);
+  /// In which neither body turns by more than eight radians, and no square of a time is too large.
+  double short_time() const;
 
   /// No point of B comes nearer along it, in a unit of time, than this.
   double most_speed(const Vec3d& unit_normal) const;
@@ -60,6 +78,7 @@ class RigidSweep {
   Transformd a_from_b_;
   RigidMotion motion_;
   double spin_, speed_1_;  // at least |w|; at least |v|
+  double velocity_error_;  // of each coordinate, relative
   double from_origin_;     // no point of B's core is farther from the origin of its frame
   double from_axis_;       // nor from the axis through it
   RigidMotion motion_of_a_;

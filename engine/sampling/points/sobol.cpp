@@ -1,14 +1,19 @@
 #include "engine/sampling/points/sobol.h"
 
 #include <boost/random/sobol.hpp>
+#include <string>
 
+#include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
 #include "engine/sampling/points/random_stream.h"
 
 namespace vex {
 
 SobolPoints::SobolPoints(int dimension) : dimension_(dimension) {
-  VEX_EXPECT(dimension >= 1 && dimension <= kMaxDimension);
+  if (dimension < 1 || dimension > kMaxDimension) {
+    throw UsageError("a sequence of " + std::to_string(dimension) + " dimensions - from 1 to " +
+                     std::to_string(kMaxDimension) + " there are points");
+  }
   const auto n_coordinates = static_cast<std::size_t>(dimension);
   directions_.resize(n_coordinates * kBits);
   low_.resize(n_coordinates * kLow);

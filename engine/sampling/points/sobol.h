@@ -20,7 +20,7 @@ class SobolPoints {
   static constexpr int kMaxDimension = 64;
   static constexpr int kBits = 32;
 
-  /// `dimension` from 1 to kMaxDimension.
+  /// `dimension` from 1 to kMaxDimension; any other is a UsageError.
   explicit SobolPoints(int dimension);
 
   int dimension() const { return dimension_; }

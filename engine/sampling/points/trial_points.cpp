@@ -1,7 +1,9 @@
 #include "engine/sampling/points/trial_points.h"
 
 #include <array>
+#include <string>
 
+#include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
 #include "engine/sampling/points/random_stream.h"
 
@@ -31,7 +33,11 @@ PointKernels point_kernels(InstructionSet set) {
 TrialPoints::TrialPoints(std::uint64_t seed, Sequence sequence, int dimension, std::optional<Strata> strata,
                          InstructionSet set, int n_independent)
     : seed_(seed), dimension_(dimension), n_independent_(n_independent), strata_(strata), set_(set) {
-  VEX_EXPECT(n_independent >= 0 && n_independent <= 2 && n_independent < dimension);
+  if (dimension < 1 || n_independent < 0 || n_independent > 2 || n_independent >= dimension ||
+      (strata && strata->coordinate >= static_cast<std::size_t>(dimension))) {
+    throw UsageError("points of " + std::to_string(dimension) + " coordinates, " + std::to_string(n_independent) +
+                     " of them independent - one or more, at most two of them, and not all, independent");
+  }
   if (sequence == Sequence::random) return;
   Scrambled scrambled{SobolPoints(dimension - n_independent), {}};
   for (std::uint64_t k = 0; k < kClasses; ++k) scrambled.scramblings.push_back(scrambled.points.scrambling(seed, k));

@@ -34,6 +34,7 @@ struct Strata {
 class TrialPoints {
  public:
   /// The last `n_independent` coordinates are random in either sequence, at most 2 and fewer than `dimension`.
+  /// Anything else is a UsageError, and so are strata of a coordinate that is not there.
   TrialPoints(std::uint64_t seed, Sequence sequence, int dimension, std::optional<Strata> strata = {},
               InstructionSet set = best_instruction_set(), int n_independent = 0);
 

@@ -47,7 +47,7 @@ std::array<Vec3d, 96> spiral_directions() {
   return directions;
 }
 
-Vec3d unit(const Vec3d& v) { return (1.0 / norm(v)) * v; }
+Vec3d unit_of(const Vec3d& v) { return (1.0 / norm(v)) * v; }
 
 constexpr std::array<Vec3d, 3> kFrame = {Vec3d{1.0, 0.0, 0.0}, Vec3d{0.0, 1.0, 0.0}, Vec3d{0.0, 0.0, 1.0}};
 
@@ -57,7 +57,7 @@ Vec3d frame_axis_across(const Vec3d& dir) {
   for (const Vec3d& axis : kFrame) {
     if (std::fabs(dot(axis, dir)) < std::fabs(dot(best, dir))) best = axis;
   }
-  return unit(best - dot(best, dir) * dir);
+  return unit_of(best - dot(best, dir) * dir);
 }
 
 struct PrincipalAxes {
@@ -98,7 +98,7 @@ PrincipalAxes principal_axes(const Symmetric<double>& q) {
   PrincipalAxes found;
   for (std::size_t k = 0; k < 3; ++k) {
     found.values[k] = std::fmax(0.0, m[order[k]][order[k]]);
-    found.directions[k] = unit(axes[order[k]]);
+    found.directions[k] = unit_of(axes[order[k]]);
   }
   return found;
 }
@@ -123,7 +123,7 @@ Vec3d axis_of_lump(const ConvexBody& body, const Vec3d& centre) {
     is_unlike = is_unlike || std::fabs(dot(there + back, e)) > kUnlike * body.circumradius();
     if (norm(there) > (1.0 + 0x1p-20) * norm(farthest)) farthest = there;
   }
-  return is_unlike && norm(farthest) > 0.0 ? unit(farthest) : kFrame[2];
+  return is_unlike && norm(farthest) > 0.0 ? unit_of(farthest) : kFrame[2];
 }
 
 Vec3d from_axes(const Transformd& axes, const Vec3d& v) { return axes.direction_to_b(v); }
@@ -147,10 +147,10 @@ MatchingEllipsoid matching_ellipsoid(const ConvexBody& body) {
   constexpr int kRounds = 6;
   const std::array<Vec3d, 48> directions = cube_directions();
   // Lengths are told in circumradii, from the body's centre: their squares may not over- or underflow.
-  const double unit = body.circumradius();
+  const double unit_of = body.circumradius();
   const Vec3d origin = body.centre();
-  if (!(unit > 0.0)) return {origin, {}};  // a point
-  const auto support = [&](const Vec3d& dir) { return (1.0 / unit) * (body.support(dir) - origin); };
+  if (!(unit_of > 0.0)) return {origin, {}};  // a point
+  const auto support = [&](const Vec3d& dir) { return (1.0 / unit_of) * (body.support(dir) - origin); };
   Symmetric<double> q{1.0, 1.0, 1.0};
   Vec3d centre;
   for (int round = 0; round < kRounds; ++round) {
@@ -178,8 +178,8 @@ MatchingEllipsoid matching_ellipsoid(const ConvexBody& body) {
          kept * q.xy + taken * sum.xy, kept * q.xz + taken * sum.xz, kept * q.yz + taken * sum.yz};
     centre = (1.0 / static_cast<double>(directions.size())) * mean;
   }
-  const double area = unit * unit;
-  return {origin + unit * centre, {area * q.xx, area * q.yy, area * q.zz, area * q.xy, area * q.xz, area * q.yz}};
+  const double area = unit_of * unit_of;
+  return {origin + unit_of * centre, {area * q.xx, area * q.yy, area * q.zz, area * q.xy, area * q.xz, area * q.yz}};
 }
 
 RadialBody radial_body(const ConvexBody& body) {

@@ -42,7 +42,8 @@ Doubts RadialEstimator::evaluate(std::span<const double> points, std::span<doubl
       double cube = answers_.cube[k];
       if (std::isnan(cube)) {
         ++n_one_by_one_;
-        const RadialBounds bounds = radial_function(a_, b_, map_.points(), rays.rotation(k), rays.dir(k));
+        const RadialBounds bounds =
+            radial_function(a_, b_, map_.points(), Pose::unchecked(rays.rotation(k)), rays.dir(k));
         const double lower = bounds.lower * bounds.lower * bounds.lower;
         const double upper = bounds.upper * bounds.upper * bounds.upper;
         cube = answers_.cube_of(k, columns_.rays[RayTable::kPick][k], 0.5 * (lower + upper));

@@ -15,7 +15,7 @@
 namespace vex {
 namespace {
 
-constexpr int kMostWedges = 32, kMostPortals = 128, kMostAttempts = 3;
+constexpr int kMostWedges = 32, kMostPortalsInside = 128, kMostAttempts = 3;
 
 // K, moved so that the difference of the points is the origin.
 class CentredDifference {
@@ -76,7 +76,7 @@ std::optional<Portal<double>> portal_around(CentredDifference& difference, const
 bool close_in_by_portals(CentredDifference& difference, const Vec3d& dir, double wanted, RadialBounds& bounds) {
   const RadialError error = difference.error();
   std::optional<Portal<double>> portal = portal_around(difference, dir, error);
-  for (int round = 0; portal && round < kMostPortals; ++round) {
+  for (int round = 0; portal && round < kMostPortalsInside; ++round) {
     const Vec3d normal = normal_of(*portal);
     const Vec3d w = difference.support(normal);
     const RadialSection<double> found = section(*portal, normal, w, dir, error);
@@ -160,11 +160,15 @@ class Bisection {
 
 }  // namespace
 
-RadialBounds radial_function(const ConvexBody& a, const ConvexBody& b, const BodyPoints& points,
-                             const Transformd& rotation, const Vec3d& dir, double relative_gap) {
+RadialBounds radial_function(const ConvexBody& a, const ConvexBody& b, const BodyPoints& points, const Pose& pose,
+                             const Vec3d& dir, double relative_gap) {
   if (!(norm_1(dir) > 0.0 && is_finite(dir))) {
     throw InputError("a direction is zero or not finite - give a finite vector of any other length");
   }
+  if (!is_finite(points.of_a) || !is_finite(points.of_b)) {
+    throw InputError("a point of a body is not finite - give a point inside of it");
+  }
+  const Transformd& rotation = pose.a_from_b();
   // Powers of two in and out again: products of a direction of length 1 to 3.5 with normals, which are areas.
   const int exponent = std::ilogb(std::fmax(std::fabs(dir.x), std::fmax(std::fabs(dir.y), std::fabs(dir.z))));
   const Vec3d scaled_dir = times_power_of_two(dir, -exponent);

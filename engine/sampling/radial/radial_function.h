@@ -1,7 +1,7 @@
 // How far a ray from inside the Minkowski difference reaches in it.
 #pragma once
 
-#include "engine/numeric/transform.h"
+#include "engine/numeric/pose.h"
 #include "engine/support/convex_body.h"
 
 namespace vex {
@@ -28,7 +28,9 @@ struct RadialBounds {
 /// Undecided ones widen the bounds. So does what coordinates are rounded by, where the inradii tell how thick K is at
 /// least; where they are 0 that may move r by more than the bounds are apart: 8 u of the reaches over the sine of the
 /// angle between the ray and the surface.
-RadialBounds radial_function(const ConvexBody& a, const ConvexBody& b, const BodyPoints& points,
-                             const Transformd& rotation, const Vec3d& dir, double relative_gap = 0.0);
+///
+/// Throws InputError where the direction is zero, or it or a point is not finite.
+RadialBounds radial_function(const ConvexBody& a, const ConvexBody& b, const BodyPoints& points, const Pose& rotation,
+                             const Vec3d& dir, double relative_gap = 0.0);
 
 }  // namespace vex

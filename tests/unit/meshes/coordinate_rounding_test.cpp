@@ -54,7 +54,7 @@ PolygonSoup printed(PolygonSoup soup, int n_decimals) {
   return soup;
 }
 
-bool has_note(const MeshReport& report, const std::string& part) {
+bool notes_tell(const MeshReport& report, const std::string& part) {
   return std::ranges::any_of(report.notes,
                              [&](const std::string& note) { return note.find(part) != std::string::npos; });
 }
@@ -66,8 +66,8 @@ TEST(CoordinateRounding, ADodecahedronPrintedWithFourDecimalsIsConvexToWithinThe
     const ConvexMesh mesh = convex_mesh_from(printed(placed(dodecahedron_soup(), at), 4));
     EXPECT_TRUE(mesh.report.hull_used);
     EXPECT_GT(*mesh.report.reflex_depth, 1e-6);
-    EXPECT_TRUE(has_note(mesh.report, "the mesh is convex to within its 4 decimals"));
-    EXPECT_TRUE(has_note(mesh.report, "its coordinates are printed to 4 decimals"));
+    EXPECT_TRUE(notes_tell(mesh.report, "the mesh is convex to within its 4 decimals"));
+    EXPECT_TRUE(notes_tell(mesh.report, "its coordinates are printed to 4 decimals"));
     EXPECT_EQ(mesh.report.digits.kind, Kind::decimals);
     EXPECT_NEAR(mesh.report.digits.last_place, 1e-4, 1e-12);
     EXPECT_NEAR(mesh.report.coordinate_rounding, 1e-4 / mesh.report.size, 1e-12);
@@ -97,7 +97,7 @@ TEST(CoordinateRounding, DecimalsTooCoarseExplainNothing) {
 TEST(CoordinateRounding, AFlatDodecahedronOfTwelveDigitsIsAcceptedAwayFromTheOrigin) {
   const ConvexMesh mesh = convex_mesh_from(printed(placed(dodecahedron_soup(), {100, 200, -100}), 9));
   EXPECT_LT(*mesh.report.reflex_depth, 1e-8);
-  EXPECT_FALSE(has_note(mesh.report, "may differ"));
+  EXPECT_FALSE(notes_tell(mesh.report, "may differ"));
   EXPECT_EQ(mesh.report.digits.n_digits, 12);
 }
 
@@ -123,8 +123,8 @@ TEST(CoordinateRounding, OfFloatsFarAwayIsWarnedOf) {
     soup.digits = float_digits(offset + kGolden);
     const ConvexMesh mesh = convex_mesh_from(soup);
     EXPECT_TRUE(
-        has_note(mesh.report, "its coordinates are 32-bit floats, one unit in the last place of the largest is"));
-    EXPECT_TRUE(has_note(mesh.report, "the volume of what was meant may differ by"));
+        notes_tell(mesh.report, "its coordinates are 32-bit floats, one unit in the last place of the largest is"));
+    EXPECT_TRUE(notes_tell(mesh.report, "the volume of what was meant may differ by"));
     EXPECT_LT(std::fabs(mesh.measures.volume / icosahedron_volume() - 1.0), mesh.report.volume_rounding);
     EXPECT_LT(mesh.report.volume_rounding, 3.0 * error);
     EXPECT_GT(mesh.report.volume_rounding, 1e-6);
@@ -186,7 +186,7 @@ TEST(CoordinateRounding, TakesNoiseForZeroAndSaysSo) {
   PolygonSoup soup = icosahedron_soup();
   soup.points[0].x = 1e-320;
   const ConvexMesh mesh = convex_mesh_from(soup);
-  EXPECT_TRUE(has_note(mesh.report, "coordinates below 1.4e-45 were taken for 0 (1 of them)"));
+  EXPECT_TRUE(notes_tell(mesh.report, "coordinates below 1.4e-45 were taken for 0 (1 of them)"));
   for (Vec3d& p : soup.points) {
     p = 1e-60 * p;
   }
@@ -206,7 +206,7 @@ TEST(CoordinateRounding, IsConvertedWithTheUnit) {
   EXPECT_NEAR(in_m.measures.volume, 1e-9 * in_mm.measures.volume, 1e-22);
   EXPECT_NEAR(in_m.report.coordinate_rounding, in_mm.report.coordinate_rounding, 1e-15);
   EXPECT_NEAR(in_m.report.volume_rounding, in_mm.report.volume_rounding, 1e-12);
-  EXPECT_TRUE(has_note(in_m.report, "convex to within its 4 decimals"));
+  EXPECT_TRUE(notes_tell(in_m.report, "convex to within its 4 decimals"));
   EXPECT_THROW(convex_mesh_from(soup, {.unit = "furlong"}), UsageError);
   soup.unit = "";
   soup.unit_metres = 0.0;

@@ -51,7 +51,7 @@ Vec3d turned_about(const Vec3d& p) {
 
 Vec3d as_floats(const Vec3d& p) { return {nearest_float(p.x), nearest_float(p.y), nearest_float(p.z)}; }
 
-void expect_same_body(const Polytope& a, const Polytope& b) {
+void expect_same_vertices(const Polytope& a, const Polytope& b) {
   ASSERT_EQ(a.n_vertices(), b.n_vertices());
   for (std::size_t i = 0; i < a.n_vertices(); ++i) {
     EXPECT_EQ(norm(a.vertex(i) - b.vertex(i)), 0.0);
@@ -97,7 +97,7 @@ TEST(ExtremeVertices, OfATurnedCutCubeAreItsCornersToRounding) {
     EXPECT_LT(mesh.report.volume_rounding, floats ? 1e-6 : 1e-14);
     ASSERT_FALSE(mesh.report.notes.empty());
     EXPECT_TRUE(contains(mesh.report.notes.back(), "are no corners of the body to within the rounding"));
-    expect_same_body(convex_mesh_from(soup, {.hull = true}).polytope(), mesh.polytope());
+    expect_same_vertices(convex_mesh_from(soup, {.hull = true}).polytope(), mesh.polytope());
   }
 }
 
@@ -113,10 +113,10 @@ TEST(ExtremeVertices, OfFloatsDoNotDependOnFacesOrOrderOrHull) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     PolygonSoup other = shuffled(soup, seed);
     other.digits = soup.digits;
-    expect_same_body(convex_mesh_from(other, {.hull = true}).polytope(), mesh.polytope());
+    expect_same_vertices(convex_mesh_from(other, {.hull = true}).polytope(), mesh.polytope());
     PolygonSoup cut_twice = shuffled(with_own_corners(soup), seed);
     cut_twice.digits = soup.digits;
-    expect_same_body(convex_mesh_from(cut_twice, {.hull = true}).polytope(), mesh.polytope());
+    expect_same_vertices(convex_mesh_from(cut_twice, {.hull = true}).polytope(), mesh.polytope());
   }
 }
 

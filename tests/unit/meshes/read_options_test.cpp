@@ -18,7 +18,7 @@
 namespace vex::tests {
 namespace {
 
-std::string file_refusal(const std::filesystem::path& path) {
+std::string refusal_with_options(const std::filesystem::path& path) {
   return refusal_of([&] { static_cast<void>(load(path)); });
 }
 
@@ -30,11 +30,12 @@ TEST(ReadOptions, ReadsItsOwnFormatsPackedByGzip) {
     const std::string packed = gzipped(mesh_bytes(simple_body(), extension));
     EXPECT_EQ(load(folder.file(std::string("a") + extension + ".gz", packed)).measures.volume, 64.0);
     EXPECT_EQ(load(folder.file(std::string("b") + extension + ".Gz", packed)).measures.volume, 64.0);
-    EXPECT_TRUE(contains(file_refusal(folder.file(std::string("c") + extension, packed)), "packed by gzip"));
-    EXPECT_TRUE(
-        contains(file_refusal(folder.file(std::string("d") + extension + ".gz", packed.substr(0, 30))), "early"));
+    EXPECT_TRUE(contains(refusal_with_options(folder.file(std::string("c") + extension, packed)), "packed by gzip"));
+    EXPECT_TRUE(contains(refusal_with_options(folder.file(std::string("d") + extension + ".gz", packed.substr(0, 30))),
+                         "early"));
   }
-  EXPECT_TRUE(contains(file_refusal(folder.file("a.glb.gz", gzipped(glb(simple_body())))), "cannot be read packed"));
+  EXPECT_TRUE(
+      contains(refusal_with_options(folder.file("a.glb.gz", gzipped(glb(simple_body())))), "cannot be read packed"));
 }
 
 TEST(ReadOptions, ReadsAFileAsTheFormatThatIsNamed) {

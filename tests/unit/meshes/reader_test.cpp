@@ -22,12 +22,12 @@
 namespace vex::tests {
 namespace {
 
-std::string file_refusal(const std::filesystem::path& path) {
+std::string refusal_of_file(const std::filesystem::path& path) {
   return refusal_of([&] { static_cast<void>(load(path)); });
 }
 
 /// Binary fractions of few digits: every text reader finds the same floats.
-PolygonSoup simple_body() {
+PolygonSoup simple_soup() {
   return moved(box_soup({-1, -2, -4}, {1, 2, 4}), [](const Vec3d& p) {
     return Vec3d{p.x + 0.25 * p.y, p.y, p.z + 0.5 * p.x};
   });
@@ -37,9 +37,9 @@ class EveryFormat : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(EveryFormat, GivesTheSameBodyToTheLastBit) {
   const TemporaryFolder folder;
-  const ConvexMesh expected = convex_mesh_from(triangulated(simple_body()));
-  const ConvexMesh mesh = load(
-      folder.file(std::string("body") + GetParam(), mesh_bytes(triangulated(simple_body()), GetParam())));
+  const ConvexMesh expected = convex_mesh_from(triangulated(simple_soup()));
+  const ConvexMesh mesh =
+      load(folder.file(std::string("body") + GetParam(), mesh_bytes(triangulated(simple_soup()), GetParam())));
   EXPECT_EQ(mesh.measures.volume, expected.measures.volume);
   EXPECT_EQ(mesh.measures.surface_area, expected.measures.surface_area);
   EXPECT_EQ(mesh.measures.integrated_mean_curvature, expected.measures.integrated_mean_curvature);
@@ -66,8 +66,8 @@ TEST(Reader, KeepsPolygonsAsPolygons) {
 
 TEST(Reader, ReadsTextPlyAndTextStl) {
   const TemporaryFolder folder;
-  EXPECT_EQ(load(folder.file("a.ply", ply_text(simple_body()))).measures.volume, 64.0);
-  EXPECT_EQ(load(folder.file("a.stl", stl_text(simple_body()))).measures.volume, 64.0);
+  EXPECT_EQ(load(folder.file("a.ply", ply_text(simple_soup()))).measures.volume, 64.0);
+  EXPECT_EQ(load(folder.file("a.stl", stl_text(simple_soup()))).measures.volume, 64.0);
 }
 
 TEST(Reader, AppliesNodeTransformsOfAllParents) {
@@ -78,8 +78,7 @@ TEST(Reader, AppliesNodeTransformsOfAllParents) {
                             R"({"scale": [2, 1, 0.5], "rotation": [0.70710678118654752, 0, 0, 0.70710678118654752],)"
                             R"( "translation": [0, 5, 0], "children": [2]}, {"mesh": 0}])";
   folder.file("b.bin", gltf_buffer(box));
-  const ConvexMesh mesh =
-      load(folder.file("b.gltf", gltf_text(box, "b.bin", nodes)), {.convex_tolerance = 1e-6});
+  const ConvexMesh mesh = load(folder.file("b.gltf", gltf_text(box, "b.bin", nodes)), {.convex_tolerance = 1e-6});
   EXPECT_NEAR(mesh.measures.volume, 8.0 * 8.0, 1e-4);
   // x: 10 + 2 (2 x); y: 2 (5 - z / 2); z: 2 y
   EXPECT_NEAR(mesh.body.centre().x, 12.0, 1e-2);
@@ -104,20 +103,21 @@ TEST(Reader, WeldsSeveralPartsThatAreOneBody) {
 
 TEST(Reader, RefusesWhatIsNotAFile) {
   const TemporaryFolder folder;
-  EXPECT_TRUE(contains(file_refusal(folder.path() / "absent.obj"), "No such file"));
+  EXPECT_TRUE(contains(refusal_of_file(folder.path() / "absent.obj"), "No such file"));
   std::filesystem::create_directory(folder.path() / "folder.obj");
-  EXPECT_TRUE(contains(file_refusal(folder.path() / "folder.obj"), "it is a folder"));
-  EXPECT_TRUE(contains(file_refusal(folder.file("empty.obj", "")), "is empty (0 bytes)"));
+  EXPECT_TRUE(contains(refusal_of_file(folder.path() / "folder.obj"), "it is a folder"));
+  EXPECT_TRUE(contains(refusal_of_file(folder.file("empty.obj", "")), "is empty (0 bytes)"));
   ASSERT_EQ(::mkfifo((folder.path() / "pipe.obj").c_str(), 0600), 0);
-  EXPECT_TRUE(contains(file_refusal(folder.path() / "pipe.obj"), "a pipe, a device or a socket"));  // and does not wait
-  EXPECT_TRUE(contains(file_refusal("/dev/zero"), "a pipe, a device or a socket"));
-  EXPECT_TRUE(contains(file_refusal(""), "No such file"));
+  EXPECT_TRUE(
+      contains(refusal_of_file(folder.path() / "pipe.obj"), "a pipe, a device or a socket"));  // and does not wait
+  EXPECT_TRUE(contains(refusal_of_file("/dev/zero"), "a pipe, a device or a socket"));
+  EXPECT_TRUE(contains(refusal_of_file(""), "No such file"));
 }
 
 TEST(Reader, RefusesAnUnknownExtensionAndSaysWhatIsRead) {
   const TemporaryFolder folder;
   for (const char* name : {"body.doc", "body", "body.obj.bak", "body.gz", "body.doc.gz"}) {
-    const std::string message = file_refusal(folder.file(name, obj_text(simple_body())));
+    const std::string message = refusal_of_file(folder.file(name, obj_text(simple_soup())));
     EXPECT_TRUE(contains(message, "names no format that is read"));
     EXPECT_TRUE(contains(message, ".obj .stl .ply .off .vtk .msh .xyz .csv .txt"));
     EXPECT_TRUE(contains(message, ".gltf .glb .dae .3mf"));
@@ -126,14 +126,14 @@ TEST(Reader, RefusesAnUnknownExtensionAndSaysWhatIsRead) {
 
 TEST(Reader, RefusesAFileWithoutFaces) {
   const TemporaryFolder folder;
-  EXPECT_FALSE(file_refusal(folder.file("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n")).empty());
-  EXPECT_FALSE(file_refusal(folder.file("comment.obj", "# nothing\n")).empty());
-  EXPECT_FALSE(file_refusal(folder.file("lines.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\n")).empty());
+  EXPECT_FALSE(refusal_of_file(folder.file("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n")).empty());
+  EXPECT_FALSE(refusal_of_file(folder.file("comment.obj", "# nothing\n")).empty());
+  EXPECT_FALSE(refusal_of_file(folder.file("lines.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\n")).empty());
 }
 
 TEST(Reader, ReadsPointsWithoutFacesForAHull) {
   const TemporaryFolder folder;
-  const PolygonSoup body = simple_body();
+  const PolygonSoup body = simple_soup();
   PolygonSoup cloud;
   cloud.points = body.points;
   cloud.points.push_back({0.0, 0.25, 0.0});  // inside
@@ -166,7 +166,7 @@ TEST(Reader, ReadsPointsWithoutFacesForAHull) {
       EXPECT_EQ(norm(mesh.polytope().vertex(i) - expected.polytope().vertex(i)), 0.0) << name;
     }
     EXPECT_EQ(norm(mesh.body.centre() - expected.body.centre()), 0.0) << name;
-    EXPECT_TRUE(contains(file_refusal(path), "--hull")) << name;
+    EXPECT_TRUE(contains(refusal_of_file(path), "--hull")) << name;
   }
 }
 
@@ -201,15 +201,15 @@ TEST_P(EveryFormat, GivesTheSameHullOfSomethingThatIsNotConvex) {
 
 TEST(Reader, ReadsTextStlInUpperCase) {
   const TemporaryFolder folder;
-  std::string upper = stl_text(simple_body());
+  std::string upper = stl_text(simple_soup());
   std::ranges::transform(upper, upper.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   EXPECT_EQ(load(folder.file("a.stl", upper)).measures.volume, 64.0);
   EXPECT_EQ(load(folder.file("b.STL", "\n  " + upper)).measures.volume, 64.0);
-  std::string mixed = stl_text(simple_body());
+  std::string mixed = stl_text(simple_soup());
   mixed.replace(0, 5, "Solid");
   EXPECT_EQ(load(folder.file("c.stl", mixed)).measures.volume, 64.0);
   // Binary whose heading begins like the text's.
-  std::string binary = stl_binary(simple_body());
+  std::string binary = stl_binary(simple_soup());
   binary.replace(0, 10, "SOLID ABC ");
   EXPECT_EQ(load(folder.file("d.stl", binary)).measures.volume, 64.0);
   binary.replace(0, 10, "solid abc ");
@@ -218,7 +218,7 @@ TEST(Reader, ReadsTextStlInUpperCase) {
 
 TEST(Reader, IgnoresPointsAndLinesBesideFacesWithANote) {
   const TemporaryFolder folder;
-  const ConvexMesh mesh = load(folder.file("a.obj", obj_text(simple_body()) + "l 1 2\nl 3 4\n"));
+  const ConvexMesh mesh = load(folder.file("a.obj", obj_text(simple_soup()) + "l 1 2\nl 3 4\n"));
   EXPECT_EQ(mesh.measures.volume, 64.0);
   ASSERT_EQ(mesh.report.notes.size(), 1U);
   EXPECT_TRUE(contains(mesh.report.notes[0], "points or lines of the file were ignored"));
@@ -238,10 +238,10 @@ TEST(Reader, ReadsCoordinatesWithoutALeadingZero) {
   const std::string rows = "0 0 0\n.5 0 0\n0 .5 0\n0 0 .5\n", faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
   EXPECT_NEAR(load(folder.file("a.off", "OFF\n4 4 6\n" + rows + faces)).measures.volume, 0.125 / 6, 1e-15);
   EXPECT_NEAR(load(folder.file("a.ply",
-                                           "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty "
-                                           "float y\nproperty float z\nelement face 4\nproperty list uchar int "
-                                           "vertex_indices\nend_header\n" +
-                                               rows + faces))
+                               "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty "
+                               "float y\nproperty float z\nelement face 4\nproperty list uchar int "
+                               "vertex_indices\nend_header\n" +
+                                   rows + faces))
                   .measures.volume,
               0.125 / 6, 1e-15);
 }
@@ -249,49 +249,49 @@ TEST(Reader, ReadsCoordinatesWithoutALeadingZero) {
 TEST(Reader, RefusesCoordinatesThatAreNotFinite) {
   const TemporaryFolder folder;
   for (const char* bad : {"nan", "inf", "-inf", "1e400"}) {
-    std::string text = obj_text(simple_body());
+    std::string text = obj_text(simple_soup());
     text.replace(text.find("v ") + 2, text.find(' ', 2) - 2, bad);
-    EXPECT_TRUE(contains(file_refusal(folder.file("bad.obj", text)), bad)) << bad;
+    EXPECT_TRUE(contains(refusal_of_file(folder.file("bad.obj", text)), bad)) << bad;
   }
-  PolygonSoup soup = simple_body();
+  PolygonSoup soup = simple_soup();
   soup.points[3].z = std::nan("");
-  EXPECT_TRUE(contains(file_refusal(folder.file("bad.ply", ply_binary(soup))), "vertex 3"));
+  EXPECT_TRUE(contains(refusal_of_file(folder.file("bad.ply", ply_binary(soup))), "vertex 3"));
   // Transforms that take finite floats beyond all doubles.
-  soup = simple_body();
+  soup = simple_soup();
   folder.file("b.bin", gltf_buffer(soup));
   std::string nodes = "[";
   for (int i = 1; i < 10; ++i) nodes += R"({"scale": [1e38, 1e38, 1e38], "children": [)" + std::to_string(i) + "]}, ";
-  EXPECT_TRUE(
-      contains(file_refusal(folder.file("b.gltf", gltf_text(soup, "b.bin", nodes + R"({"mesh": 0}])"))), "not finite"));
+  EXPECT_TRUE(contains(refusal_of_file(folder.file("b.gltf", gltf_text(soup, "b.bin", nodes + R"({"mesh": 0}])"))),
+                       "not finite"));
 }
 
 TEST(Reader, NeverOpensWhatAMeshNamesBesideItsGeometry) {
   const TemporaryFolder folder;
   // A pipe that nobody writes to: opening it would wait for ever.
   ASSERT_EQ(::mkfifo((folder.path() / "a.mtl").c_str(), 0600), 0);
-  const auto path = folder.file("a.obj", "mtllib a.mtl\nusemtl red\n" + obj_text(simple_body()));
+  const auto path = folder.file("a.obj", "mtllib a.mtl\nusemtl red\n" + obj_text(simple_soup()));
   EXPECT_EQ(load(path).measures.volume, 64.0);
 }
 
 TEST(Reader, RefusesAGltfWhoseBufferIsMissingOrOutsideItsFolder) {
   const TemporaryFolder folder;
-  EXPECT_FALSE(file_refusal(folder.file("a.gltf", gltf_text(simple_body(), "missing.bin"))).empty());
+  EXPECT_FALSE(refusal_of_file(folder.file("a.gltf", gltf_text(simple_soup(), "missing.bin"))).empty());
   std::filesystem::create_directory(folder.path() / "inner");
-  folder.file("outside.bin", gltf_buffer(simple_body()));
-  EXPECT_FALSE(file_refusal(folder.file("inner/a.gltf", gltf_text(simple_body(), "../outside.bin"))).empty());
-  folder.file("a.dat", gltf_buffer(simple_body()));
-  EXPECT_FALSE(file_refusal(folder.file("a.gltf", gltf_text(simple_body(), "a.dat"))).empty());
+  folder.file("outside.bin", gltf_buffer(simple_soup()));
+  EXPECT_FALSE(refusal_of_file(folder.file("inner/a.gltf", gltf_text(simple_soup(), "../outside.bin"))).empty());
+  folder.file("a.dat", gltf_buffer(simple_soup()));
+  EXPECT_FALSE(refusal_of_file(folder.file("a.gltf", gltf_text(simple_soup(), "a.dat"))).empty());
 }
 
 TEST(Reader, ReadsInThisProcessWhenAskedTo) {
   const TemporaryFolder folder;
-  const auto path = folder.file("a.stl", stl_binary(simple_body()));
+  const auto path = folder.file("a.stl", stl_binary(simple_soup()));
   EXPECT_EQ(load(path, {.isolated_reader = false}).measures.volume, 64.0);
 }
 
 TEST(Reader, TurnsABodyThatIsInsideOutAndSaysSo) {
   const TemporaryFolder folder;
-  const ConvexMesh mesh = load(folder.file("a.off", off_text(turned(simple_body()))));
+  const ConvexMesh mesh = load(folder.file("a.off", off_text(turned(simple_soup()))));
   EXPECT_EQ(mesh.measures.volume, 64.0);
   ASSERT_EQ(mesh.report.notes.size(), 1U);
   EXPECT_TRUE(contains(mesh.report.notes[0], "inside out"));

@@ -13,7 +13,7 @@
 namespace vex::tests {
 namespace {
 
-constexpr double kGolden = std::numbers::phi;
+constexpr double kGoldenRatio = std::numbers::phi;
 
 Vec3d rounded(const Vec3d& p) { return {nearest_float(p.x), nearest_float(p.y), nearest_float(p.z)}; }
 
@@ -35,7 +35,7 @@ void add(const Face& face, PolygonSoup* soup) {
 std::vector<Vec3d> icosahedron_points() {
   std::vector<Vec3d> points;
   for (const double s : {-1.0, 1.0}) {
-    for (const double t : {-kGolden, kGolden}) {
+    for (const double t : {-kGoldenRatio, kGoldenRatio}) {
       points.push_back({0.0, s, t});
       points.push_back({s, t, 0.0});
       points.push_back({t, 0.0, s});
@@ -130,12 +130,12 @@ PolygonSoup dodecahedron_soup() {
     for (const double t : {-1.0, 1.0}) {
       p.push_back({s, t, -1.0});
       p.push_back({s, t, 1.0});
-      p.push_back({0.0, s / kGolden, t * kGolden});
-      p.push_back({s / kGolden, t * kGolden, 0.0});
-      p.push_back({s * kGolden, 0.0, t / kGolden});
+      p.push_back({0.0, s / kGoldenRatio, t * kGoldenRatio});
+      p.push_back({s / kGoldenRatio, t * kGoldenRatio, 0.0});
+      p.push_back({s * kGoldenRatio, 0.0, t / kGoldenRatio});
     }
   }
-  return soup_of(p, faces_by_edge(p, 2.0 / kGolden, 5));
+  return soup_of(p, faces_by_edge(p, 2.0 / kGoldenRatio, 5));
 }
 
 PolygonSoup icosahedron_soup() {
@@ -150,7 +150,7 @@ PolygonSoup great_dodecahedron_soup() {
 
 PolygonSoup great_icosahedron_soup() {
   const std::vector<Vec3d> p = icosahedron_points();
-  return soup_of(p, faces_by_edge(p, 2.0 * kGolden, 3));
+  return soup_of(p, faces_by_edge(p, 2.0 * kGoldenRatio, 3));
 }
 
 PolygonSoup sphere_soup(int n, const std::function<Vec3d(const Vec3d&)>& place) {

@@ -10,20 +10,21 @@ namespace vex {
 namespace {
 
 // 2300 bits hold every sum of squares of doubles in [2^-1074, 1), and of middles between two, exactly.
-using Wide =
+using Exact2300 =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<2300, boost::multiprecision::digit_base_2>>;
 using Quaternion = std::array<double, 4>;
 
 // The neighbours of the root are found by their squares, and the middle between them by its own: no root is taken.
 double true_norm(const Quaternion& q) {
-  Wide sum = 0;
-  for (const double c : q) sum += Wide(c) * Wide(c);
+  Exact2300 sum = 0;
+  for (const double c : q) sum += Exact2300(c) * Exact2300(c);
   double below = std::sqrt(static_cast<double>(sum));
-  while (Wide(below) * Wide(below) > sum) below = std::nextafter(below, 0.0);
-  while (Wide(std::nextafter(below, 9.0)) * Wide(std::nextafter(below, 9.0)) <= sum) below = std::nextafter(below, 9.0);
+  while (Exact2300(below) * Exact2300(below) > sum) below = std::nextafter(below, 0.0);
+  while (Exact2300(std::nextafter(below, 9.0)) * Exact2300(std::nextafter(below, 9.0)) <= sum)
+    below = std::nextafter(below, 9.0);
   const double above = std::nextafter(below, 9.0);
-  const Wide middle = (Wide(below) + Wide(above)) / 2;
-  const Wide middle_sq = middle * middle;
+  const Exact2300 middle = (Exact2300(below) + Exact2300(above)) / 2;
+  const Exact2300 middle_sq = middle * middle;
   if (sum == middle_sq) return (bits_of(below) & 1u) == 0 ? below : above;
   return sum < middle_sq ? below : above;
 }

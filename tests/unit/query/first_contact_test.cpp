@@ -493,5 +493,20 @@ TEST(LinearCast, OfCurvedBodiesThatTouchAtTheStartHasNormalAndPoints) {
   expect_touch(cast_ray(ellipsoid, {1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}), {-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
 }
 
+// A time that no double is was proven to be that of a contact.
+TEST(FirstContact, IsAtATimeThatADoubleTells) {
+  const Vec3d far{5e10, 0, 0}, slowly{-1e-300, 0, 0};
+  const Transformd pose{.translation = far};
+  const ConvexBody ball = Sphere(1), box = Box(1, 1, 1);
+  for (const FirstContact& found :
+       {cast_ray(ball, far, slowly), cast_ray(box, far, slowly), linear_cast(ball, ball, pose, slowly),
+        linear_cast(box, box, pose, slowly), time_of_impact(ball, ball, pose, {slowly, {}}),
+        time_of_impact(box, box, pose, {slowly, {1e-320, 0, 0}}), time_of_impact(box, ball, pose, {slowly, {}})}) {
+    EXPECT_EQ(found.verdict.outcome, Outcome::undecided);
+    EXPECT_LT(found.lower, HUGE_VAL);
+    EXPECT_EQ(found.upper, HUGE_VAL);
+  }
+}
+
 }  // namespace
 }  // namespace vex

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-Transformd moved_to(double x, double y, double z) {
+Transformd placed_at(double x, double y, double z) {
   Transformd pose;
   pose.translation = {x, y, z};
   return pose;
@@ -36,7 +36,7 @@ void expect_time(const FirstContact& found, double truth, double width) {
 }
 
 TEST(PoseAt, TurnsAboutTheAxisOfTheMotionAndMovesTheOriginStraight) {
-  const Transformd start = moved_to(1.0, 2.0, 3.0);
+  const Transformd start = placed_at(1.0, 2.0, 3.0);
   const Transformd quarter = pose_at(start, {{0.0, 0.0, -1.0}, {0.0, 0.0, 0.5}}, kPi);
   const Vec3d x = quarter({1.0, 0.0, 0.0});
   EXPECT_NEAR(x.x, 1.0, 1e-15);
@@ -83,7 +83,7 @@ TEST(RigidSweep, BoundsTheGapDuringTheWholeInterval) {
 
 TEST(RigidSweep, SeesBodiesMeetOnceTheyAreInEachOtherByMoreThanRounding) {
   const ConvexBody cube = Box(1.0, 1.0, 1.0);
-  RigidSweep sweep(cube, cube, moved_to(0.0, 0.0, 1.0), {{0.0, 0.0, -1.0}, {0.0, 0.0, 1.0}});
+  RigidSweep sweep(cube, cube, placed_at(0.0, 0.0, 1.0), {{0.0, 0.0, -1.0}, {0.0, 0.0, 1.0}});
   EXPECT_FALSE(sweep.meets_at(0.0)) << "they touch";
   EXPECT_FALSE(sweep.meets_at(16.0 * kUnitRoundoff));
   EXPECT_TRUE(sweep.meets_at(1e-12));
@@ -95,7 +95,7 @@ TEST(TimeOfImpact, OfACubeThatTurnsOverAFaceIsThatOfItsCorner) {
   const ConvexBody floor = Box(10.0, 10.0, 1.0), cube = Box(1.0, 1.0, 1.0);
   const double half_diagonal = std::sqrt(0.5);
   for (const double height : {0.5001, 0.55, 0.6, 0.7, 0.7071}) {
-    const FirstContact found = time_of_impact(floor, cube, moved_to(0.0, 0.0, 0.5 + height), {{}, {0.0, 0.5, 0.0}});
+    const FirstContact found = time_of_impact(floor, cube, placed_at(0.0, 0.0, 0.5 + height), {{}, {0.0, 0.5, 0.0}});
     const double placed = (0.5 + height) - 0.5;  // what is left of the height after rounding
     const double angle = std::asin(placed / half_diagonal) - 0.25 * kPi;
     // What a rounding of the height is in time.
@@ -113,7 +113,7 @@ TEST(TimeOfImpact, OfACubeThatTurnsOverAFaceIsThatOfItsCorner) {
 
 TEST(TimeOfImpact, OfACubeThatTurnsTooHighIsNever) {
   const ConvexBody floor = Box(10.0, 10.0, 1.0), cube = Box(1.0, 1.0, 1.0);
-  const FirstContact found = time_of_impact(floor, cube, moved_to(0.0, 0.0, 0.5 + 0.7072), {{}, {0.0, 0.5, 0.0}});
+  const FirstContact found = time_of_impact(floor, cube, placed_at(0.0, 0.0, 0.5 + 0.7072), {{}, {0.0, 0.5, 0.0}});
   EXPECT_EQ(found.verdict.outcome, Outcome::disjoint);
   EXPECT_EQ(found.lower, HUGE_VAL);
   EXPECT_LT(found.n_support_calls, 5000);
@@ -122,7 +122,7 @@ TEST(TimeOfImpact, OfACubeThatTurnsTooHighIsNever) {
 TEST(TimeOfImpact, OfACubeThatJustReachesTheFaceIsNotSaidToBeNever) {
   const ConvexBody floor = Box(10.0, 10.0, 1.0), cube = Box(1.0, 1.0, 1.0);
   const FirstContact found =
-      time_of_impact(floor, cube, moved_to(0.0, 0.0, 0.5 + std::sqrt(0.5)), {{}, {0.0, 0.5, 0.0}});
+      time_of_impact(floor, cube, placed_at(0.0, 0.0, 0.5 + std::sqrt(0.5)), {{}, {0.0, 0.5, 0.0}});
   EXPECT_EQ(found.verdict.outcome, Outcome::undecided);
   EXPECT_LE(found.lower, 0.5 * kPi);
   EXPECT_GT(found.lower, 0.49 * kPi);
@@ -175,21 +175,21 @@ TEST(TimeOfImpact, WithoutSpinIsTheLinearCastAndWithHardlyAnyNearlyThat) {
 
 TEST(TimeOfImpact, WhereTheBodiesMeetAtOnceIsNought) {
   const ConvexBody cube = Box(1.0, 1.0, 1.0);
-  const FirstContact found = time_of_impact(cube, cube, moved_to(0.0, 0.0, 0.75), {{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}});
+  const FirstContact found = time_of_impact(cube, cube, placed_at(0.0, 0.0, 0.75), {{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}});
   expect_time(found, 0.0, 0.0);
   EXPECT_NEAR(found.normal.z, 1.0, 1e-12);
 }
 
 TEST(TimeOfImpact, WithoutAnyMotionIsNever) {
   const ConvexBody cube = Box(1.0, 1.0, 1.0);
-  EXPECT_EQ(time_of_impact(cube, cube, moved_to(0.0, 0.0, 1.25), {}).verdict.outcome, Outcome::disjoint);
+  EXPECT_EQ(time_of_impact(cube, cube, placed_at(0.0, 0.0, 1.25), {}).verdict.outcome, Outcome::disjoint);
 }
 
 TEST(TimeOfImpact, OfABodyThatLeavesOrPassesFarOffIsNeverWithoutASearch) {
   const ConvexBody a = parse_shape("cone:1,0.5").body, b = parse_shape("needle:2").body;
   const RigidMotion leaving{{1.0, 0.0, 0.0}, {3.0, 2.0, 1.0}};
   for (const Vec3d& start : {Vec3d{5.0, 0.0, 0.0}, Vec3d{-50.0, 5.0, 0.0}}) {
-    const FirstContact found = time_of_impact(a, b, moved_to(start.x, start.y, start.z), leaving);
+    const FirstContact found = time_of_impact(a, b, placed_at(start.x, start.y, start.z), leaving);
     EXPECT_EQ(found.verdict.outcome, Outcome::disjoint);
     EXPECT_LT(found.n_support_calls, 50);
   }
@@ -199,14 +199,14 @@ TEST(TimeOfImpact, OfABodyThatSpinsFastAndComesSlowlyIsThatOfItsLongestReach) {
   const ConvexBody floor = Box(10.0, 10.0, 1.0), needle = parse_shape("needle:2").body;
   // Turned about x, its ends come down to 1 below its middle every half a turn.
   const RigidMotion motion{{0.0, 0.0, -0.01}, {5.0, 0.0, 0.0}};
-  const FirstContact found = time_of_impact(floor, needle, moved_to(0.0, 0.0, 1.75), motion);
+  const FirstContact found = time_of_impact(floor, needle, placed_at(0.0, 0.0, 1.75), motion);
   ASSERT_EQ(found.verdict.outcome, Outcome::overlap);
   EXPECT_GE(found.lower, 25.0 - 1.0);
   EXPECT_LE(found.upper, 25.0 + kPi / 5.0);
   EXPECT_LE(found.upper - found.lower, 1e-9);
   // Within the half turn in which the height falls short of 1 the first time.
   const double before = found.lower - 1e-6;
-  EXPECT_EQ(overlap(floor, needle, pose_at(moved_to(0.0, 0.0, 1.75), motion, before)).outcome, Outcome::disjoint);
+  EXPECT_EQ(overlap(floor, needle, pose_at(placed_at(0.0, 0.0, 1.75), motion, before)).outcome, Outcome::disjoint);
 }
 
 struct Fall {
@@ -292,7 +292,7 @@ TEST(TimeOfImpact, IsSoonerByThatOfAMotionThatIsFaster) {
 TEST(TimeOfImpact, OfSmallAndLargeBodiesIsThatOfTheirShape) {
   for (const double size : {0x1p-30, 1.0, 0x1p30}) {
     const ConvexBody floor = Box(10.0 * size, 10.0 * size, size), cube = Box(size, size, size);
-    const FirstContact found = time_of_impact(floor, cube, moved_to(0.0, 0.0, 1.0625 * size), {{}, {0.0, 0.5, 0.0}});
+    const FirstContact found = time_of_impact(floor, cube, placed_at(0.0, 0.0, 1.0625 * size), {{}, {0.0, 0.5, 0.0}});
     expect_time(found, (std::asin(0.5625 * std::numbers::sqrt2) - 0.25 * kPi) / 0.5, 1e-10);
   }
 }
@@ -312,7 +312,7 @@ TEST(TimeOfImpact, OfBodiesThatTouchAtTheStartIsFoundSoonAfterIt) {
   };
   for (const Start& start : starts) {
     const ConvexBody a = parse_shape(start.a).body, b = parse_shape(start.b).body;
-    const Transformd pose = moved_to(start.at.x, start.at.y, start.at.z);
+    const Transformd pose = placed_at(start.at.x, start.at.y, start.at.z);
     const FirstContact found = time_of_impact(a, b, pose, {{}, start.angular_velocity});
     expect_time(found, 0.0, start.latest);
     EXPECT_EQ(overlap(a, b, pose_at(pose, {{}, start.angular_velocity}, found.upper)).outcome, Outcome::overlap);
@@ -324,7 +324,7 @@ TEST(TimeOfImpact, OfBodiesThatTouchAtTheStartIsFoundSoonAfterIt) {
 // The plate's edge touches the cylinder and leaves it; a third of a turn later its corner comes back to it.
 TEST(TimeOfImpact, IsTheTimeAtWhichNormalAndPointsAreWhereTheBoundsAreWide) {
   const ConvexBody a = parse_shape("cylinder:1,0.5").body, b = parse_shape("plate:1,1").body;
-  const FirstContact found = time_of_impact(a, b, moved_to(0.5, -1.0, 0.25), {{}, {0.0, 0.0, 2.0 * kPi / 3.0}});
+  const FirstContact found = time_of_impact(a, b, placed_at(0.5, -1.0, 0.25), {{}, {0.0, 0.0, 2.0 * kPi / 3.0}});
   ASSERT_EQ(found.verdict.outcome, Outcome::overlap);
   EXPECT_EQ(found.lower, 0.0);
   EXPECT_EQ(found.time, 0.0);
@@ -360,13 +360,13 @@ TEST(TimeOfImpact, OfHugeAndTinySpeedsIsThatOfTheMotionInAnotherUnitOfTime) {
 TEST(TimeOfImpact, OfSubnormalSpeedsIsNotSaidToBeNeverWhereItIsLate) {
   const ConvexBody ball = Sphere(1.0), cube = Box(1.0, 1.0, 1.0);
   const FirstContact late =
-      time_of_impact(ball, ball, moved_to(3.0, 3.0, 0.0), {{-5e-324, -5e-324, 0.0}, {0.0, 0.0, 1e-310}});
+      time_of_impact(ball, ball, placed_at(3.0, 3.0, 0.0), {{-5e-324, -5e-324, 0.0}, {0.0, 0.0, 1e-310}});
   EXPECT_NE(late.verdict.outcome, Outcome::disjoint);
   EXPECT_EQ(late.upper, HUGE_VAL);
   // Its corner, at sqrt(1/2), does not reach so far.
-  const FirstContact never = time_of_impact(cube, cube, moved_to(1.25, 0.0, 0.0), {{}, {0.0, 0.0, 5e-324}});
+  const FirstContact never = time_of_impact(cube, cube, placed_at(1.25, 0.0, 0.0), {{}, {0.0, 0.0, 5e-324}});
   EXPECT_EQ(never.verdict.outcome, Outcome::disjoint);
-  const Transformd near = moved_to(1.125, 0.0, 0.0);
+  const Transformd near = placed_at(1.125, 0.0, 0.0);
   const double angle = std::asin(0.625 * std::numbers::sqrt2) - 0.25 * kPi;
   const FirstContact found = time_of_impact(cube, cube, near, {{}, {0.0, 0.0, 0x1p-1020}});
   ASSERT_EQ(found.verdict.outcome, Outcome::overlap);
@@ -376,7 +376,7 @@ TEST(TimeOfImpact, OfSubnormalSpeedsIsNotSaidToBeNeverWhereItIsLate) {
 
 TEST(TimeOfImpact, OfSpeedsOfVeryDifferentSizesIsNotGuessed) {
   const ConvexBody cube = Box(1.0, 1.0, 1.0);
-  const Transformd pose = moved_to(3.0, 0.25, 0.0);
+  const Transformd pose = placed_at(3.0, 0.25, 0.0);
   // It turns as fast as one likes, and comes: never is wrong, and so is a bound after the time of its balls' touch.
   for (const double slow : {1e-300, 1e-310, 5e-324}) {
     const FirstContact found = time_of_impact(cube, cube, pose, {{-slow, 0.0, 0.0}, {0.0, 0.0, 9e300}});
@@ -394,7 +394,7 @@ TEST(TimeOfImpact, OfBodiesFartherOffThanSumsAreFiniteIsUndecided) {
   const ConvexBody ball = Sphere(1.0);
   for (const Vec3d& spin : {Vec3d{}, Vec3d{0.0, 0.0, 1.0}}) {
     const FirstContact found =
-        time_of_impact(ball, ball, moved_to(1e308, 1.5e308, 0.0), {{-1e308, -1.5e308, 0.0}, spin});
+        time_of_impact(ball, ball, placed_at(1e308, 1.5e308, 0.0), {{-1e308, -1.5e308, 0.0}, spin});
     EXPECT_EQ(found.verdict.outcome, Outcome::undecided);
     EXPECT_EQ(found.lower, 0.0);
     EXPECT_EQ(found.upper, HUGE_VAL);

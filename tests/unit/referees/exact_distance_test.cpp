@@ -13,35 +13,35 @@
 namespace vex {
 namespace {
 
-ConvexBody body(const char* text) { return parse_shape(text).body; }
+ConvexBody body_of_text(const char* text) { return parse_shape(text).body; }
 
-Transformd at(double x, double y, double z, Transformd turn = {}) {
+Transformd placed_at(double x, double y, double z, Transformd turn = {}) {
   turn.translation = {x, y, z};
   return turn;
 }
 
 void expect_distance(const char* a, const char* b, const Transformd& pose, double expected) {
-  const SignedDistance found = exact_signed_distance(body(a), body(b), pose);
+  const SignedDistance found = exact_signed_distance(body_of_text(a), body_of_text(b), pose);
   EXPECT_LE(found.error, 1e-16 * (1.0 + std::fabs(expected))) << a << " " << b;
   EXPECT_NEAR(found.value, expected, 1e-15 * (1.0 + std::fabs(expected))) << a << " " << b;
 }
 
 TEST(ExactSignedDistance, OfParallelBoxes) {
-  expect_distance("box:1,2,3", "box:1,2,3", at(0, 0, 5), 2.0);
-  expect_distance("box:1,2,3", "box:1,2,3", at(0.5, 1.5, 0.1), -0.5);
-  expect_distance("box:1,2,3", "box:1,2,3", at(-0.5, 0.25, 0), -0.5);
-  expect_distance("box:1,2,3", "box:1,2,3", at(4, 6, 0), 5.0);          // edges 3 and 4 apart
-  expect_distance("box:1,2,3", "box:1,2,3", at(3, -5, 9), 7.0);         // corners 2, 3 and 6 apart
-  expect_distance("box:1,2,3", "box:1,2,3", at(1, 2, 3), 0.0);          // a corner in common
-  expect_distance("box:4,4,4", "box:0.5,0.5,0.5", at(1, 0, 0), -1.25);  // inside: out by the nearest face
-  expect_distance("box:1,1,1", "box:1,1,1", at(0x1p-80, 0, 1), 0.0);
+  expect_distance("box:1,2,3", "box:1,2,3", placed_at(0, 0, 5), 2.0);
+  expect_distance("box:1,2,3", "box:1,2,3", placed_at(0.5, 1.5, 0.1), -0.5);
+  expect_distance("box:1,2,3", "box:1,2,3", placed_at(-0.5, 0.25, 0), -0.5);
+  expect_distance("box:1,2,3", "box:1,2,3", placed_at(4, 6, 0), 5.0);          // edges 3 and 4 apart
+  expect_distance("box:1,2,3", "box:1,2,3", placed_at(3, -5, 9), 7.0);         // corners 2, 3 and 6 apart
+  expect_distance("box:1,2,3", "box:1,2,3", placed_at(1, 2, 3), 0.0);          // a corner in common
+  expect_distance("box:4,4,4", "box:0.5,0.5,0.5", placed_at(1, 0, 0), -1.25);  // inside: out by the nearest face
+  expect_distance("box:1,1,1", "box:1,1,1", placed_at(0x1p-80, 0, 1), 0.0);
 }
 
 TEST(ExactSignedDistance, OfTurnedCubes) {
   const double half_diagonal = std::numbers::sqrt2 / 2.0;
   const Transformd turn = rotation_about({0, 0, 1}, std::numbers::pi / 4.0);
-  expect_distance("box:1,1,1", "box:1,1,1", at(1.5, 0, 0, turn), 1.0 - half_diagonal);  // edge over face
-  expect_distance("box:1,1,1", "box:1,1,1", at(0.5 + half_diagonal - 0.125, 0, 0, turn), -0.125);
+  expect_distance("box:1,1,1", "box:1,1,1", placed_at(1.5, 0, 0, turn), 1.0 - half_diagonal);  // edge over face
+  expect_distance("box:1,1,1", "box:1,1,1", placed_at(0.5 + half_diagonal - 0.125, 0, 0, turn), -0.125);
   const Transformd on_edge = rotation_about({1, 0, 0}, std::numbers::pi / 4.0);
   // An edge along y below, one along x above: two crossed roofs.
   const Transformd a_turn = rotation_about({0, 1, 0}, std::numbers::pi / 4.0);
@@ -61,45 +61,47 @@ TEST(ExactSignedDistance, OfTurnedCubes) {
 }
 
 TEST(ExactSignedDistance, OfFlatBodiesThatMeetIsZero) {
-  expect_distance("plate:1,1", "plate:1,1", at(0.25, 0.25, 0), 0.0);
-  expect_distance("needle:2", "plate:1,1", at(0, 0, 1), 0.0);
-  expect_distance("needle:2", "plate:1,1", at(0, 0, 1.5), 0.5);
-  expect_distance("needle:2", "needle:2", at(0, 0, 0), 0.0);
-  expect_distance("needle:2", "needle:2", at(0, 3, 6), 5.0);
-  expect_distance("needle:2", "plate:1,1", at(0, 0, 0.75), -0.25);  // along the needle, or 0.5 aside
+  expect_distance("plate:1,1", "plate:1,1", placed_at(0.25, 0.25, 0), 0.0);
+  expect_distance("needle:2", "plate:1,1", placed_at(0, 0, 1), 0.0);
+  expect_distance("needle:2", "plate:1,1", placed_at(0, 0, 1.5), 0.5);
+  expect_distance("needle:2", "needle:2", placed_at(0, 0, 0), 0.0);
+  expect_distance("needle:2", "needle:2", placed_at(0, 3, 6), 5.0);
+  expect_distance("needle:2", "plate:1,1", placed_at(0, 0, 0.75), -0.25);  // along the needle, or 0.5 aside
 }
 
 TEST(ExactSignedDistance, OfBallsIsThatOfTheirCoresLessTheRadii) {
-  expect_distance("sphere:0.5", "sphere:0.25", at(3, 4, 0), 4.25);
-  expect_distance("sphere:0.5", "sphere:0.25", at(0, 0, 0), -0.75);
-  expect_distance("sphere:0.5", "box:2,2,2", at(2, 0, 0), 0.5);
-  expect_distance("box:2,2,2", "sphere:0.5", at(0.75, 0, 0), -0.75);
-  expect_distance("capsule:2,0.25", "capsule:2,0.5", at(3, 4, 1), 4.25);
-  expect_distance("rounded:0.25,box:1,1,1", "box:1,1,1", at(0, 1, 0), -0.25);
+  expect_distance("sphere:0.5", "sphere:0.25", placed_at(3, 4, 0), 4.25);
+  expect_distance("sphere:0.5", "sphere:0.25", placed_at(0, 0, 0), -0.75);
+  expect_distance("sphere:0.5", "box:2,2,2", placed_at(2, 0, 0), 0.5);
+  expect_distance("box:2,2,2", "sphere:0.5", placed_at(0.75, 0, 0), -0.75);
+  expect_distance("capsule:2,0.25", "capsule:2,0.5", placed_at(3, 4, 1), 4.25);
+  expect_distance("rounded:0.25,box:1,1,1", "box:1,1,1", placed_at(0, 1, 0), -0.25);
 }
 
 TEST(ExactSignedDistance, OfCylindersIsBetweenNarrowBounds) {
-  expect_distance("cylinder:2,0.5", "cylinder:2,0.25", at(0, 0, 3), 1.0);
-  expect_distance("cylinder:2,0.5", "box:1,1,1", at(1.25, 0, 0), 0.25);
-  expect_distance("cylinder:2,0.5", "box:1,1,1", at(0.875, 0, 0), -0.125);
-  expect_distance("box:1,1,1", "cylinder:2,0.5", at(0, 0, -1.25), -0.25);
-  expect_distance("capsule:2,0.25", "cylinder:2,0.5", at(3, 4, 0.5), 4.25);
+  expect_distance("cylinder:2,0.5", "cylinder:2,0.25", placed_at(0, 0, 3), 1.0);
+  expect_distance("cylinder:2,0.5", "box:1,1,1", placed_at(1.25, 0, 0), 0.25);
+  expect_distance("cylinder:2,0.5", "box:1,1,1", placed_at(0.875, 0, 0), -0.125);
+  expect_distance("box:1,1,1", "cylinder:2,0.5", placed_at(0, 0, -1.25), -0.25);
+  expect_distance("capsule:2,0.25", "cylinder:2,0.5", placed_at(3, 4, 0.5), 4.25);
   // A rim over a face: the half length and the radius, both at 45 degrees.
   const Transformd turn = rotation_about({0, 1, 0}, std::numbers::pi / 4.0);
-  expect_distance("box:4,4,1", "cylinder:2,0.5", at(0, 0, 2, turn), 1.5 - 1.5 * std::numbers::sqrt2 / 2.0);
-  expect_distance("box:4,4,1", "cylinder:2,0.5", at(0, 0, 1.5, turn), 1.0 - 1.5 * std::numbers::sqrt2 / 2.0);
+  expect_distance("box:4,4,1", "cylinder:2,0.5", placed_at(0, 0, 2, turn), 1.5 - 1.5 * std::numbers::sqrt2 / 2.0);
+  expect_distance("box:4,4,1", "cylinder:2,0.5", placed_at(0, 0, 1.5, turn), 1.0 - 1.5 * std::numbers::sqrt2 / 2.0);
   // A needle's end beside a rim, 3 out and 4 up.
-  expect_distance("needle:2", "cylinder:2,0.5", at(3.5, 0, -6), 5.0);
+  expect_distance("needle:2", "cylinder:2,0.5", placed_at(3.5, 0, -6), 5.0);
 }
 
 TEST(ExactSignedDistance, OfConesAndHemispheresIsThatOfTheirFlatSidesAndTips) {
   for (const char* text : {"cone:1,0.5", "hemisphere:0.5", "frustum:1,0.5,0.25"}) {
-    const double top = body(text).support({0, 0, 1}).z, bottom = body(text).support({0, 0, -1}).z;
+    const double top = body_of_text(text).support({0, 0, 1}).z, bottom = body_of_text(text).support({0, 0, -1}).z;
     for (const double gap : {0.25, -0.125}) {
-      const SignedDistance below = exact_signed_distance(body("box:2,2,1"), body(text), at(0, 0, 0.5 - bottom + gap));
+      const SignedDistance below =
+          exact_signed_distance(body_of_text("box:2,2,1"), body_of_text(text), placed_at(0, 0, 0.5 - bottom + gap));
       EXPECT_NEAR(below.value, gap, below.error + 1e-15) << text;
       EXPECT_LE(below.error, 1e-15) << text;
-      const SignedDistance above = exact_signed_distance(body("box:2,2,1"), body(text), at(0, 0, -0.5 - top - gap));
+      const SignedDistance above =
+          exact_signed_distance(body_of_text("box:2,2,1"), body_of_text(text), placed_at(0, 0, -0.5 - top - gap));
       EXPECT_NEAR(above.value, gap, above.error + 1e-15) << text;
       EXPECT_LE(above.error, 1e-15) << text;
     }
@@ -149,19 +151,19 @@ TEST(ExactSignedDistance, IsMutualAndEndsInContact) {
 
 TEST(EllipsoidSignedDistance, OfSpheresIsExactAndOfSpheroidsAtTheirPoles) {
   const auto expect = [](const char* a, const char* b, const Transformd& pose, const Vec3d& normal, double expected) {
-    const SignedDistance found = ellipsoid_signed_distance(body(a), body(b), pose, normal);
+    const SignedDistance found = ellipsoid_signed_distance(body_of_text(a), body_of_text(b), pose, normal);
     EXPECT_NEAR(found.value, expected, found.error) << a << " " << b;
     EXPECT_LE(found.error, 1e-15 * (1.0 + std::fabs(expected))) << a << " " << b;
   };
-  expect("sphere:0.5", "sphere:0.25", at(3, 4, 0), {3, 4, 0}, 4.25);
-  expect("ellipsoid:1,2,3", "ellipsoid:0.5,0.5,1", at(0, 0, 4.5), {0, 0, 1}, 0.5);
-  expect("ellipsoid:1,2,3", "ellipsoid:0.5,0.5,1", at(0, 2.375, 0), {0, 2, 0}, -0.125);
-  expect("ellipsoid:1,2,3", "sphere:0.5", at(-1.25, 0, 0), {-1, 0, 0}, -0.25);
+  expect("sphere:0.5", "sphere:0.25", placed_at(3, 4, 0), {3, 4, 0}, 4.25);
+  expect("ellipsoid:1,2,3", "ellipsoid:0.5,0.5,1", placed_at(0, 0, 4.5), {0, 0, 1}, 0.5);
+  expect("ellipsoid:1,2,3", "ellipsoid:0.5,0.5,1", placed_at(0, 2.375, 0), {0, 2, 0}, -0.125);
+  expect("ellipsoid:1,2,3", "sphere:0.5", placed_at(-1.25, 0, 0), {-1, 0, 0}, -0.25);
 }
 
 TEST(EllipsoidSignedDistance, BoundsFarFromTheNormalStillHold) {
-  const ConvexBody a = body("ellipsoid:1,2,3"), b = body("ellipsoid:0.5,0.5,1");
-  const SignedDistance off = ellipsoid_signed_distance(a, b, at(0, 0, 4.0625), {0.01, -0.01, 1});
+  const ConvexBody a = body_of_text("ellipsoid:1,2,3"), b = body_of_text("ellipsoid:0.5,0.5,1");
+  const SignedDistance off = ellipsoid_signed_distance(a, b, placed_at(0, 0, 4.0625), {0.01, -0.01, 1});
   EXPECT_GT(off.error, 1e-6);
   EXPECT_NEAR(off.value, 0.0625, off.error);
   EXPECT_EQ(ellipsoid_signed_distance(a, b, {}, {0, 0, 1}).error, std::numeric_limits<double>::infinity());

@@ -17,9 +17,9 @@
 namespace vex {
 namespace {
 
-ConvexBody body(const char* text) { return parse_shape(text).body; }
+ConvexBody judged_body(const char* text) { return parse_shape(text).body; }
 
-Transformd at(double x, double y, double z, Transformd turn = {}) {
+Transformd moved_by(double x, double y, double z, Transformd turn = {}) {
   turn.translation = {x, y, z};
   return turn;
 }
@@ -47,31 +47,32 @@ struct KnownAnswer {
 std::vector<KnownAnswer> known_answers() {
   const double root_half = std::numbers::sqrt2 / 2.0;
   return {
-      {"box:1,2,3", "box:1,2,3", at(0, 0, 5), answer_of(2.0, {0, 0, 1}, {0.25, 0.25, 1.5})},
-      {"box:1,2,3", "box:1,2,3", at(0.75, 0, 0.1), answer_of(-0.25, {1, 0, 0}, {0.5, 0.25, 0.5})},
-      {"box:1,2,3", "box:1,2,3", at(4, 6, 0), answer_of(5.0, {0.6, 0.8, 0}, {0.5, 1.0, 1.0}, 1e-15)},
-      {"box:4,4,4", "box:0.5,0.5,0.5", at(1, 0, 0), answer_of(-1.25, {1, 0, 0}, {2, 0.125, 0})},
-      {"sphere:0.5", "sphere:0.25", at(3, 4, 0), answer_of(4.25, {0.6, 0.8, 0}, {0.3, 0.4, 0}, 1e-15)},
-      {"sphere:0.5", "sphere:0.25", at(0, 0.375, 0), answer_of(-0.375, {0, 1, 0}, {0, 0.5, 0})},
-      {"capsule:2,0.25", "capsule:2,0.5", at(3, 0, 4),
+      {"box:1,2,3", "box:1,2,3", moved_by(0, 0, 5), answer_of(2.0, {0, 0, 1}, {0.25, 0.25, 1.5})},
+      {"box:1,2,3", "box:1,2,3", moved_by(0.75, 0, 0.1), answer_of(-0.25, {1, 0, 0}, {0.5, 0.25, 0.5})},
+      {"box:1,2,3", "box:1,2,3", moved_by(4, 6, 0), answer_of(5.0, {0.6, 0.8, 0}, {0.5, 1.0, 1.0}, 1e-15)},
+      {"box:4,4,4", "box:0.5,0.5,0.5", moved_by(1, 0, 0), answer_of(-1.25, {1, 0, 0}, {2, 0.125, 0})},
+      {"sphere:0.5", "sphere:0.25", moved_by(3, 4, 0), answer_of(4.25, {0.6, 0.8, 0}, {0.3, 0.4, 0}, 1e-15)},
+      {"sphere:0.5", "sphere:0.25", moved_by(0, 0.375, 0), answer_of(-0.375, {0, 1, 0}, {0, 0.5, 0})},
+      {"capsule:2,0.25", "capsule:2,0.5", moved_by(3, 0, 4),
        answer_of(std::sqrt(13.0) - 0.75, {3.0 / std::sqrt(13.0), 0, 2.0 / std::sqrt(13.0)},
                  {0.75 / std::sqrt(13.0), 0, 1.0 + 0.5 / std::sqrt(13.0)}, 1e-15)},
-      {"needle:2", "plate:1,1", at(0, 0, 1.5), answer_of(0.5, {0, 0, 1}, {0, 0, 1})},
-      {"needle:2", "plate:1,1", at(0, 0, 0.75), answer_of(-0.25, {0, 0, 1}, {0, 0, 1})},
-      {"rounded:0.25,box:1,1,1", "box:1,1,1", at(0, 1, 0), answer_of(-0.25, {0, 1, 0}, {0.125, 0.75, 0})},
-      {"ellipsoid:1,2,3", "ellipsoid:0.5,0.5,1", at(0, 0, 4.5), answer_of(0.5, {0, 0, 1}, {0, 0, 3})},
-      {"ellipsoid:1,2,3", "ellipsoid:0.5,0.5,1", at(-1.25, 0, 0), answer_of(-0.25, {-1, 0, 0}, {-1, 0, 0})},
-      {"ellipsoid:1,1,1e-6", "ellipsoid:1,1,1e-6", at(0, 0, 3e-6), answer_of(1e-6, {0, 0, 1}, {0, 0, 1e-6}, 1e-20)},
-      {"cylinder:2,0.5", "box:1,1,1", at(0.875, 0, 0), answer_of(-0.125, {1, 0, 0}, {0.5, 0, 0.25})},
-      {"cylinder:2,0.5", "cylinder:2,0.25", at(0, 0, 3), answer_of(1.0, {0, 0, 1}, {0, 0, 1})},
-      {"hemisphere:1", "sphere:0.25", at(0, 0, -0.75), answer_of(0.5, {0, 0, -1}, {0, 0, 0})},
-      {"box:4,4,1", "cylinder:2,0.5", at(0, 0, 1.5, rotation_about({0, 1, 0}, std::numbers::pi / 4.0)),
+      {"needle:2", "plate:1,1", moved_by(0, 0, 1.5), answer_of(0.5, {0, 0, 1}, {0, 0, 1})},
+      {"needle:2", "plate:1,1", moved_by(0, 0, 0.75), answer_of(-0.25, {0, 0, 1}, {0, 0, 1})},
+      {"rounded:0.25,box:1,1,1", "box:1,1,1", moved_by(0, 1, 0), answer_of(-0.25, {0, 1, 0}, {0.125, 0.75, 0})},
+      {"ellipsoid:1,2,3", "ellipsoid:0.5,0.5,1", moved_by(0, 0, 4.5), answer_of(0.5, {0, 0, 1}, {0, 0, 3})},
+      {"ellipsoid:1,2,3", "ellipsoid:0.5,0.5,1", moved_by(-1.25, 0, 0), answer_of(-0.25, {-1, 0, 0}, {-1, 0, 0})},
+      {"ellipsoid:1,1,1e-6", "ellipsoid:1,1,1e-6", moved_by(0, 0, 3e-6),
+       answer_of(1e-6, {0, 0, 1}, {0, 0, 1e-6}, 1e-20)},
+      {"cylinder:2,0.5", "box:1,1,1", moved_by(0.875, 0, 0), answer_of(-0.125, {1, 0, 0}, {0.5, 0, 0.25})},
+      {"cylinder:2,0.5", "cylinder:2,0.25", moved_by(0, 0, 3), answer_of(1.0, {0, 0, 1}, {0, 0, 1})},
+      {"hemisphere:1", "sphere:0.25", moved_by(0, 0, -0.75), answer_of(0.5, {0, 0, -1}, {0, 0, 0})},
+      {"box:4,4,1", "cylinder:2,0.5", moved_by(0, 0, 1.5, rotation_about({0, 1, 0}, std::numbers::pi / 4.0)),
        answer_of(1.0 - 1.5 * root_half, {0, 0, 1}, {-0.5 * root_half, 0, 0.5}, 1e-15)},
   };
 }
 
 SeparationJudgement judgement_of(const KnownAnswer& known, const Separation& answer) {
-  return SeparationJudge(body(known.a), body(known.b)).judge(known.pose, answer);
+  return SeparationJudge(judged_body(known.a), judged_body(known.b)).judge(known.pose, answer);
 }
 
 std::string name_of(const KnownAnswer& known) { return std::string(known.a) + " " + known.b; }
@@ -94,8 +95,9 @@ void expect_refused(const Spoil& spoil, const std::string& fault) {
   for (const KnownAnswer& known : known_answers()) {
     SCOPED_TRACE(name_of(known));
     Separation answer = known.answer;
-    const SeparationJudge judge(body(known.a), body(known.b));
-    const double size = body(known.a).circumradius() + body(known.b).circumradius() + std::fabs(answer.signed_distance);
+    const SeparationJudge judge(judged_body(known.a), judged_body(known.b));
+    const double size =
+        judged_body(known.a).circumradius() + judged_body(known.b).circumradius() + std::fabs(answer.signed_distance);
     if (!spoil(answer, 2.0 * judge.accuracy() * size)) continue;
     ++n;
     const SeparationJudgement found = judge.judge(known.pose, answer);
@@ -204,7 +206,7 @@ TEST(SeparationJudge, RefusesPointsThatAreNotOfTheirBodies) {
       },
       "the points are not where the normal leads");
   const Separation aside = answer_of(0.5, {0, 0, 1}, {0.2, 0, 1});
-  EXPECT_FALSE(judgement_of({"needle:2", "plate:1,1", at(0, 0, 1.5), {}}, aside).is_right());
+  EXPECT_FALSE(judgement_of({"needle:2", "plate:1,1", moved_by(0, 0, 1.5), {}}, aside).is_right());
 }
 
 TEST(SeparationJudge, RefusesVerdictsThatAreWrong) {
@@ -223,14 +225,14 @@ TEST(SeparationJudge, RefusesVerdictsThatAreWrong) {
 
 TEST(SeparationJudge, RefusesADepthThatIsNotTheLeast) {
   // Out by the second shortest way.
-  EXPECT_FALSE(
-      judgement_of({"box:4,4,4", "box:0.5,0.5,0.5", at(1, 0.5, 0), {}}, answer_of(-1.75, {0, 1, 0}, {1.125, 2, 0}))
-          .is_right());
-  EXPECT_FALSE(
-      judgement_of({"ellipsoid:1,2,3", "sphere:0.25", at(0.25, 0, 0), {}}, answer_of(-1.5, {-1, 0, 0}, {-1, 0, 0}))
-          .is_right());
+  EXPECT_FALSE(judgement_of({"box:4,4,4", "box:0.5,0.5,0.5", moved_by(1, 0.5, 0), {}},
+                            answer_of(-1.75, {0, 1, 0}, {1.125, 2, 0}))
+                   .is_right());
+  EXPECT_FALSE(judgement_of({"ellipsoid:1,2,3", "sphere:0.25", moved_by(0.25, 0, 0), {}},
+                            answer_of(-1.5, {-1, 0, 0}, {-1, 0, 0}))
+                   .is_right());
   EXPECT_TRUE(
-      judgement_of({"ellipsoid:1,2,3", "sphere:0.25", at(0.25, 0, 0), {}}, answer_of(-1.0, {1, 0, 0}, {1, 0, 0}))
+      judgement_of({"ellipsoid:1,2,3", "sphere:0.25", moved_by(0.25, 0, 0), {}}, answer_of(-1.0, {1, 0, 0}, {1, 0, 0}))
           .is_right());
 }
 
@@ -260,7 +262,7 @@ TEST(SeparationJudge, KnowsTheTruthOfExactArithmetic) {
   std::mt19937_64 random(311);
   int n_overlap = 0, n = 0;
   for (const auto& [a, b] : pairs) {
-    const ConvexBody body_a = body(a), body_b = body(b);
+    const ConvexBody body_a = judged_body(a), body_b = judged_body(b);
     const SeparationJudge judge(body_a, body_b);
     const Domain domain = ball_domain(body_a, body_b);
     for (int k = 0; k < 8; ++k) {
@@ -281,7 +283,8 @@ TEST(SeparationJudge, KnowsTheTruthOfExactArithmetic) {
 
 TEST(SeparationJudge, KnowsTheTruthOfTurnedDiscsAndEllipsoids) {
   std::mt19937_64 random(313);
-  const ConvexBody disc = body("disc:0.7"), needle = body("needle:2"), ellipsoid = body("ellipsoid:1,2,3");
+  const ConvexBody disc = judged_body("disc:0.7"), needle = judged_body("needle:2"),
+                   ellipsoid = judged_body("ellipsoid:1,2,3");
   for (int k = 0; k < 3; ++k) {
     const Transformd pose = random_pose(random, ball_domain(disc, needle), needle);
     const SignedDistance exact = exact_signed_distance(disc, needle, pose);

@@ -5,7 +5,7 @@
 namespace vex {
 namespace {
 
-Tally tally_of(std::uint64_t trials, std::uint64_t hits) {
+Tally tally_with(std::uint64_t trials, std::uint64_t hits) {
   Tally tally;
   tally.n_trials = trials;
   tally.n_hits = hits;
@@ -27,17 +27,17 @@ TEST(StopRule, EvaluationsAreAFixedGrowingSequence) {
 }
 
 TEST(StopRule, WaitsForAHundredHitsAndAHundredMisses) {
-  EXPECT_FALSE(reaches(0.5, tally_of(100000, 99), kUnit, false));
-  EXPECT_TRUE(reaches(0.5, tally_of(100000, 100), kUnit, false));
-  EXPECT_FALSE(reaches(0.5, tally_of(100000, 100000 - 99), kUnit, false));
-  EXPECT_TRUE(reaches(0.5, tally_of(100000, 100000 - 100), kUnit, false));
-  EXPECT_TRUE(reaches(0.5, tally_of(100000, 100000), kUnit, true)) << "where no miss can come, none is waited for";
+  EXPECT_FALSE(reaches(0.5, tally_with(100000, 99), kUnit, false));
+  EXPECT_TRUE(reaches(0.5, tally_with(100000, 100), kUnit, false));
+  EXPECT_FALSE(reaches(0.5, tally_with(100000, 100000 - 99), kUnit, false));
+  EXPECT_TRUE(reaches(0.5, tally_with(100000, 100000 - 100), kUnit, false));
+  EXPECT_TRUE(reaches(0.5, tally_with(100000, 100000), kUnit, true)) << "where no miss can come, none is waited for";
 }
 
 TEST(StopRule, ComparesTheRelativeError) {
   // p = 1/2: relative error 1 / sqrt(n).
-  EXPECT_TRUE(reaches(1.001e-2, tally_of(10000, 5000), kUnit, false));
-  EXPECT_FALSE(reaches(0.999e-2, tally_of(10000, 5000), kUnit, false));
+  EXPECT_TRUE(reaches(1.001e-2, tally_with(10000, 5000), kUnit, false));
+  EXPECT_FALSE(reaches(0.999e-2, tally_with(10000, 5000), kUnit, false));
 }
 
 // Of a fitted domain whose trials all have the share 1/2.
@@ -61,7 +61,7 @@ TEST(StopRule, AFittedDomainMayLackMissesAfterManyTrials) {
   EXPECT_FALSE(reaches(0.5, fitted_tally(many - 1, many - 1), kFitted, false));
   EXPECT_TRUE(reaches(0.5, fitted_tally(many, many), kFitted, false));
   EXPECT_TRUE(reaches(0.5, fitted_tally(many, many - 50), kFitted, false));
-  EXPECT_FALSE(reaches(0.5, tally_of(many, many), kUnit, false)) << "a constant domain may not";
+  EXPECT_FALSE(reaches(0.5, tally_with(many, many), kUnit, false)) << "a constant domain may not";
   EXPECT_FALSE(reaches(0.5, fitted_tally(many, 99), kFitted, false)) << "hits are always waited for";
   EXPECT_TRUE(reaches(0.5, fitted_tally(1000, 1000), kFitted, true)) << "where no miss can come, none is waited for";
 }

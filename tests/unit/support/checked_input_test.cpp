@@ -18,7 +18,10 @@
 #include "engine/query/separation.h"
 #include "engine/sampling/estimate.h"
 #include "engine/sampling/monte_carlo.h"
+#include "engine/sampling/points/sobol.h"
+#include "engine/sampling/points/trial_points.h"
 #include "engine/sampling/poses/orientation_law.h"
+#include "engine/sampling/radial/radial_function.h"
 #include "engine/support/combinators.h"
 #include "shapes/box.h"
 #include "shapes/capsule.h"
@@ -238,6 +241,45 @@ TEST(CheckedInput, AsManyVerdictsAsPoses) {
   const std::vector<Transformd> poses(3);
   std::vector<Verdict> verdicts(1);
   EXPECT_THROW(gjk_backend().make(a, a)->decide(poses, verdicts), UsageError) << "it wrote beyond their end";
+}
+
+#ifndef NDEBUG
+TEST(CheckedInput, BackendsOfDebugBuildsStopAtWhatIsNoPose) {
+  const ConvexBody a = Box(1, 1, 1);
+  std::vector<Verdict> verdicts(1);
+  for (const Transformd& pose : no_poses()) {
+    EXPECT_DEATH(gjk_backend().make(a, a)->decide({&pose, 1}, verdicts), "is_rotation");
+  }
+}
+#endif
+
+TEST(CheckedInput, RaysOfDifferencesAreOfRotationsPointsAndDirections) {
+  const ConvexBody a = Box(1, 1, 1), b = Sphere(1);
+  for (const Transformd& pose : no_poses()) EXPECT_THROW(radial_function(a, b, {}, pose, {1, 0, 0}), InputError);
+  for (const Vec3d& wrong : {Vec3d{0, 0, 0}, Vec3d{kNan, 0, 1}, Vec3d{kInfinity, 0, 0}}) {
+    EXPECT_THROW(radial_function(a, b, {}, {}, wrong), InputError);
+  }
+  for (const Vec3d& wrong : {Vec3d{kNan, 0, 1}, Vec3d{kInfinity, 0, 0}}) {
+    EXPECT_THROW(radial_function(a, b, {wrong, {}}, {}, {1, 0, 0}), InputError);
+    EXPECT_THROW(radial_function(a, b, {{}, wrong}, {}, {1, 0, 0}), InputError);
+  }
+}
+
+TEST(CheckedInput, SequencesHaveDimensions) {
+  for (const int dimension : {-1, 0, SobolPoints::kMaxDimension + 1, std::numeric_limits<int>::max()}) {
+    EXPECT_THROW(SobolPoints{dimension}, UsageError) << dimension;
+    EXPECT_THROW(TrialPoints(1, Sequence::sobol, dimension), UsageError) << dimension;
+  }
+  for (const Sequence sequence : {Sequence::random, Sequence::sobol}) {
+    for (const int dimension : {std::numeric_limits<int>::min(), -1, 0}) {
+      EXPECT_THROW(TrialPoints(1, sequence, dimension), UsageError) << dimension;
+    }
+    for (const int n_independent : {-1, 3, 4}) {
+      EXPECT_THROW(TrialPoints(1, sequence, 4, {}, InstructionSet::scalar, n_independent), UsageError) << n_independent;
+    }
+    EXPECT_THROW(TrialPoints(1, sequence, 1, {}, InstructionSet::scalar, 1), UsageError);
+    EXPECT_THROW(TrialPoints(1, sequence, 4, Strata{4, 0.0}), UsageError);
+  }
 }
 
 TEST(CheckedInput, DirectionsAndMotionsAreVectors) {

@@ -49,7 +49,7 @@ TEST(Validate, FindsNothingWrongWithHulls) {
 }
 
 /// The unit ball by its own support mapping, with every claim open to be wrong.
-struct Claimant {
+struct ClaimingBall {
   double circumradius_ = 1.0, inradius_ = 1.0, support_error_ = 1e-15;
   Vec3d centre_{};
 
@@ -61,12 +61,12 @@ struct Claimant {
 };
 
 TEST(Validate, RightClaimsOfAUsersBody) {
-  const std::vector<Violation> found = validate(Claimant{});
+  const std::vector<Violation> found = validate(ClaimingBall{});
   EXPECT_TRUE(found.empty()) << all_of(found);
 }
 
 TEST(Validate, AWrongCircumradius) {
-  const std::vector<Violation> found = validate(Claimant{.circumradius_ = 0.999, .inradius_ = 0.9});
+  const std::vector<Violation> found = validate(ClaimingBall{.circumradius_ = 0.999, .inradius_ = 0.9});
   ASSERT_EQ(found.size(), 1U) << all_of(found);
   EXPECT_EQ(found[0].claim, Claim::circumradius);
   EXPECT_NEAR(found[0].by, 0.001, 1e-12);
@@ -74,14 +74,14 @@ TEST(Validate, AWrongCircumradius) {
 }
 
 TEST(Validate, AWrongInradius) {
-  const std::vector<Violation> found = validate(Claimant{.circumradius_ = 1.1, .inradius_ = 1.0001});
+  const std::vector<Violation> found = validate(ClaimingBall{.circumradius_ = 1.1, .inradius_ = 1.0001});
   ASSERT_EQ(found.size(), 1U) << all_of(found);
   EXPECT_EQ(found[0].claim, Claim::inradius);
 }
 
 TEST(Validate, AWrongCentre) {
   const std::vector<Violation> found =
-      validate(Claimant{.circumradius_ = 3.0, .inradius_ = 0.0, .centre_ = {1.5, 0, 0}});
+      validate(ClaimingBall{.circumradius_ = 3.0, .inradius_ = 0.0, .centre_ = {1.5, 0, 0}});
   ASSERT_EQ(found.size(), 1U) << all_of(found);
   EXPECT_EQ(found[0].claim, Claim::centre);
   EXPECT_NEAR(found[0].by, 0.5, 1e-3);
@@ -90,7 +90,7 @@ TEST(Validate, AWrongCentre) {
 TEST(Validate, ASupportErrorThatForgetsRounding) {
   // Of a ball by square root and division no point is right to less than 1e-17.
   const std::vector<Violation> found =
-      validate(Claimant{.circumradius_ = 1.1, .inradius_ = 0.9, .support_error_ = 1e-18});
+      validate(ClaimingBall{.circumradius_ = 1.1, .inradius_ = 0.9, .support_error_ = 1e-18});
   EXPECT_TRUE(has(found, Claim::convexity)) << all_of(found);
 }
 
@@ -114,7 +114,7 @@ TEST(Validate, ASupportErrorThatTheExactFormRefutes) {
 
 /// Of the astroid-like set |x|^(1/2) + |y|^(1/2) + |z|^(1/2) <= 1 a "support mapping" by the gradient, as users write
 /// it.
-struct NotConvex : Claimant {
+struct NotConvex : ClaimingBall {
   Vec3d support(const Vec3d& d) const {
     const double sum = d.x * d.x + d.y * d.y + d.z * d.z;
     if (!(sum > 0.0)) return {};
@@ -129,7 +129,7 @@ TEST(Validate, ABodyThatIsNotConvex) {
 }
 
 /// Forgets to divide by the direction's length.
-struct NeedsUnitVectors : Claimant {
+struct NeedsUnitVectors : ClaimingBall {
   Vec3d support(const Vec3d& d) const { return d; }
 };
 
@@ -139,7 +139,7 @@ TEST(Validate, ABodyThatNeedsUnitVectors) {
 }
 
 /// Divides by a coordinate that may be 0.
-struct NanOnAxes : Claimant {
+struct NanOnAxes : ClaimingBall {
   Vec3d support(const Vec3d& d) const {
     const double slope = d.y / d.x;
     return std::isnan(slope * 0.0) && d.y == 0.0 ? Vec3d{slope, 0, 0} : ball_support(1.0, d);
@@ -181,9 +181,9 @@ TEST(Validate, ABallThatDoesNotRoll) {
 
 /// The hull of a ball and a far point that it forgets where the direction is not exactly towards it: found because
 /// support points that were met are tried against all directions.
-struct Forgetful : Claimant {
+struct Forgetful : ClaimingBall {
   Vec3d support(const Vec3d& d) const {
-    return d.x > 0.0 && d.y == 0.0 && d.z == 0.0 ? Vec3d{1.5, 0, 0} : Claimant::support(d);
+    return d.x > 0.0 && d.y == 0.0 && d.z == 0.0 ? Vec3d{1.5, 0, 0} : ClaimingBall::support(d);
   }
 };
 

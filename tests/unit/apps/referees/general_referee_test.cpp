@@ -19,7 +19,7 @@
 namespace vex {
 namespace {
 
-Transformd at(double x, double y, double z) { return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {x, y, z}}; }
+Transformd moved_to(double x, double y, double z) { return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {x, y, z}}; }
 
 Outcome judged(const char* a, const char* b, const Transformd& pose, const Vec3d& hint = {}) {
   const ConvexBody body_a = parse_shape(a).body, body_b = parse_shape(b).body;
@@ -27,9 +27,9 @@ Outcome judged(const char* a, const char* b, const Transformd& pose, const Vec3d
 }
 
 // Along a coordinate axis, unturned: touching at `distance`; beyond it by one bit they are apart.
-void expect_contact(const char* a, const char* b, double distance, const Vec3d& axis) {
+void expect_contact_at(const char* a, const char* b, double distance, const Vec3d& axis) {
   SCOPED_TRACE(std::string(a) + " " + b);
-  const auto outcome = [&](double d) { return judged(a, b, at(d * axis.x, d * axis.y, d * axis.z), axis); };
+  const auto outcome = [&](double d) { return judged(a, b, moved_to(d * axis.x, d * axis.y, d * axis.z), axis); };
   EXPECT_EQ(outcome(distance), Outcome::overlap);
   EXPECT_EQ(outcome(std::nextafter(distance, 0.0)), Outcome::overlap);
   EXPECT_EQ(outcome(std::nextafter(distance, 9e9)), Outcome::disjoint);
@@ -37,25 +37,25 @@ void expect_contact(const char* a, const char* b, double distance, const Vec3d& 
 
 TEST(GeneralReferee, TellsContactToTheLastBit) {
   const Vec3d x{1, 0, 0}, z{0, 0, 1};
-  expect_contact("box:1,2,3", "box:1,2,3", 3.0, z);
-  expect_contact("sphere:0.5", "sphere:0.75", 1.25, x);
-  expect_contact("cylinder:1,0.5", "cylinder:2,0.25", 1.5, z);  // face on face
-  expect_contact("cylinder:1,0.5", "box:1,1,1", 1.0, z);
-  expect_contact("cylinder:1,0.5", "cylinder:1,0.5", 1.0, x);  // side on side
-  expect_contact("cone:1,0.5", "box:1,1,1", 1.0, z);           // the apex on a face
-  expect_contact("frustum:1,0.5,0.25", "disc:0.7", 0.5, z);
-  expect_contact("disc:0.75", "disc:0.5", 1.25, x);  // in one plane, rim on rim
-  expect_contact("capsule:1,0.25", "capsule:2,0.5", 2.25, z);
-  expect_contact("ellipsoid:1,2,3", "ellipsoid:0.5,0.25,4", 7.0, z);
-  expect_contact("hemisphere:0.5", "box:1,1,1", 1.0, z);  // the dome's pole on a face
-  expect_contact("rounded:0.25,box:1,1,1", "cylinder:1,0.5", 1.25, z);
-  expect_contact("plate:1,1", "needle:2", 1.0, z);
+  expect_contact_at("box:1,2,3", "box:1,2,3", 3.0, z);
+  expect_contact_at("sphere:0.5", "sphere:0.75", 1.25, x);
+  expect_contact_at("cylinder:1,0.5", "cylinder:2,0.25", 1.5, z);  // face on face
+  expect_contact_at("cylinder:1,0.5", "box:1,1,1", 1.0, z);
+  expect_contact_at("cylinder:1,0.5", "cylinder:1,0.5", 1.0, x);  // side on side
+  expect_contact_at("cone:1,0.5", "box:1,1,1", 1.0, z);           // the apex on a face
+  expect_contact_at("frustum:1,0.5,0.25", "disc:0.7", 0.5, z);
+  expect_contact_at("disc:0.75", "disc:0.5", 1.25, x);  // in one plane, rim on rim
+  expect_contact_at("capsule:1,0.25", "capsule:2,0.5", 2.25, z);
+  expect_contact_at("ellipsoid:1,2,3", "ellipsoid:0.5,0.25,4", 7.0, z);
+  expect_contact_at("hemisphere:0.5", "box:1,1,1", 1.0, z);  // the dome's pole on a face
+  expect_contact_at("rounded:0.25,box:1,1,1", "cylinder:1,0.5", 1.25, z);
+  expect_contact_at("plate:1,1", "needle:2", 1.0, z);
 }
 
 TEST(GeneralReferee, OfAHemisphereOnlyTheDomeIsThere) {
-  EXPECT_EQ(judged("hemisphere:1", "box:1,1,1", at(0.0, 0.0, -0.51)), Outcome::disjoint);
-  EXPECT_EQ(judged("hemisphere:1", "box:1,1,1", at(0.0, 0.0, -0.5)), Outcome::overlap);
-  EXPECT_EQ(judged("hemisphere:1", "box:1,1,1", at(0.0, 0.0, 1.49)), Outcome::overlap);
+  EXPECT_EQ(judged("hemisphere:1", "box:1,1,1", moved_to(0.0, 0.0, -0.51)), Outcome::disjoint);
+  EXPECT_EQ(judged("hemisphere:1", "box:1,1,1", moved_to(0.0, 0.0, -0.5)), Outcome::overlap);
+  EXPECT_EQ(judged("hemisphere:1", "box:1,1,1", moved_to(0.0, 0.0, 1.49)), Outcome::overlap);
 }
 
 TEST(GeneralReferee, ABodyAndItselfOverlap) {
@@ -136,9 +136,9 @@ TEST(GeneralReferee, DecidesEveryPairOfKindsNearContact) {
 TEST(GeneralReferee, KnowsHowFarContactIs) {
   const ConvexBody a = parse_shape("cylinder:1,0.5").body, b = parse_shape("box:1,1,1").body;
   const GeneralReferee referee(a, b);
-  EXPECT_NEAR(referee.gap_bound(at(0.0, 0.0, 1.25), {}), 0.25, 1e-14);
-  EXPECT_NEAR(referee.gap_bound(at(0.0, 0.0, 0.75), {0.0, 0.0, 1.0}), 0.25, 1e-14);
-  EXPECT_NEAR(referee.gap_bound(at(1.0 + 0x1p-40, 0.0, 0.0), {1.0, 0.0, 0.0}), 0x1p-40, 1e-15);
+  EXPECT_NEAR(referee.gap_bound(moved_to(0.0, 0.0, 1.25), {}), 0.25, 1e-14);
+  EXPECT_NEAR(referee.gap_bound(moved_to(0.0, 0.0, 0.75), {0.0, 0.0, 1.0}), 0.25, 1e-14);
+  EXPECT_NEAR(referee.gap_bound(moved_to(1.0 + 0x1p-40, 0.0, 0.0), {1.0, 0.0, 0.0}), 0x1p-40, 1e-15);
 }
 
 TEST(GeneralReferee, HoldsFromTheSmallestSizesToTheLargest) {
@@ -146,9 +146,9 @@ TEST(GeneralReferee, HoldsFromTheSmallestSizesToTheLargest) {
     const double s = std::ldexp(1.0, exponent);
     const ConvexBody a = Ellipsoid(s, 2.0 * s, 3.0 * s), b = Cylinder(s, s);
     const GeneralReferee referee(a, b);
-    EXPECT_EQ(referee.judge(at(0.0, 0.0, 3.5 * s), {}), Outcome::overlap) << exponent;
-    EXPECT_EQ(referee.judge(at(0.0, 0.0, 3.5 * s * (1.0 + 0x1p-50)), {}), Outcome::disjoint) << exponent;
-    EXPECT_EQ(referee.judge(at(0.0, 0.0, 3.5 * s * (1.0 - 0x1p-50)), {}), Outcome::overlap) << exponent;
+    EXPECT_EQ(referee.judge(moved_to(0.0, 0.0, 3.5 * s), {}), Outcome::overlap) << exponent;
+    EXPECT_EQ(referee.judge(moved_to(0.0, 0.0, 3.5 * s * (1.0 + 0x1p-50)), {}), Outcome::disjoint) << exponent;
+    EXPECT_EQ(referee.judge(moved_to(0.0, 0.0, 3.5 * s * (1.0 - 0x1p-50)), {}), Outcome::overlap) << exponent;
   }
 }
 

@@ -14,9 +14,9 @@
 namespace vex::tests {
 namespace {
 
-PolygonSoup read(const std::string& bytes) { return read_gmsh(bytes, "a.msh"); }
-std::string refused(const std::string& bytes) {
-  return refusal_of([&] { static_cast<void>(read(bytes)); });
+PolygonSoup soup_of_gmsh(const std::string& bytes) { return read_gmsh(bytes, "a.msh"); }
+std::string refused_gmsh(const std::string& bytes) {
+  return refusal_of([&] { static_cast<void>(soup_of_gmsh(bytes)); });
 }
 
 // The same tetrahedron in every version, with nodes 7, 3, 100 and 2000000000, a point, a line and a volume.
@@ -78,7 +78,7 @@ std::string binary41(std::endian order) {
   return file.text("\n$EndElements\n").bytes();
 }
 
-void expect_tetrahedron(const PolygonSoup& soup) {
+void expect_gmsh_tetrahedron(const PolygonSoup& soup) {
   EXPECT_EQ(points_of(soup), (Points{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}}));
   EXPECT_EQ(soup.corners, (std::vector<std::uint32_t>{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}));
   EXPECT_EQ(soup.face_sizes, (std::vector<std::uint32_t>{3, 3, 3, 3}));
@@ -89,19 +89,19 @@ void expect_tetrahedron(const PolygonSoup& soup) {
 TEST(ReadGmsh, ReadsEveryVersionInText) {
   for (const std::string& text : {kText2, kText40, kText41}) {
     SCOPED_TRACE(text);
-    expect_tetrahedron(read(text));
-    expect_tetrahedron(read(replaced(text, "\n", "\r\n")));
-    expect_tetrahedron(read("$Comments\nby hand\n$EndComments\n" + text + "\n\n"));
-    expect_tetrahedron(read(text.substr(0, text.size() - 1)));
+    expect_gmsh_tetrahedron(soup_of_gmsh(text));
+    expect_gmsh_tetrahedron(soup_of_gmsh(replaced(text, "\n", "\r\n")));
+    expect_gmsh_tetrahedron(soup_of_gmsh("$Comments\nby hand\n$EndComments\n" + text + "\n\n"));
+    expect_gmsh_tetrahedron(soup_of_gmsh(text.substr(0, text.size() - 1)));
   }
-  expect_tetrahedron(read(replaced(kText2, "2.2 0 8", "2 0 8")));
+  expect_gmsh_tetrahedron(soup_of_gmsh(replaced(kText2, "2.2 0 8", "2 0 8")));
 }
 
 TEST(ReadGmsh, ReadsBinaryInBothByteOrders) {
   for (const std::endian order : {std::endian::little, std::endian::big}) {
-    expect_tetrahedron(read(binary2(order)));
-    expect_tetrahedron(read(binary41(order)));
-    EXPECT_EQ(read(binary41(order)).digits.kind, CoordinateDigits::Kind::doubles);
+    expect_gmsh_tetrahedron(soup_of_gmsh(binary2(order)));
+    expect_gmsh_tetrahedron(soup_of_gmsh(binary41(order)));
+    EXPECT_EQ(soup_of_gmsh(binary41(order)).digits.kind, CoordinateDigits::Kind::doubles);
   }
 }
 
@@ -109,18 +109,19 @@ TEST(ReadGmsh, ReadsParametricNodesOfVersion2) {
   const std::string text = replaced(replaced(kText2, "Nodes", "ParametricNodes"), "7 0 0 0\n", "7 0 0 0 0 1\n");
   const std::string lines =
       replaced(replaced(text, "3 1 0 0\n", "3 1 0 0 1 5 .5\n"), "100 0 2 0\n", "100 0 2 0 2 5 .5 .5\n");
-  expect_tetrahedron(read(replaced(lines, "2000000000 0 0 3\n", "2000000000 0 0 3 3 1\n")));
+  expect_gmsh_tetrahedron(soup_of_gmsh(replaced(lines, "2000000000 0 0 3\n", "2000000000 0 0 3 3 1\n")));
 }
 
 TEST(ReadGmsh, ReadsElementsBeforeNodes) {
   const std::size_t nodes = kText2.find("$Nodes");
   const std::size_t elements = kText2.find("$Elements");
-  expect_tetrahedron(read(kText2.substr(0, nodes) + kText2.substr(elements) + kText2.substr(nodes, elements - nodes)));
+  expect_gmsh_tetrahedron(
+      soup_of_gmsh(kText2.substr(0, nodes) + kText2.substr(elements) + kText2.substr(nodes, elements - nodes)));
 }
 
 TEST(ReadGmsh, ReadsQuads) {
-  const PolygonSoup soup =
-      read(replaced(replaced(kText2, "6 2 3 1 1 9 3 100 2000000000\n", "6 3 0 3 100 2000000000 7\n"), "\n\n", "\n"));
+  const PolygonSoup soup = soup_of_gmsh(
+      replaced(replaced(kText2, "6 2 3 1 1 9 3 100 2000000000\n", "6 3 0 3 100 2000000000 7\n"), "\n\n", "\n"));
   EXPECT_EQ(soup.face_sizes, (std::vector<std::uint32_t>{3, 3, 3, 4}));
 }
 
@@ -129,21 +130,21 @@ TEST(ReadGmsh, TakesAnElementOfTwoPhysicalGroupsOnce) {
   const std::string groups =
       replaced(replaced(kText2, "3 2 2 1 1 7 100 3\n", "3 2 2 1 1 7 100 3\n8 2 2 2 1 7 100 3\n9 2 2 3 1 7 100 3\n"),
                "\n7\n1 15", "\n9\n1 15");
-  expect_tetrahedron(read(groups));
+  expect_gmsh_tetrahedron(soup_of_gmsh(groups));
   // On another part of the geometry, or in the same group, it is another face.
-  EXPECT_EQ(read(replaced(groups, "8 2 2 2 1 7", "8 2 2 2 4 7")).face_sizes.size(), 6U);
-  EXPECT_EQ(read(replaced(groups, "8 2 2 2 1 7", "8 2 2 1 1 7")).face_sizes.size(), 5U);
+  EXPECT_EQ(soup_of_gmsh(replaced(groups, "8 2 2 2 1 7", "8 2 2 2 4 7")).face_sizes.size(), 6U);
+  EXPECT_EQ(soup_of_gmsh(replaced(groups, "8 2 2 2 1 7", "8 2 2 1 1 7")).face_sizes.size(), 5U);
 }
 
 TEST(ReadGmsh, RefusesVolumesWithoutASurfaceAndCurvedElements) {
   const std::string text =
       "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 2 0\n4 0 0 3\n$EndNodes\n"
       "$Elements\n1\n1 4 0 1 2 3 4\n$EndElements\n";
-  EXPECT_TRUE(contains(refused(text), "volume elements and no surface"));
-  EXPECT_TRUE(contains(refused(replaced(text, "1 4 0 1 2 3 4", "1 9 0 1 2 3 4 1 2")), "Mesh.ElementOrder = 1"));
-  EXPECT_TRUE(contains(refused(replaced(text, "1 4 0 1 2 3 4", "1 99 0 1 2 3 4")), "99 is no type of elements"));
+  EXPECT_TRUE(contains(refused_gmsh(text), "volume elements and no surface"));
+  EXPECT_TRUE(contains(refused_gmsh(replaced(text, "1 4 0 1 2 3 4", "1 9 0 1 2 3 4 1 2")), "Mesh.ElementOrder = 1"));
+  EXPECT_TRUE(contains(refused_gmsh(replaced(text, "1 4 0 1 2 3 4", "1 99 0 1 2 3 4")), "99 is no type of elements"));
   // Nodes alone are points.
-  EXPECT_EQ(read(text.substr(0, text.find("$Elements"))).points.size(), 4U);
+  EXPECT_EQ(soup_of_gmsh(text.substr(0, text.find("$Elements"))).points.size(), 4U);
 }
 
 TEST(ReadGmsh, RefusesEveryFileThatIsCutOff) {
@@ -154,23 +155,23 @@ TEST(ReadGmsh, RefusesEveryFileThatIsCutOff) {
     const std::size_t end = whole.find("$EndElements") + 12;
     for (std::size_t size = 0; size < end; ++size) {
       if (size == end_of_nodes || size == end_of_nodes + 1) continue;  // points alone
-      EXPECT_TRUE(contains(refused(whole.substr(0, size)), "a.msh")) << size;
+      EXPECT_TRUE(contains(refused_gmsh(whole.substr(0, size)), "a.msh")) << size;
     }
   }
 }
 
-struct Fault {
+struct GmshFault {
   std::string what;
   std::string with;
   std::string told;
 };
 
-void expect_refused(const std::string& text, const std::vector<Fault>& faults) {
-  for (const Fault& fault : faults) {
+void expect_refused(const std::string& text, const std::vector<GmshFault>& faults) {
+  for (const GmshFault& fault : faults) {
     SCOPED_TRACE(fault.with);
     const std::string bytes = replaced(text, fault.what, fault.with);
     ASSERT_NE(bytes, text);
-    const std::string message = refused(bytes);
+    const std::string message = refused_gmsh(bytes);
     EXPECT_TRUE(contains(message, fault.told));
     EXPECT_TRUE(contains(message, " - "));
   }
@@ -203,8 +204,8 @@ TEST(ReadGmsh, RefusesWhatIsWrongInVersion2AndSaysWhere) {
         "b",
         "(a.msh, line 5: expected '$Enda?')"},
        {"$PhysicalNames", "x $PhysicalNames", "'x' stands outside of sections (a.msh, line 4"}});
-  EXPECT_TRUE(contains(refused(kText2 + kText2.substr(kText2.find("$Nodes"))), "a second section of nodes"));
-  EXPECT_TRUE(contains(refused(kText2 + kText2.substr(kText2.find("$Elements"))), "a second section $Elements"));
+  EXPECT_TRUE(contains(refused_gmsh(kText2 + kText2.substr(kText2.find("$Nodes"))), "a second section of nodes"));
+  EXPECT_TRUE(contains(refused_gmsh(kText2 + kText2.substr(kText2.find("$Elements"))), "a second section $Elements"));
 }
 
 TEST(ReadGmsh, RefusesWhatIsWrongInVersion41AndSaysWhere) {
@@ -243,25 +244,25 @@ TEST(ReadGmsh, RefusesALineThatLacksANumberOrHasOneTooMany) {
                            {"3 7 100 3\n", "3 7 100\n", "the line ends early (a.msh, line 29"},
                            {"3 7 100 3\n", "3 7 100 3 7\n", "'7' is left over (a.msh, line 29"}});
   // Of version 4.1, the numbers of nodes may share a line.
-  expect_tetrahedron(read(replaced(kText41, "100\n2000000000\n0 2", "100 2000000000\n0 2")));
+  expect_gmsh_tetrahedron(soup_of_gmsh(replaced(kText41, "100\n2000000000\n0 2", "100 2000000000\n0 2")));
 }
 
 TEST(ReadGmsh, RefusesWhatIsWrongInBinary) {
   std::string order = binary41(std::endian::little);
   order.replace(order.find("8\n") + 2, 4, std::string(4, '\0'));
-  EXPECT_TRUE(contains(refused(order), "the order of bytes cannot be told (a.msh, byte 20"));
-  EXPECT_TRUE(contains(refused(replaced(binary41(std::endian::big), "4.1 1 8", "4.1 1 4")), "numbers of 4 bytes"));
+  EXPECT_TRUE(contains(refused_gmsh(order), "the order of bytes cannot be told (a.msh, byte 20"));
+  EXPECT_TRUE(contains(refused_gmsh(replaced(binary41(std::endian::big), "4.1 1 8", "4.1 1 4")), "numbers of 4 bytes"));
   std::string infinite = binary2(std::endian::big);
   infinite.replace(infinite.find("$Nodes\n4\n") + 13, 8,
                    stored(std::numeric_limits<double>::infinity(), std::endian::big));
-  EXPECT_TRUE(contains(refused(infinite), "a coordinate is not finite"));
+  EXPECT_TRUE(contains(refused_gmsh(infinite), "a coordinate is not finite"));
   for (const std::endian byte_order : {std::endian::little, std::endian::big}) {
     const Binary head("4.1", byte_order);
     // Counts without data: nothing may be made room for.
     for (const std::uint64_t n : {std::uint64_t{1} << 29U, ~std::uint64_t{0}}) {
       Binary file = head;
-      EXPECT_TRUE(
-          contains(refused(file.text("$Nodes\n").sizes({n, n, 1, n}).ints({2, 1, 0}).sizes({n, 1}).bytes()), "a.msh"));
+      EXPECT_TRUE(contains(
+          refused_gmsh(file.text("$Nodes\n").sizes({n, n, 1, n}).ints({2, 1, 0}).sizes({n, 1}).bytes()), "a.msh"));
     }
   }
 }

@@ -12,9 +12,9 @@
 namespace vex::tests {
 namespace {
 
-PolygonSoup read(const std::string& text) { return read_obj(text, "a.obj"); }
+PolygonSoup soup_of_obj(const std::string& text) { return read_obj(text, "a.obj"); }
 std::string obj_refusal(const std::string& text) {
-  return refusal_of([&] { static_cast<void>(read(text)); });
+  return refusal_of([&] { static_cast<void>(soup_of_obj(text)); });
 }
 
 const std::string kPoints = "v 0 0 0\nv 1 0 0\nv 0 1.25 0\nv 0 0 1\n";
@@ -23,7 +23,7 @@ const std::string kPoints = "v 0 0 0\nv 1 0 0\nv 0 1.25 0\nv 0 0 1\n";
 void expect_tetrahedron(const std::string& text) {
   SCOPED_TRACE(text);
   PolygonSoup soup;
-  ASSERT_NO_THROW(soup = read(text));
+  ASSERT_NO_THROW(soup = soup_of_obj(text));
   ASSERT_EQ(soup.points.size(), 4U);
   const std::vector<Vec3d> expected{{0, 0, 0}, {1, 0, 0}, {0, 1.25, 0}, {0, 0, 1}};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -97,15 +97,15 @@ TEST(Obj, ReadsWeightsOfOneAndColoursOfVertices) {
 }
 
 TEST(Obj, KeepsPolygonsAndPointsThatNoFaceUses) {
-  const PolygonSoup soup = read(kPoints + "v 5 5 5\nf 1 2 3 4\nf 1 2 3 4 5 1 2 3 4 5 1 2\nv 6 6 6\n");
+  const PolygonSoup soup = soup_of_obj(kPoints + "v 5 5 5\nf 1 2 3 4\nf 1 2 3 4 5 1 2 3 4 5 1 2\nv 6 6 6\n");
   EXPECT_EQ(soup.points.size(), 6U);
   EXPECT_EQ(soup.face_sizes, (std::vector<std::uint32_t>{4, 12}));
-  EXPECT_EQ(read(kPoints).points.size(), 4U);
-  EXPECT_EQ(read(kPoints).n_parts, 1U);
+  EXPECT_EQ(soup_of_obj(kPoints).points.size(), 4U);
+  EXPECT_EQ(soup_of_obj(kPoints).n_parts, 1U);
 }
 
 TEST(Obj, CountsPointsAndLinesAsIgnored) {
-  const PolygonSoup soup = read(kPoints + "p 1\np 1 2 3\nl 1 2 3 4\nl 1/1 2/2\nf 1 2\nf 3\n" + kFaces);
+  const PolygonSoup soup = soup_of_obj(kPoints + "p 1\np 1 2 3\nl 1 2 3 4\nl 1/1 2/2\nf 1 2\nf 3\n" + kFaces);
   EXPECT_EQ(soup.n_ignored_faces, 6U);
   EXPECT_EQ(soup.face_sizes.size(), 4U);
   EXPECT_EQ(soup.corners.size(), 12U);
@@ -113,15 +113,15 @@ TEST(Obj, CountsPointsAndLinesAsIgnored) {
 }
 
 TEST(Obj, CountsObjectsWithFaces) {
-  EXPECT_EQ(read(kPoints + kFaces).n_parts, 1U);
-  EXPECT_EQ(read("o a\n" + kPoints + kFaces).n_parts, 1U);
-  EXPECT_EQ(read("o empty\no a\n" + kPoints + kFaces + "o b\nf 1 2 3\no none\n").n_parts, 2U);
+  EXPECT_EQ(soup_of_obj(kPoints + kFaces).n_parts, 1U);
+  EXPECT_EQ(soup_of_obj("o a\n" + kPoints + kFaces).n_parts, 1U);
+  EXPECT_EQ(soup_of_obj("o empty\no a\n" + kPoints + kFaces + "o b\nf 1 2 3\no none\n").n_parts, 2U);
 }
 
 TEST(Obj, SaysHowFineItsNumbersAre) {
-  EXPECT_EQ(read(kPoints + kFaces).digits.kind, CoordinateDigits::Kind::doubles);
+  EXPECT_EQ(soup_of_obj(kPoints + kFaces).digits.kind, CoordinateDigits::Kind::doubles);
   const CoordinateDigits digits =
-      read("v 1.1234 -2.5000 0 0.123456789 0 0\n").digits;  // of coordinates, not of colours
+      soup_of_obj("v 1.1234 -2.5000 0 0.123456789 0 0\n").digits;  // of coordinates, not of colours
   EXPECT_EQ(digits.kind, CoordinateDigits::Kind::decimals);
   EXPECT_DOUBLE_EQ(digits.last_place, 1e-4);
 }

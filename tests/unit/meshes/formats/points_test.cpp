@@ -12,16 +12,16 @@
 namespace vex::tests {
 namespace {
 
-PolygonSoup read(const std::string& text) { return read_points(text, "a.xyz"); }
+PolygonSoup soup_of_xyz(const std::string& text) { return read_points(text, "a.xyz"); }
 std::string points_refusal(const std::string& text) {
-  return refusal_of([&] { static_cast<void>(read(text)); });
+  return refusal_of([&] { static_cast<void>(soup_of_xyz(text)); });
 }
 
 /// (0, 0.5, 0), (1, 0, 0), (0, 1.25, -2)
 void expect_points(const std::string& text) {
   SCOPED_TRACE(text);
   PolygonSoup soup;
-  ASSERT_NO_THROW(soup = read(text));
+  ASSERT_NO_THROW(soup = soup_of_xyz(text));
   ASSERT_EQ(soup.points.size(), 3U);
   const std::vector<Vec3d> expected{{0, 0.5, 0}, {1, 0, 0}, {0, 1.25, -2}};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -93,9 +93,9 @@ TEST(Points, RefusesAFirstColumnThatCountsTheLines) {
       contains(points_refusal("1, 0.0, 0.0, 0.0\n2, 1.0, 0.0, 0.0\n4, 0.0, 1.25, 0.0\n"), "or number the points"));
   EXPECT_TRUE(contains(points_refusal("10 0.5 1 2\n7 0.25 2 3\n12 0.5 0 1\n"), "or number the points"));
   EXPECT_TRUE(contains(points_refusal("3\nlabels\nC1 1 0 0 0\nC2 2 1 0 0\nC3 3 0 1.25 0\n"), "count the atoms"));
-  EXPECT_EQ(read("0 0.5 1 2\n1 0.25 2 3\n0 0.5 0 1\n").points.size(), 3U);
-  EXPECT_EQ(read("0 0.5 1\n1 0.25 2\n2 0.5 0\n").points.size(), 3U);
-  EXPECT_EQ(read("x y z i\n0 0.5 1 1\n1 0.25 2 1\n2 0.5 0 1\n").points.size(), 3U);
+  EXPECT_EQ(soup_of_xyz("0 0.5 1 2\n1 0.25 2 3\n0 0.5 0 1\n").points.size(), 3U);
+  EXPECT_EQ(soup_of_xyz("0 0.5 1\n1 0.25 2\n2 0.5 0\n").points.size(), 3U);
+  EXPECT_EQ(soup_of_xyz("x y z i\n0 0.5 1 1\n1 0.25 2 1\n2 0.5 0 1\n").points.size(), 3U);
 }
 
 TEST(Points, ReadsTheXyzOfChemistry) {
@@ -163,7 +163,7 @@ TEST(Points, RefusesSinsAndNamesTheLine) {
 
 TEST(Points, SaysHowFineItsNumbersAre) {
   const CoordinateDigits digits =
-      read("x y z w\n1.123 0 0 0.123456\n0 2.5 0 0.123456\n").digits;  // of coordinates alone
+      soup_of_xyz("x y z w\n1.123 0 0 0.123456\n0 2.5 0 0.123456\n").digits;  // of coordinates alone
   EXPECT_EQ(digits.kind, CoordinateDigits::Kind::decimals);
   EXPECT_EQ(digits.n_digits, 4);
   EXPECT_DOUBLE_EQ(digits.last_place, 1e-3);

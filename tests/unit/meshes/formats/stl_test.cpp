@@ -15,9 +15,9 @@
 namespace vex::tests {
 namespace {
 
-PolygonSoup read(const std::string& bytes) { return read_stl(bytes, "a.stl"); }
-std::string refused(const std::string& bytes) {
-  return refusal_of([&] { static_cast<void>(read(bytes)); });
+PolygonSoup soup_of_stl(const std::string& bytes) { return read_stl(bytes, "a.stl"); }
+std::string refused_stl(const std::string& bytes) {
+  return refusal_of([&] { static_cast<void>(soup_of_stl(bytes)); });
 }
 
 // A tetrahedron, V = 1.
@@ -58,7 +58,7 @@ std::string text(const std::string& name = "part") {
   return result + "endsolid " + name + "\n";
 }
 
-void expect_tetrahedron(const PolygonSoup& soup) {
+void expect_stl_tetrahedron(const PolygonSoup& soup) {
   EXPECT_EQ(points_of(soup), expected_points());
   EXPECT_EQ(soup.corners, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}));
   EXPECT_EQ(soup.face_sizes, (std::vector<std::uint32_t>{3, 3, 3, 3}));
@@ -69,18 +69,18 @@ void expect_tetrahedron(const PolygonSoup& soup) {
 TEST(ReadStl, ReadsBinaryWhateverItsHeaderSays) {
   for (const char* header : {"", "solid part", "solid", "SOLID facet normal", "COLOR=abcd", "\xEF\xBB\xBFsolid"}) {
     SCOPED_TRACE(header);
-    expect_tetrahedron(read(binary(header, 4)));
-    expect_tetrahedron(read(binary(header, 4, "\x1f\x80")));
-    expect_tetrahedron(read(binary(std::string(header) + std::string(20, '\0'), 4)));
+    expect_stl_tetrahedron(soup_of_stl(binary(header, 4)));
+    expect_stl_tetrahedron(soup_of_stl(binary(header, 4, "\x1f\x80")));
+    expect_stl_tetrahedron(soup_of_stl(binary(std::string(header) + std::string(20, '\0'), 4)));
   }
-  EXPECT_TRUE(read(binary("solid", 0).substr(0, 84)).points.empty());
+  EXPECT_TRUE(soup_of_stl(binary("solid", 0).substr(0, 84)).points.empty());
 }
 
 TEST(ReadStl, ReadsBinaryWithBytesBehindThatHideNoTriangle) {
   for (const char* header : {"made by", "solid part"}) {
     for (const std::string& behind :
          {std::string("\n"), std::string(49, 'x'), std::string(1, '\0'), std::string(1000, '\0')}) {
-      expect_tetrahedron(read(binary(header, 4) + behind));
+      expect_stl_tetrahedron(soup_of_stl(binary(header, 4) + behind));
     }
   }
 }
@@ -88,35 +88,35 @@ TEST(ReadStl, ReadsBinaryWithBytesBehindThatHideNoTriangle) {
 TEST(ReadStl, RefusesABinaryNumberOfTrianglesThatLies) {
   for (const char* header : {"made by", "solid part"}) {
     for (const std::uint32_t n : {0U, 1U, 3U, 5U, 1000000000U, 0xffffffffU}) {
-      const std::string message = refused(binary(header, n));
+      const std::string message = refused_stl(binary(header, n));
       EXPECT_TRUE(contains(message, "(a.stl, byte 80: " + std::to_string(n) + " triangles, expected no other"));
     }
-    EXPECT_TRUE(contains(refused(binary(header, 4) + std::string(50, 'x')), "the 5 that the file has bytes for"));
-    EXPECT_TRUE(contains(refused(binary(header, 4) + std::string(49, '\0') + "x"), "mend the number"));
+    EXPECT_TRUE(contains(refused_stl(binary(header, 4) + std::string(50, 'x')), "the 5 that the file has bytes for"));
+    EXPECT_TRUE(contains(refused_stl(binary(header, 4) + std::string(49, '\0') + "x"), "mend the number"));
   }
 }
 
 TEST(ReadStl, RefusesEveryFileThatIsCutOff) {
   const std::string bytes = binary("made by", 4);
   for (std::size_t size = 0; size < bytes.size(); ++size) {
-    EXPECT_TRUE(contains(refused(bytes.substr(0, size)), "a.stl")) << size;
+    EXPECT_TRUE(contains(refused_stl(bytes.substr(0, size)), "a.stl")) << size;
   }
   const std::string whole = text();
   const std::size_t end = whole.find("endsolid") + 8;
   for (std::size_t size = 0; size < end; ++size) {
-    EXPECT_TRUE(contains(refused(whole.substr(0, size)), "a.stl")) << size;
+    EXPECT_TRUE(contains(refused_stl(whole.substr(0, size)), "a.stl")) << size;
   }
-  expect_tetrahedron(read(whole.substr(0, end)));
+  expect_stl_tetrahedron(soup_of_stl(whole.substr(0, end)));
 }
 
 TEST(ReadStl, RefusesBinaryCoordinatesThatAreNotFinite) {
   for (const float bad : {-std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
     std::string bytes = binary("made by", 4);
     bytes.replace(84 + 2 * 50 + 12 + 12 + 8, 4, stored(bad, std::endian::little));
-    EXPECT_TRUE(contains(refused(bytes), "(a.stl, byte 208: expected vertex 1 of triangle 2, counted from 0)"));
+    EXPECT_TRUE(contains(refused_stl(bytes), "(a.stl, byte 208: expected vertex 1 of triangle 2, counted from 0)"));
     bytes = binary("made by", 4);
     bytes.replace(84 + 50, 4, stored(bad, std::endian::little));  // a normal
-    expect_tetrahedron(read(bytes));
+    expect_stl_tetrahedron(soup_of_stl(bytes));
   }
 }
 
@@ -134,21 +134,21 @@ TEST(ReadStl, ReadsTextInEveryLayout) {
         replaced(plain, "0.577", "-nan(ind)"), replaced(plain, "endsolid part", "endsolid"),
         replaced(plain, "vertex 0 2 0", "vertex\n0\n+2.0\n0e5")}) {
     SCOPED_TRACE(bytes);
-    expect_tetrahedron(read(bytes));
+    expect_stl_tetrahedron(soup_of_stl(bytes));
   }
 }
 
 TEST(ReadStl, ReadsAllSolidsOfAText) {
-  const PolygonSoup soup = read(text("one") + text("two") + "solid\nendsolid\n");
+  const PolygonSoup soup = soup_of_stl(text("one") + text("two") + "solid\nendsolid\n");
   EXPECT_EQ(soup.n_parts, 3U);
   EXPECT_EQ(soup.face_sizes.size(), 8U);
   EXPECT_EQ(soup_volume(soup), 2.0);
   // In one line the second solid would be part of a name.
-  EXPECT_TRUE(contains(refused(replaced(text("one") + text("two"), "\n", " ")), "in one line"));
+  EXPECT_TRUE(contains(refused_stl(replaced(text("one") + text("two"), "\n", " ")), "in one line"));
 }
 
 TEST(ReadStl, ReadsLoopsOfMoreVertices) {
-  const PolygonSoup soup = read(
+  const PolygonSoup soup = soup_of_stl(
       "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 "
       "0\nendloop\nendfacet\nendsolid\n");
   EXPECT_EQ(soup.face_sizes, (std::vector<std::uint32_t>{4}));
@@ -156,22 +156,22 @@ TEST(ReadStl, ReadsLoopsOfMoreVertices) {
 }
 
 TEST(ReadStl, ReadsTextExactlyAndSaysHowFineItIs) {
-  const PolygonSoup soup = read(replaced(text(), "vertex 0 2 0", "vertex 5e-17 2.7183 -0.3333"));
+  const PolygonSoup soup = soup_of_stl(replaced(text(), "vertex 0 2 0", "vertex 5e-17 2.7183 -0.3333"));
   EXPECT_EQ(points_of(soup)[1], (std::array<double, 3>{5e-17, 2.7183, -0.3333}));
   EXPECT_EQ(soup.digits.kind, CoordinateDigits::Kind::decimals);
-  const PolygonSoup floats = read(binary("", 4));
+  const PolygonSoup floats = soup_of_stl(binary("", 4));
   EXPECT_EQ(floats.digits.kind, CoordinateDigits::Kind::floats);
   EXPECT_EQ(floats.digits.last_place, std::ldexp(1.0, -22));
 }
 
-struct Fault {
+struct StlFault {
   std::string what;
   std::string with;
   std::string told;
 };
 
 TEST(ReadStl, RefusesWhatIsWrongAndSaysWhere) {
-  const std::vector<Fault> faults = {
+  const std::vector<StlFault> faults = {
       {"vertex 0 2 0", "vertex 0 2x 0",
        "'2x' is no finite decimal number (a.stl, line 5: expected a coordinate of point 1"},
       {"vertex 0 2 0", "vertex 0 1.0D+01 0", "'1.0D+01' is no finite"},
@@ -189,16 +189,16 @@ TEST(ReadStl, RefusesWhatIsWrongAndSaysWhere) {
       {"endsolid part\n", "endsolid part\nfacet\n", "'facet' stands behind a solid (a.stl, line 31"},
       {"solid part", "solid part\ncolor 1 0 0", "'color' is out of place (a.stl, line 2: expected facet or endsolid)"},
   };
-  for (const Fault& fault : faults) {
+  for (const StlFault& fault : faults) {
     SCOPED_TRACE(fault.with);
     const std::string bytes = replaced(text(), fault.what, fault.with);
     ASSERT_NE(bytes, text());
-    const std::string message = refused(bytes);
+    const std::string message = refused_stl(bytes);
     EXPECT_TRUE(contains(message, fault.told));
     EXPECT_TRUE(contains(message, " - "));
   }
-  EXPECT_TRUE(contains(refused("ISO-10303-21;"), "this is no .stl file"));
-  EXPECT_TRUE(contains(refused(replaced(text(), "solid", "body")), "this is no .stl file"));
+  EXPECT_TRUE(contains(refused_stl("ISO-10303-21;"), "this is no .stl file"));
+  EXPECT_TRUE(contains(refused_stl(replaced(text(), "solid", "body")), "this is no .stl file"));
 }
 
 }  // namespace

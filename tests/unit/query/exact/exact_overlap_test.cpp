@@ -18,7 +18,7 @@
 namespace vex {
 namespace {
 
-Transformd shifted(double x, double y, double z) { return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {x, y, z}}; }
+Transformd shifted_by(double x, double y, double z) { return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {x, y, z}}; }
 
 ConvexBody hull(const std::vector<Vec3d>& points) { return Polytope(points, points.front(), 0.0); }
 
@@ -202,20 +202,20 @@ TEST(ExactOverlap, OfWhatTouchesIsOverlapAndOneUlpApartIsNot) {
     SCOPED_TRACE(touch.name);
     // In the other order and with the axes exchanged the same.
     for (int turn = 0; turn < 2; ++turn) {
-      Transformd pose = shifted(touch.at.x, touch.at.y, touch.at.z);
+      Transformd pose = shifted_by(touch.at.x, touch.at.y, touch.at.z);
       ASSERT_NO_FATAL_FAILURE(expect_truth(touch.a, touch.b, pose, Outcome::overlap));
       ASSERT_EQ(true_outcome(touch.a, touch.b, pose), Outcome::overlap);
       const Vec3d d = touch.apart;
       const auto ulp_on = [](double x, double along) {
         return along == 0.0 ? x : (x == 0.0 ? along * 0x1p-1074 : std::nextafter(x, along * 1e300));
       };
-      Transformd moved = shifted(ulp_on(touch.at.x, d.x), ulp_on(touch.at.y, d.y), ulp_on(touch.at.z, d.z));
+      Transformd moved = shifted_by(ulp_on(touch.at.x, d.x), ulp_on(touch.at.y, d.y), ulp_on(touch.at.z, d.z));
       const Outcome truth = true_outcome(touch.a, touch.b, moved).value();
       ASSERT_NO_FATAL_FAILURE(expect_truth(touch.a, touch.b, moved, truth));
       // Placed vertices are rounded, so that a shift in the last bit can vanish; a few bits higher it cannot.
-      moved = shifted(touch.at.x + 0x1p-40 * d.x, touch.at.y + 0x1p-40 * d.y, touch.at.z + 0x1p-40 * d.z);
+      moved = shifted_by(touch.at.x + 0x1p-40 * d.x, touch.at.y + 0x1p-40 * d.y, touch.at.z + 0x1p-40 * d.z);
       ASSERT_NO_FATAL_FAILURE(expect_truth(touch.a, touch.b, moved, Outcome::disjoint));
-      moved = shifted(-touch.at.x, -touch.at.y, -touch.at.z);
+      moved = shifted_by(-touch.at.x, -touch.at.y, -touch.at.z);
       ASSERT_NO_FATAL_FAILURE(expect_truth(touch.b, touch.a, moved, Outcome::overlap));
     }
   }
@@ -248,27 +248,27 @@ TEST(ExactOverlap, OfAnySizesIsDecided) {
   const ConvexBody small_cube = test_box(2 * small, 2 * small, 2 * small).body;
   const ConvexBody mixed = hull({{big, small, 0}, {-big, small, denormal}, {0, -small, 1}, {0, -1, -small}});
   const std::vector<Case> cases = {
-      {big_cube, big_cube, shifted(2 * big, 0.5 * big, 1), Outcome::overlap},
-      {big_cube, big_cube, shifted(std::nextafter(2 * big, HUGE_VAL), 0.5 * big, 1), Outcome::disjoint},
-      {big_cube, big_cube, shifted(2 * big * (1 + 0x1p-50), 0.5 * big, 1), Outcome::disjoint},
-      {small_cube, small_cube, shifted(2 * small, small, -small), Outcome::overlap},
-      {small_cube, small_cube, shifted(2 * small * (1 + 0x1p-50), small, -small), Outcome::disjoint},
-      {small_cube, cube, shifted(1 + small, 0, 0), Outcome::overlap},  // placed, the small cube is a rounded point
-      {cube, small_cube, shifted(std::nextafter(1.0, 2.0), 0, 0), Outcome::disjoint},
-      {big_cube, small_cube, shifted(big, big, big), Outcome::overlap},
-      {big_cube, small_cube, shifted(std::nextafter(big, HUGE_VAL), big, big), Outcome::disjoint},
-      {Sphere(big), Sphere(small), shifted(big, 0, 0), Outcome::overlap},
-      {Sphere(big), Sphere(small), shifted(std::nextafter(big, HUGE_VAL), 0, 0), Outcome::disjoint},
-      {Sphere(big), Sphere(tiny), shifted(0, big, 0), Outcome::overlap},
-      {Sphere(1.0), Sphere(tiny), shifted(1.0, tiny, 0), Outcome::overlap},
-      {Sphere(tiny), Sphere(tiny), shifted(2 * tiny, 0, 0), Outcome::overlap},
-      {Sphere(tiny), Sphere(tiny), shifted(2 * tiny, denormal, 0), Outcome::disjoint},
-      {hull({{denormal, 0, 0}}), hull({{0, 0, 0}}), shifted(denormal, 0, 0), Outcome::overlap},
-      {hull({{denormal, 0, 0}}), hull({{0, 0, 0}}), shifted(2 * denormal, 0, 0), Outcome::disjoint},
-      {Sphere(1e12), Sphere(1), shifted(1e12 + 1, 0, 0), Outcome::overlap},
-      {Sphere(1e12), Sphere(1), shifted(std::nextafter(1e12 + 1, 1e13), 0, 0), Outcome::disjoint},
-      {test_box(1e12, 1e12, 1e12).body, cube, shifted(5e11 + 1, 4e11, 3e11), Outcome::overlap},
-      {test_box(1e12, 1e12, 1e12).body, cube, shifted(5e11 + 1.001, 4e11, 3e11), Outcome::disjoint},
+      {big_cube, big_cube, shifted_by(2 * big, 0.5 * big, 1), Outcome::overlap},
+      {big_cube, big_cube, shifted_by(std::nextafter(2 * big, HUGE_VAL), 0.5 * big, 1), Outcome::disjoint},
+      {big_cube, big_cube, shifted_by(2 * big * (1 + 0x1p-50), 0.5 * big, 1), Outcome::disjoint},
+      {small_cube, small_cube, shifted_by(2 * small, small, -small), Outcome::overlap},
+      {small_cube, small_cube, shifted_by(2 * small * (1 + 0x1p-50), small, -small), Outcome::disjoint},
+      {small_cube, cube, shifted_by(1 + small, 0, 0), Outcome::overlap},  // placed, the small cube is a rounded point
+      {cube, small_cube, shifted_by(std::nextafter(1.0, 2.0), 0, 0), Outcome::disjoint},
+      {big_cube, small_cube, shifted_by(big, big, big), Outcome::overlap},
+      {big_cube, small_cube, shifted_by(std::nextafter(big, HUGE_VAL), big, big), Outcome::disjoint},
+      {Sphere(big), Sphere(small), shifted_by(big, 0, 0), Outcome::overlap},
+      {Sphere(big), Sphere(small), shifted_by(std::nextafter(big, HUGE_VAL), 0, 0), Outcome::disjoint},
+      {Sphere(big), Sphere(tiny), shifted_by(0, big, 0), Outcome::overlap},
+      {Sphere(1.0), Sphere(tiny), shifted_by(1.0, tiny, 0), Outcome::overlap},
+      {Sphere(tiny), Sphere(tiny), shifted_by(2 * tiny, 0, 0), Outcome::overlap},
+      {Sphere(tiny), Sphere(tiny), shifted_by(2 * tiny, denormal, 0), Outcome::disjoint},
+      {hull({{denormal, 0, 0}}), hull({{0, 0, 0}}), shifted_by(denormal, 0, 0), Outcome::overlap},
+      {hull({{denormal, 0, 0}}), hull({{0, 0, 0}}), shifted_by(2 * denormal, 0, 0), Outcome::disjoint},
+      {Sphere(1e12), Sphere(1), shifted_by(1e12 + 1, 0, 0), Outcome::overlap},
+      {Sphere(1e12), Sphere(1), shifted_by(std::nextafter(1e12 + 1, 1e13), 0, 0), Outcome::disjoint},
+      {test_box(1e12, 1e12, 1e12).body, cube, shifted_by(5e11 + 1, 4e11, 3e11), Outcome::overlap},
+      {test_box(1e12, 1e12, 1e12).body, cube, shifted_by(5e11 + 1.001, 4e11, 3e11), Outcome::disjoint},
   };
   for (std::size_t k = 0; k < cases.size(); ++k) {
     SCOPED_TRACE(k);
@@ -298,7 +298,7 @@ TEST(ExactOverlap, EndsOnHullsOfManyNearlyCoplanarPoints) {
   const ConvexBody grid = hull(points), cube = test_box(1, 1, 1).body;
   int n_support_calls = 0;
   for (const double lift : {1.5, 1.5 + 0x1p-52, 1.5 + 0x1p-51, 1.5 + 0x1p-50}) {
-    const Transformd pose = shifted(0.01, 0.02, lift);
+    const Transformd pose = shifted_by(0.01, 0.02, lift);
     ASSERT_NO_FATAL_FAILURE(expect_truth(grid, cube, pose));
     n_support_calls += exact_overlap(*placed_forms(grid, cube, pose)).n_support_calls;
   }
@@ -323,7 +323,7 @@ TEST(ExactOverlap, OfFacesThatAreCoplanarButForRoundingIsWhatRationalsSay) {
     face(below);
     face(above);
     const double lift = (random_in_unit_interval(random) - 0.25) * 0x1p-51;
-    const Transformd pose = shifted(lift * normal.x, lift * normal.y, lift * normal.z);
+    const Transformd pose = shifted_by(lift * normal.x, lift * normal.y, lift * normal.z);
     const ConvexBody a = hull(below), b = hull(above);
     const Outcome truth = true_outcome(a, b, pose).value();
     (truth == Outcome::overlap ? n_overlap : n_disjoint) += 1;

@@ -22,7 +22,7 @@
 namespace vex {
 namespace {
 
-Transformd shifted(double x, double y, double z) { return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {x, y, z}}; }
+Transformd moved_away(double x, double y, double z) { return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {x, y, z}}; }
 
 std::vector<std::string> curved_bodies() {
   std::vector<std::string> names;
@@ -150,12 +150,12 @@ TEST(ExtendedOverlap, OfWhatTouchesExactlyBoundsTheGapTightly) {
     Transformd pose;
   };
   const Transformd quarter{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}, {3, 0, 0}};
-  for (const Touch& touch : std::vector<Touch>{{Ellipsoid(1, 2, 3), Plate(1, 1), shifted(0, 0, 3)},
-                                               {Ellipsoid(1, 2, 3), Ellipsoid(1, 2, 3), shifted(0, 0, 6)},
+  for (const Touch& touch : std::vector<Touch>{{Ellipsoid(1, 2, 3), Plate(1, 1), moved_away(0, 0, 3)},
+                                               {Ellipsoid(1, 2, 3), Ellipsoid(1, 2, 3), moved_away(0, 0, 6)},
                                                {Ellipsoid(1, 2, 3), Ellipsoid(1, 2, 3), quarter},
-                                               {Plate(1, 1), Ellipsoid(3, 1, 2), shifted(0, 0, -2)},
-                                               {Cylinder(2, 1), Cylinder(2, 1), shifted(0, 0, 2)},
-                                               {Cylinder(2, 1), Ellipsoid(1, 2, 3), shifted(2, 0, 0)}}) {
+                                               {Plate(1, 1), Ellipsoid(3, 1, 2), moved_away(0, 0, -2)},
+                                               {Cylinder(2, 1), Cylinder(2, 1), moved_away(0, 0, 2)},
+                                               {Cylinder(2, 1), Ellipsoid(1, 2, 3), moved_away(2, 0, 0)}}) {
     const double radii = touch.a.circumradius() + touch.b.circumradius();
     OverlapCertificate c;
     const Verdict verdict = overlap(touch.a, touch.b, touch.pose, &c);
@@ -217,7 +217,7 @@ TEST(ExtendedOverlap, IsNotThereForABodyWithoutExactForm) {
   const ConvexBody nameless = Nameless{}, named = Ellipsoid(1, 2, 3);
   EXPECT_FALSE(placed_forms(nameless, named, {}).has_value());
   EXPECT_FALSE(placed_forms(named, nameless, {}).has_value());
-  const Transformd near = shifted(2.0 + 1e-15, 0, 0);
+  const Transformd near = moved_away(2.0 + 1e-15, 0, 0);
   OverlapCertificate certificate;
   certificate.gap_lower = 1.0;  // left over from elsewhere
   const Verdict verdict = overlap(nameless, named, near, &certificate);
@@ -228,8 +228,8 @@ TEST(ExtendedOverlap, IsNotThereForABodyWithoutExactForm) {
   EXPECT_EQ(certificate.n_witnesses, 0);
   EXPECT_EQ(overlap(named, named, near).outcome, Outcome::disjoint) << "which is decided where the form is known";
   // Far from contact it is decided as any other, for lack of a form without witnesses.
-  EXPECT_EQ(overlap(nameless, named, shifted(2.1, 0, 0), &certificate).outcome, Outcome::disjoint);
-  EXPECT_EQ(overlap(nameless, named, shifted(1.9, 0, 0), &certificate).outcome, Outcome::overlap);
+  EXPECT_EQ(overlap(nameless, named, moved_away(2.1, 0, 0), &certificate).outcome, Outcome::disjoint);
+  EXPECT_EQ(overlap(nameless, named, moved_away(1.9, 0, 0), &certificate).outcome, Outcome::overlap);
   EXPECT_EQ(certificate.n_witnesses, 0);
 }
 

@@ -16,7 +16,7 @@ struct Pair {
   const char *a, *b;
 };
 
-ConvexBody body(const char* text) { return parse_shape(text).body; }
+ConvexBody named_body(const char* text) { return parse_shape(text).body; }
 
 DifferenceZonotope difference(const ConvexBody& a, const ConvexBody& b, const Transformd& pose) {
   return {a.generators().value(), b.generators().value(), pose};
@@ -34,7 +34,7 @@ TEST(Zonotope, HasTheNearestPointsOfSegments) {
   std::mt19937_64 random(3);
   for (const auto& [name_a, name_b] : {Pair{"sphere:1", "sphere:0.5"}, Pair{"sphere:1", "needle:2"},
                                        Pair{"capsule:1,0.2", "needle:2"}, Pair{"needle:2", "sphere:0.25"}}) {
-    const ConvexBody a = body(name_a), b = body(name_b);
+    const ConvexBody a = named_body(name_a), b = named_body(name_b);
     const Domain domain = ball_domain(a, b);
     int n_answers = 0;
     for (int k = 0; k < 2000; ++k) {
@@ -55,7 +55,7 @@ TEST(Zonotope, HasTheNearestPointsOfSegments) {
 }
 
 TEST(Zonotope, LeavesSegmentsThatCrossToTheSearch) {
-  const ConvexBody a = body("needle:2"), b = body("needle:2");
+  const ConvexBody a = named_body("needle:2"), b = named_body("needle:2");
   Transformd pose{{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.25, 0.0, 0.5}};
   EXPECT_FALSE(nearest_of_segments(difference(a, b, pose), query_error(a, b, pose)));
   pose.translation.y = 1e-9;
@@ -71,7 +71,7 @@ TEST(Zonotope, FindsTheShortestWayOutByItsFaces) {
   for (const auto& [name_a, name_b] :
        {Pair{"box:1,2,3", "box:1,1,1"}, Pair{"plate:1,2", "box:0.5,1,2"}, Pair{"plate:2,2", "plate:1,2"},
         Pair{"box:1,1,0.01", "needle:2"}, Pair{"plate:2,2", "needle:2"}, Pair{"box:1,1,1", "sphere:0.1"}}) {
-    const ConvexBody a = body(name_a), b = body(name_b);
+    const ConvexBody a = named_body(name_a), b = named_body(name_b);
     const Domain domain = ball_domain(a, b);
     int n_deep = 0, n_apart = 0;
     for (int k = 0; k < 2000; ++k) {
@@ -103,7 +103,7 @@ TEST(Zonotope, FindsTheShortestWayOutByItsFaces) {
 }
 
 TEST(Zonotope, PutsTheFeetOfParallelBoxesIntoBothFaces) {
-  const ConvexBody a = body("box:2,2,2"), b = body("box:1,1,1");
+  const ConvexBody a = named_body("box:2,2,2"), b = named_body("box:1,1,1");
   for (const double x : {0.0, 0.5, 0.9, -0.7}) {
     for (const double y : {0.0, -0.25, 1.2}) {
       const Transformd pose{.translation = {x, y, 1.4}};
@@ -124,7 +124,7 @@ TEST(Zonotope, PutsTheFeetOfParallelBoxesIntoBothFaces) {
 }
 
 TEST(Zonotope, LeavesFlatOnesToTheSearch) {
-  const ConvexBody a = body("plate:2,2");
+  const ConvexBody a = named_body("plate:2,2");
   const Transformd pose{.translation = {0.5, 0.5, 0.0}};
   EXPECT_FALSE(deepest_of_faces(difference(a, a, pose), query_error(a, a, pose)));
 }

@@ -14,25 +14,25 @@
 namespace vex {
 namespace {
 
-using Point = std::vector<double>;
+using CubePoint = std::vector<double>;
 
 // The first 2^m of a scrambling.
-std::vector<Point> scrambling(const SobolPoints& points, int m, std::uint64_t seed, std::uint64_t replicate,
-                              std::uint64_t first = 0) {
+std::vector<CubePoint> scrambling(const SobolPoints& points, int m, std::uint64_t seed, std::uint64_t replicate,
+                                  std::uint64_t first = 0) {
   const SobolPoints::Scrambling keys = points.scrambling(seed, replicate);
-  std::vector<Point> all(std::size_t{1} << m, Point(static_cast<std::size_t>(points.dimension())));
+  std::vector<CubePoint> all(std::size_t{1} << m, CubePoint(static_cast<std::size_t>(points.dimension())));
   for (std::size_t i = 0; i < all.size(); ++i) points.scrambled(keys, first + i, all[i]);
   return all;
 }
 
-double mean_of(const std::vector<Point>& points, const std::function<double(const Point&)>& f) {
+double mean_of(const std::vector<CubePoint>& points, const std::function<double(const CubePoint&)>& f) {
   double sum = 0.0;
-  for (const Point& p : points) sum += f(p);
+  for (const CubePoint& p : points) sum += f(p);
   return sum / static_cast<double>(points.size());
 }
 
 /// The standard error of one scrambling's mean, from the spread over many, about the true mean.
-double spread(const std::function<double(const Point&)>& f, double truth, int dimension, int log2_n, double* z) {
+double spread(const std::function<double(const CubePoint&)>& f, double truth, int dimension, int log2_n, double* z) {
   const SobolPoints points(dimension);
   constexpr int kReplicates = 64;
   double sum = 0.0, sum_sq = 0.0;
@@ -47,10 +47,10 @@ double spread(const std::function<double(const Point&)>& f, double truth, int di
 }
 
 TEST(Sobol, KeepsEveryCoordinateStratifiedWhenScrambled) {
-  const std::vector<Point> all = scrambling(SobolPoints(11), 10, 1, 0);
+  const std::vector<CubePoint> all = scrambling(SobolPoints(11), 10, 1, 0);
   for (std::size_t d = 0; d < 11; ++d) {
     std::set<int> intervals;
-    for (const Point& p : all) intervals.insert(static_cast<int>(p[d] * 1024));
+    for (const CubePoint& p : all) intervals.insert(static_cast<int>(p[d] * 1024));
     EXPECT_EQ(intervals.size(), 1024u) << "coordinate " << d;
   }
 }
@@ -60,10 +60,10 @@ TEST(Sobol, HasOnePointInEveryElementaryRectangleOfTheFirstTwoCoordinates) {
   const SobolPoints points(2);
   for (const std::uint64_t replicate : {0u, 1u, 2u}) {
     // Also of those that follow.
-    const std::vector<Point> all = scrambling(points, kLog2, 42, replicate, replicate << kLog2);
+    const std::vector<CubePoint> all = scrambling(points, kLog2, 42, replicate, replicate << kLog2);
     for (int across = 0; across <= kLog2; ++across) {
       std::set<std::pair<int, int>> rectangles;
-      for (const Point& p : all) {
+      for (const CubePoint& p : all) {
         rectangles.insert(
             {static_cast<int>(std::ldexp(p[0], across)), static_cast<int>(std::ldexp(p[1], kLog2 - across))});
       }
@@ -74,7 +74,7 @@ TEST(Sobol, HasOnePointInEveryElementaryRectangleOfTheFirstTwoCoordinates) {
 
 TEST(Sobol, NeverDrawsAnEndOfTheUnitInterval) {
   for (const int log2_n : {0, 1, 12}) {
-    for (const Point& p : scrambling(SobolPoints(8), log2_n, 3, 5)) {
+    for (const CubePoint& p : scrambling(SobolPoints(8), log2_n, 3, 5)) {
       for (const double x : p) {
         EXPECT_GT(x, 0.0);
         EXPECT_LT(x, 1.0);
@@ -96,7 +96,7 @@ TEST(Sobol, ScramblesEachCoordinateIndependently) {
   // correlation with each other, with the next replicate's or with another seed's.
   const SobolPoints points(3);
   constexpr int kReplicates = 40000;
-  Point sum(3), sum_sq(3), p(3), next(3), other(3);
+  CubePoint sum(3), sum_sq(3), p(3), next(3), other(3);
   double xy = 0.0, xz = 0.0, with_next = 0.0, with_other = 0.0;
   for (std::uint64_t r = 0; r < kReplicates; ++r) {
     points.scrambled(points.scrambling(11, r), 5, p);
@@ -121,14 +121,14 @@ TEST(Sobol, ScramblesEachCoordinateIndependently) {
 
 struct Integrand {
   const char* name;
-  std::function<double(const Point&)> f;
+  std::function<double(const CubePoint&)> f;
   double truth;
 };
 
 TEST(Sobol, ConvergesFasterThanRandomPointsAndIsUnbiased) {
   const std::vector<Integrand> integrands = {
-      {"smooth", [](const Point& p) { return std::exp(p[0] + p[1] * p[2] - 0.5 * p[3]) * std::cos(p[4]); }, 0.0},
-      {"kinked", [](const Point& p) { return std::fabs(p[0] + p[1] + p[2] + p[3] - 2.0); }, 7.0 / 15.0},
+      {"smooth", [](const CubePoint& p) { return std::exp(p[0] + p[1] * p[2] - 0.5 * p[3]) * std::cos(p[4]); }, 0.0},
+      {"kinked", [](const CubePoint& p) { return std::fabs(p[0] + p[1] + p[2] + p[3] - 2.0); }, 7.0 / 15.0},
   };
   // The smooth one's truth: of e^x, of e^(yz) (the sum of 1 / (k! (k + 1)^2)), of e^(-z/2) and of cos, one by one.
   double of_product = 0.0, term = 1.0;

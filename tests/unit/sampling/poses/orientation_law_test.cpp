@@ -14,17 +14,17 @@ namespace vex {
 namespace {
 
 using Wide = boost::multiprecision::cpp_bin_float_50;
-using Point = std::array<double, OrientationLaw::kMaxDimension>;
+using LawPoint = std::array<double, OrientationLaw::kMaxDimension>;
 
 constexpr double kZ = 4.5;  // standard errors; a right law fails one mean in 150 000
 
-Point random_point(std::mt19937_64& random) {
-  Point point;
+LawPoint random_law_point(std::mt19937_64& random) {
+  LawPoint point;
   for (double& u : point) u = random_in_unit_interval(random);
   return point;
 }
 
-Transformd rotation_at(const OrientationLaw& law, const Point& point) {
+Transformd rotation_at(const OrientationLaw& law, const LawPoint& point) {
   return law.rotation(std::span<const double>(point));
 }
 
@@ -59,10 +59,10 @@ TEST(OrientationLaw, AreEqualWhereTheyDrawAlike) {
 TEST(OrientationLaw, UsesAsManyCoordinatesAsItSays) {
   std::mt19937_64 random(1);
   for (const OrientationLaw& law : every_law()) {
-    const Point point = random_point(random);
+    const LawPoint point = random_law_point(random);
     const Transformd r = rotation_at(law, point);
     for (std::size_t k = 0; k < point.size(); ++k) {
-      Point other = point;
+      LawPoint other = point;
       other[k] = random_in_unit_interval(random);
       const Transformd r_other = rotation_at(law, other);
       const double change = norm_1(r_other.row_x - r.row_x) + norm_1(r_other.row_y - r.row_y);
@@ -99,14 +99,14 @@ TEST(OrientationLaw, DrawsRotationsToWithinTheirBound) {
   double worst_of_all = 0.0;
   for (const OrientationLaw& law : every_law()) {
     double worst = 0.0;
-    const auto look_at = [&](const Point& point) {
+    const auto look_at = [&](const LawPoint& point) {
       const Transformd r = rotation_at(law, point);
       worst = std::max(worst, deviation(r));
       ASSERT_NEAR(dot(r.row_x, cross(r.row_y, r.row_z)), 1.0, 1e-13) << law.name();
     };
-    for (int k = 0; k < 4000; ++k) look_at(random_point(random));
+    for (int k = 0; k < 4000; ++k) look_at(random_law_point(random));
     for (int k = 0; k < 2000; ++k) {  // the ends of the unit cube
-      Point point = random_point(random);
+      LawPoint point = random_law_point(random);
       for (double& u : point) {
         if (random() % 2 == 0) u = kEnds[random() % kEnds.size()];
       }
@@ -127,7 +127,7 @@ TEST(OrientationLaw, OfOnsagerStaysARotationWhereRoundingTakesThePolarAngleToIts
   std::mt19937_64 random(12);
   for (int k = 0; k < 50000; ++k) {
     const OrientationLaw law = OrientationLaw::onsager(std::exp2(-58.0 + 63.0 * random_in_unit_interval(random)));
-    const Point ends = {1.0 - 0x1p-53, 0.5 - 0x1p-53, 0.1, 0.2, 0.3};
+    const LawPoint ends = {1.0 - 0x1p-53, 0.5 - 0x1p-53, 0.1, 0.2, 0.3};
     const Transformd r = rotation_at(law, ends);
     ASSERT_NEAR(dot(r.row_x, r.row_x), 1.0, 1e-14) << law.name();
     ASSERT_NEAR(dot(r.row_z, r.row_z), 1.0, 1e-14) << law.name();
@@ -139,10 +139,10 @@ TEST(OrientationLaw, LanesGiveTheBitsOfOneLane) {
   std::mt19937_64 random(3);
   for (const OrientationLaw& law : every_law()) {
     for (int round = 0; round < 300; ++round) {
-      std::array<Point, W> points;
+      std::array<LawPoint, W> points;
       std::array<ArrayLanes<W>, OrientationLaw::kMaxDimension> packet;
       for (std::size_t k = 0; k < W; ++k) {
-        points[k] = random_point(random);
+        points[k] = random_law_point(random);
         if (random() % 4 == 0) points[k][random() % 2] = kEnds[random() % kEnds.size()];
         for (std::size_t j = 0; j < packet.size(); ++j) packet[j].lane[k] = points[k][j];
       }
@@ -188,7 +188,7 @@ double sine_between_axes(const Transformd& r) { return std::hypot(r.row_x.z, r.r
 void expect_mean_sine(const OrientationLaw& law, double truth) {
   std::mt19937_64 random(4);
   Mean sine;
-  for (int k = 0; k < kDraws; ++k) sine.add(sine_between_axes(rotation_at(law, random_point(random))));
+  for (int k = 0; k < kDraws; ++k) sine.add(sine_between_axes(rotation_at(law, random_law_point(random))));
   sine.expect(truth, "<|sin gamma|> of " + law.name());
 }
 
@@ -245,7 +245,7 @@ void expect_moments(const OrientationLaw& law, const Moments& one_body) {
   std::mt19937_64 random(5);
   Mean odd, p2, p4, third;
   for (int k = 0; k < kDraws; ++k) {
-    const double c = rotation_at(law, random_point(random)).row_z.z;
+    const double c = rotation_at(law, random_law_point(random)).row_z.z;
     const double c2 = c * c;
     odd.add(c);
     third.add(c * c2);
@@ -277,7 +277,7 @@ TEST(OrientationLaw, OfOneBodyAloneIsWhatItsDensitySays) {
     constexpr int n = 20000;
     std::vector<double> cosines;
     for (int k = 0; k < n; ++k) {
-      Point point = random_point(random);
+      LawPoint point = random_law_point(random);
       point[1] = 0.5 + 0x1p-53;  // cos just below 1
       cosines.push_back(rotation_at(law, point).row_z.z);
     }
@@ -307,7 +307,7 @@ void expect_uniform(const OrientationLaw& law) {
   std::array<double, 9> first{}, second{}, fourth{};
   double trace_sq = 0.0;
   for (int k = 0; k < n; ++k) {
-    const Transformd r = rotation_at(law, random_point(random));
+    const Transformd r = rotation_at(law, random_law_point(random));
     const std::array<double, 9> e = {r.row_x.x, r.row_x.y, r.row_x.z, r.row_y.x, r.row_y.y,
                                      r.row_y.z, r.row_z.x, r.row_z.y, r.row_z.z};
     for (std::size_t i = 0; i < 9; ++i) {
@@ -338,7 +338,7 @@ TEST(OrientationLaw, RollsAreUniformAndIndependentOfTheAxes) {
     std::mt19937_64 random(8);
     std::array<Mean, 12> means;
     for (int k = 0; k < kDraws; ++k) {
-      const Transformd r = rotation_at(law, random_point(random));
+      const Transformd r = rotation_at(law, random_law_point(random));
       const double s = sine_between_axes(r);
       const double cos_a = r.row_x.z / s, sin_a = r.row_y.z / s, cos_b = r.row_z.x / s, sin_b = r.row_z.y / s;
       const std::array<double, 12> zeros = {cos_a,
@@ -366,7 +366,7 @@ TEST(OrientationLaw, TreatsAAndBAlike) {
     std::mt19937_64 random(9);
     std::array<Mean, 4> differences;
     for (int k = 0; k < kDraws / 2; ++k) {
-      const Transformd r = rotation_at(law, random_point(random));
+      const Transformd r = rotation_at(law, random_law_point(random));
       differences[0].add(r.row_x.z * r.row_x.z - r.row_z.x * r.row_z.x);
       differences[1].add(std::fabs(r.row_y.z) - std::fabs(r.row_z.y));
       differences[2].add(r.row_x.y * r.row_x.y - r.row_y.x * r.row_y.x);
@@ -381,7 +381,7 @@ TEST(OrientationLaw, OfAConeOfNoAngleIsParallelOrAntiparallelWithAnyRoll) {
   const OrientationLaw law = OrientationLaw::cone(0);
   Mean antiparallel, cos_roll, cos_roll_sq;
   for (int k = 0; k < 20000; ++k) {
-    const Transformd r = rotation_at(law, random_point(random));
+    const Transformd r = rotation_at(law, random_law_point(random));
     ASSERT_EQ(std::fabs(r.row_z.z), 1.0);
     ASSERT_EQ(sine_between_axes(r), 0.0);
     antiparallel.add(r.row_z.z < 0.0 ? 1.0 : 0.0);
@@ -399,7 +399,7 @@ TEST(OrientationLaw, KeepsWithinTheCone) {
     const double least = std::cos(2.0 * degrees * std::numbers::pi / 180.0);
     double seen = 1.0;
     for (int k = 0; k < 20000; ++k) {
-      const double c = std::fabs(rotation_at(OrientationLaw::cone(degrees), random_point(random)).row_z.z);
+      const double c = std::fabs(rotation_at(OrientationLaw::cone(degrees), random_law_point(random)).row_z.z);
       ASSERT_GE(c, least - 1e-14);
       seen = std::min(seen, c);
     }
@@ -410,7 +410,7 @@ TEST(OrientationLaw, KeepsWithinTheCone) {
 
 TEST(OrientationLaw, FixedTurnsBByItsQuaternionInAsFrame) {
   // A quarter turn about z takes B's x to A's y.
-  const Point point{};
+  const LawPoint point{};
   const double half = std::sqrt(0.5);
   const Transformd r = rotation_at(OrientationLaw::fixed(half, 0, 0, half), point);
   EXPECT_LE(norm(r({1, 0, 0}) - Vec3d{0, 1, 0}), 1e-15);

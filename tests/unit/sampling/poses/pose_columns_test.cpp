@@ -21,7 +21,7 @@
 namespace vex {
 namespace {
 
-bool same_bits(const Transformd& x, const Transformd& y) { return std::memcmp(&x, &y, sizeof x) == 0; }
+bool are_same_bits(const Transformd& x, const Transformd& y) { return std::memcmp(&x, &y, sizeof x) == 0; }
 
 TEST(PoseColumns, AreTheSamplersPosesBitForBit) {
   const ConvexBody a = parse_shape("box:1,2,3").body;
@@ -56,7 +56,7 @@ TEST(PoseColumns, AreTheSamplersPosesBitForBit) {
                 ASSERT_LT(n_open, columns->n_open);
                 ASSERT_EQ(columns->row[n_open], k);
                 ASSERT_TRUE(
-                    same_bits((PoseTable{columns->poses[0], PoseColumns::kStride, n}.pose(n_open)), trial.a_from_b))
+                    are_same_bits((PoseTable{columns->poses[0], PoseColumns::kStride, n}.pose(n_open)), trial.a_from_b))
                     << law.name() << " " << name_of(set) << " " << first + k;
                 ++n_open;
               }
@@ -93,7 +93,7 @@ TEST(PoseColumns, AreTheSamplersForEveryKindOfBound) {
           if (answer.disjoint || answer.overlap) continue;
           ASSERT_EQ(columns->row[n_open], k) << text_a << " " << text_b << " " << name_of(set);
           const Transformd pose = PoseTable{columns->poses[0], PoseColumns::kStride, 256}.pose(n_open);
-          ASSERT_TRUE(same_bits(pose, trial.a_from_b)) << text_a << " " << text_b << " " << name_of(set);
+          ASSERT_TRUE(are_same_bits(pose, trial.a_from_b)) << text_a << " " << text_b << " " << name_of(set);
           ++n_open;
         }
         ASSERT_EQ(columns->n_open, n_open);
@@ -136,7 +136,7 @@ void expect_fitted_trials_of_the_sampler(const ConvexBody& a, const ConvexBody& 
         ASSERT_LT(n_open, columns->n_open);
         ASSERT_EQ(columns->row[n_open], k);
         ASSERT_EQ(columns->share[n_open], trial.domain_share) << law.name() << " " << name_of(set) << " " << index + k;
-        ASSERT_TRUE(same_bits((PoseTable{columns->poses[0], PoseColumns::kStride, n}.pose(n_open)), trial.a_from_b))
+        ASSERT_TRUE(are_same_bits((PoseTable{columns->poses[0], PoseColumns::kStride, n}.pose(n_open)), trial.a_from_b))
             << law.name() << " " << name_of(set) << " " << index + k;
         ++n_open;
       }

@@ -148,13 +148,13 @@ TEST(RadialEstimator, GivesTheSameBitsForEverySetAndBodiesThatNobodyHasAsked) {
 
 // A body that does not tell its form has no packets.
 TEST(RadialEstimator, OfBodiesWithoutPacketsGivesTheSameButForThePicks) {
-  class Nameless : public Ellipsoid {
+  class WithoutName : public Ellipsoid {
    public:
     using Ellipsoid::Ellipsoid;
     std::optional<ExactForm> exact_form() const { return std::nullopt; }
   };
   const ConvexBody a = parse_shape("cylinder:1,0.5").body, b = parse_shape("ellipsoid:1,2,3").body;
-  const ConvexBody nameless = Nameless(1.0, 2.0, 3.0);
+  const ConvexBody nameless = WithoutName(1.0, 2.0, 3.0);
   RadialEstimator packets(a, b, {}), one_by_one(a, nameless, {});
   const RandomisedMean x = mean_of(packets, 6, 1), y = mean_of(one_by_one, 6, 1);
   EXPECT_EQ(packets.n_one_by_one(), 0u);

@@ -1,0 +1,63 @@
+#include "apps/vex_scene/beside.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <csignal>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "apps/common/interrupt.h"
+
+namespace vex {
+namespace {
+
+struct WorkState {
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool is_done = false;
+  std::exception_ptr fault;
+};
+
+// Threads have the mask of the one that starts them.
+std::thread without_signals(const std::function<void()>& work) {
+  sigset_t every, before;
+  sigfillset(&every);
+  pthread_sigmask(SIG_SETMASK, &every, &before);
+  std::thread thread(work);
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return thread;
+}
+
+}  // namespace
+
+bool done_before_an_interrupt(const std::function<void()>& work, const std::function<void()>& meanwhile) {
+  const auto state = std::make_shared<WorkState>();
+  std::thread thread = without_signals([work, state] {
+    std::exception_ptr fault;
+    try {
+      work();
+    } catch (...) {
+      fault = std::current_exception();
+    }
+    const std::lock_guard lock(state->mutex);
+    state->is_done = true;
+    state->fault = fault;
+    state->changed.notify_one();
+  });
+  std::unique_lock lock(state->mutex);
+  while (!state->changed.wait_for(lock, std::chrono::milliseconds(50), [&] { return state->is_done; })) {
+    if (interrupting_signal().load() != 0) {
+      thread.detach();
+      return false;
+    }
+    meanwhile();
+  }
+  lock.unlock();
+  thread.join();
+  if (state->fault) std::rethrow_exception(state->fault);
+  return true;
+}
+
+}  // namespace vex

@@ -1,0 +1,41 @@
+// A file line by line, whatever its size.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace vex {
+
+class LineReader {
+ public:
+  /// No row that is meant to be one is longer.
+  static constexpr std::size_t kLongestLine = 1 << 16;
+
+  /// `path`: "-" is standard input. Throws InputError where it cannot be opened; `what` says in messages what it holds.
+  LineReader(const std::string& path, std::string what);
+  ~LineReader();
+  LineReader(const LineReader&) = delete;
+  LineReader& operator=(const LineReader&) = delete;
+
+  /// The next line without its end, good until the next call; false at the end of the file. Throws InputError where
+  /// reading fails, and for a line that is too long.
+  bool next(std::string_view& line);
+  /// Of the last line, from 1 on.
+  std::uint64_t number() const { return number_; }
+  /// For messages: the path, or that it is standard input.
+  const std::string& name() const { return name_; }
+
+ private:
+  bool fetch();  // more bytes behind those that are left; false at the end
+
+  int file_ = -1;
+  std::string name_, what_;
+  std::string buffer_;
+  std::size_t begin_ = 0;
+  bool at_end_ = false;
+  std::uint64_t number_ = 0;
+};
+
+}  // namespace vex

@@ -1,0 +1,54 @@
+#include "engine/scene/broad_phases.h"
+
+#include "engine/scene/broad_phase_choice.h"
+
+namespace vex {
+
+void BroadPhases::bodies_changed() {
+  poses_changed();
+  has_tree_same_bodies_ = false;
+  chosen_for_ = -1.0;
+}
+
+void BroadPhases::poses_changed() { is_grid_true_ = is_tree_true_ = is_tree_sorted_ = false; }
+
+void BroadPhases::moved(const SceneBodies& bodies, BodyId body) {
+  is_grid_true_ = is_tree_sorted_ = false;
+  if (is_tree_true_) tree_.move(bodies, body);
+}
+
+void BroadPhases::build_tree(const SceneBodies& bodies, double reach, double margin, int n_threads) {
+  if (is_tree_true_ && tree_.margin() == margin) return;
+  tree_.build(bodies, reach, margin, has_tree_same_bodies_, n_threads);
+  is_tree_true_ = has_tree_same_bodies_ = true;
+  is_tree_sorted_ = false;
+}
+
+void BroadPhases::prepare(const SceneBodies& bodies, const SceneSettings& settings, double reach, double margin) {
+  if (settings.broad_phase != BroadPhase::automatic) {
+    chosen_ = settings.broad_phase;
+    chosen_for_ = -1.0;
+  } else if (chosen_for_ != margin) {
+    chosen_ = cheaper_broad_phase(bodies, reach, margin);
+    chosen_for_ = margin;
+  }
+  if (is_grid()) {
+    if (is_grid_true_ && grid_margin_ == margin) return;
+    grid_.build(bodies, reach, settings.n_threads);
+    if (margin > 0.0) grid_.bodies().widen(margin);
+    grid_margin_ = margin;
+    is_grid_true_ = true;
+    return;
+  }
+  build_tree(bodies, reach, margin, settings.n_threads);
+  if (is_tree_sorted_) return;
+  tree_.sort(bodies, settings.n_threads);
+  is_tree_sorted_ = true;
+}
+
+const BodyTree& BroadPhases::tree_of_bodies(const SceneBodies& bodies, double reach, int n_threads) {
+  build_tree(bodies, reach, 0.0, n_threads);
+  return tree_;
+}
+
+}  // namespace vex

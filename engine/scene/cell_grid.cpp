@@ -1,0 +1,124 @@
+#include "engine/scene/cell_grid.h"
+
+#include <algorithm>
+
+#include "engine/scene/threads.h"
+
+namespace vex {
+namespace {
+
+constexpr std::size_t kMostParts = 256, kBodiesAPart = 2048;
+
+}  // namespace
+
+void CellGrid::build(const SceneBodies& bodies, double reach, int n_threads) {
+  const Aabb bounds = bodies.box() ? Aabb{} : bounds_of_centres(bodies, n_threads);
+  layout_ = CellLayout::make(bodies.box(), bounds, bodies.largest_offset(), reach, bodies.size());
+  shifts_ = ShiftTable(layout_.box, layout_.n_images);
+  sort(bodies, n_threads);
+  sorted_.fill(bodies, order_, 3.0 * shifts_.largest_shift(), n_threads);
+  cut_into_parts();
+}
+
+// Counting sort; bodies of a cell in the order of their numbers.
+void CellGrid::sort(const SceneBodies& bodies, int n_threads) {
+  const std::size_t n_cells = layout_.size(), n = bodies.end();
+  constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  cell_of_.resize(n);
+  counts_.assign(n_cells * static_cast<std::size_t>(n_threads), 0);
+  on_threads(n_threads, [&](int thread) {
+    std::uint32_t* const counts = counts_.data() + n_cells * static_cast<std::size_t>(thread);
+    const Part part = part_of(n, thread, n_threads);
+    for (std::size_t k = part.first; k < part.end; ++k) {
+      const BodyId body = static_cast<BodyId>(k);
+      cell_of_[k] = bodies.has(body) ? layout_.number(layout_.coordinates(bodies.centre(body))) : kNone;
+      if (cell_of_[k] != kNone) ++counts[cell_of_[k]];
+    }
+  });
+  starts_.resize(n_cells + 1);
+  std::uint32_t sum = 0;
+  for (std::size_t cell = 0; cell < n_cells; ++cell) {
+    starts_[cell] = sum;
+    for (int thread = 0; thread < n_threads; ++thread) {
+      std::uint32_t& count = counts_[n_cells * static_cast<std::size_t>(thread) + cell];
+      const std::uint32_t here = count;
+      count = sum;  // from now on the next place of this thread's bodies
+      sum += here;
+    }
+  }
+  starts_[n_cells] = sum;
+  order_.resize(sum);
+  on_threads(n_threads, [&](int thread) {
+    std::uint32_t* const next = counts_.data() + n_cells * static_cast<std::size_t>(thread);
+    const Part part = part_of(n, thread, n_threads);
+    for (std::size_t k = part.first; k < part.end; ++k) {
+      if (cell_of_[k] != kNone) order_[next[cell_of_[k]]++] = static_cast<BodyId>(k);
+    }
+  });
+}
+
+void CellGrid::cut_into_parts() {
+  part_ends_.clear();
+  const std::size_t n_x = static_cast<std::size_t>(layout_.n_cells[0]);
+  const std::size_t n_rows = layout_.size() / n_x;
+  const std::size_t bodies_a_part = std::max(kBodiesAPart, sorted_.size() / kMostParts);
+  std::size_t first = 0;
+  for (std::size_t row = 1; row <= n_rows; ++row) {
+    if (starts_[row * n_x] - first < bodies_a_part && row < n_rows) continue;
+    part_ends_.push_back(row);
+    first = starts_[row * n_x];
+  }
+}
+
+// Of the rows around, the half that comes after the own one.
+void CellGrid::rows_of(int y, int z, std::vector<Row>& rows) const {
+  rows.clear();
+  for (int dz = 0; dz <= layout_.stencil[2]; ++dz) {
+    const CellLayout::Moved to_z = layout_.moved(2, z, dz);
+    if (!to_z.is_any) continue;
+    for (int dy = dz == 0 ? 0 : -layout_.stencil[1]; dy <= layout_.stencil[1]; ++dy) {
+      const CellLayout::Moved to_y = layout_.moved(1, y, dy);
+      if (!to_y.is_any) continue;
+      Row row{layout_.number({0, to_y.cell, to_z.cell}), {0, to_y.image, to_z.image}, 0, {}, dz == 0 && dy == 0};
+      row.shift = shifts_.number(row.image);
+      row.by = shifts_.shift(row.shift);
+      rows.push_back(row);
+    }
+  }
+}
+
+void CellGrid::ranges_of(int x, const std::vector<Row>& rows, std::vector<NearRange>& ranges) const {
+  ranges.clear();
+  const int n_x = layout_.n_cells[0], m_x = layout_.stencil[0];
+  const bool is_inside = x - m_x >= 0 && x + m_x < n_x;
+  const std::size_t at = static_cast<std::size_t>(x), reach = static_cast<std::size_t>(m_x);
+  for (const Row& row : rows) {
+    const std::size_t cell = row.start + at;
+    if (row.is_own) ranges.push_back({starts_[cell], starts_[cell + 1], row.shift, {}, true});
+    if (is_inside) {
+      add_cells(row.is_own ? cell + 1 : cell - reach, cell + reach + 1, row.shift, row.by, ranges);
+    } else {
+      add_copies(x, row, ranges);
+    }
+  }
+}
+
+// Cells of the row and of its copies, cut where a copy ends.
+void CellGrid::add_copies(int x, const Row& row, std::vector<NearRange>& ranges) const {
+  const int n_x = layout_.n_cells[0], m_x = layout_.stencil[0];
+  int first = row.is_own ? x + 1 : x - m_x, last = x + m_x;
+  if (!layout_.box) {
+    first = std::max(first, 0);
+    last = std::min(last, n_x - 1);
+  }
+  while (first <= last) {
+    const CellLayout::Moved copy = layout_.moved(0, 0, first);
+    const int n = std::min(last - first + 1, n_x - copy.cell);
+    const std::uint32_t number = shifts_.number({copy.image, row.image[1], row.image[2]});
+    const std::size_t from = row.start + static_cast<std::size_t>(copy.cell);
+    add_cells(from, from + static_cast<std::size_t>(n), number, shifts_.shift(number), ranges);
+    first += n;
+  }
+}
+
+}  // namespace vex

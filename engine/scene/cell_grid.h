@@ -1,0 +1,112 @@
+// A grid of cells over all bodies of a scene: the broad phase for bodies of like size (internal).
+//
+// Bodies are sorted by cell (counting sort), so that the cells of a row stand side by side in the columns, and a body's
+// neighbours in a row are one range.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/scene/cell_layout.h"
+#include "engine/scene/shift_table.h"
+#include "engine/scene/sorted_bodies.h"
+
+namespace vex {
+
+class CellGrid {
+ public:
+  /// For bodies whose centres are no farther apart than `reach`. The same for any number of threads.
+  void build(const SceneBodies& bodies, double reach, int n_threads);
+
+  const CellLayout& layout() const { return layout_; }
+  const SortedBodies& bodies() const { return sorted_; }
+  SortedBodies& bodies() { return sorted_; }
+  const ShiftTable& shifts() const { return shifts_; }
+
+  /// Parts of the search of about the same work, to be done in any order.
+  std::size_t n_parts() const { return part_ends_.size(); }
+  /// The pairs whose balls may meet, each once: near.n grows until take() is called, which empties it. Ends early where
+  /// take() returns false.
+  template <class Take>
+  bool find_near(std::size_t part, const SceneKernel& kernel, NearPairs& near, Take&& take) const;
+
+ private:
+  // A row of cells that the cells of another one are compared with: the row itself, or one behind it.
+  struct Row {
+    std::size_t start;
+    ImageOffset image;
+    std::uint32_t shift;
+    Vec3d by;
+    bool is_own;
+  };
+
+  void sort(const SceneBodies& bodies, int n_threads);
+  void cut_into_parts();
+  void rows_of(int y, int z, std::vector<Row>& rows) const;
+  // Ranges of bodies that the ones of a cell are to be compared with.
+  void ranges_of(int x, const std::vector<Row>& rows, std::vector<NearRange>& ranges) const;
+  void add_copies(int x, const Row& row, std::vector<NearRange>& ranges) const;
+  void add_cells(std::size_t first_cell, std::size_t end_cell, std::uint32_t shift, const Vec3d& by,
+                 std::vector<NearRange>& ranges) const {
+    if (starts_[first_cell] != starts_[end_cell]) {
+      ranges.push_back({starts_[first_cell], starts_[end_cell], shift, by, false});
+    }
+  }
+
+  CellLayout layout_;
+  SortedBodies sorted_;
+  ShiftTable shifts_;
+  std::vector<std::uint32_t> starts_;  // of each cell, and the end
+  std::vector<std::uint32_t> cell_of_, counts_;
+  std::vector<BodyId> order_;
+  std::vector<std::size_t> part_ends_;  // rows of cells
+};
+
+template <class Take>
+bool CellGrid::find_near(std::size_t part, const SceneKernel& kernel, NearPairs& near, Take&& take) const {
+  const std::size_t first_row = part == 0 ? 0 : part_ends_[part - 1];
+  const std::size_t n_x = static_cast<std::size_t>(layout_.n_cells[0]),
+                    n_y = static_cast<std::size_t>(layout_.n_cells[1]);
+  thread_local std::vector<Row> rows;  // memory that a thread keeps
+  thread_local std::vector<NearRange> ranges;
+  NearQuery query{sorted_.x.data(), sorted_.y.data(), sorted_.z.data(), sorted_.radius.data(), 0, 0, nullptr, 0};
+  for (std::size_t row = first_row; row < part_ends_[part]; ++row) {
+    if (starts_[row * n_x] == starts_[(row + 1) * n_x]) continue;
+    rows_of(static_cast<int>(row % n_y), static_cast<int>(row / n_y), rows);
+    for (std::size_t cx = 0; cx < n_x; ++cx) {
+      const std::uint64_t first = starts_[row * n_x + cx], end = starts_[row * n_x + cx + 1];
+      if (first == end) continue;
+      ranges_of(static_cast<int>(cx), rows, ranges);
+      std::uint64_t n_against = 0;
+      for (const NearRange& range : ranges) n_against += range.end - range.first;
+      if ((end - first) * n_against <= NearPairs::kMost) {
+        query.first = first;
+        query.end = end;
+        query.ranges = ranges.data();
+        query.n_ranges = ranges.size();
+        kernel.find_near(query, near);
+        if (near.n >= NearPairs::kMost && !take()) return false;
+        continue;
+      }
+      // A crowded cell: one body at a time, against so many that what is found has room.
+      query.n_ranges = 1;
+      for (query.first = first; query.first < end; ++query.first) {
+        query.end = query.first + 1;
+        for (NearRange range : ranges) {
+          if (range.is_own) range.first = query.first + 1;
+          range.is_own = false;
+          query.ranges = &range;
+          const std::uint64_t last = range.end;
+          for (; range.first < last; range.first = range.end) {
+            range.end = range.first + NearPairs::kMost < last ? range.first + NearPairs::kMost : last;
+            kernel.find_near(query, near);
+            if (near.n >= NearPairs::kMost && !take()) return false;
+          }
+        }
+      }
+    }
+  }
+  return near.n == 0 || take();
+}
+
+}  // namespace vex

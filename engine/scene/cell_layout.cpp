@@ -1,0 +1,74 @@
+#include "engine/scene/cell_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vex {
+namespace {
+
+// Cells a body: more cells than this cost more than they spare.
+constexpr double kMostCellsABody = 2.0;
+
+double volume(const Vec3d& edges) { return edges.x * edges.y * edges.z; }
+
+}  // namespace
+
+CellLayout CellLayout::make(const std::optional<PeriodicBox>& box, const Aabb& bounds, double offset, double reach,
+                            std::size_t n_bodies) {
+  CellLayout layout;
+  layout.box = box;
+  Vec3d extent = box ? box->face_distances() : bounds.upper - bounds.lower;
+  // Of coordinates and of shifts: of up to 32 boxes.
+  const double farthest =
+      box ? 64.0 * box->largest_coordinate() : std::fmax(norm_1(bounds.lower), norm_1(bounds.upper)) + norm_1(extent);
+  // The radii's own terms, and that a centre is put into its cell, or into the next one, by rounding.
+  const double needed = reach * (1.0 + 0x1p-20) + 0x1p-44 * (farthest + offset) + 0x1p-490;
+  double width = needed;
+  if (!box) extent = {std::fmax(extent.x, width), std::fmax(extent.y, width), std::fmax(extent.z, width)};
+  const double most = std::fmax(kMostCellsABody * static_cast<double>(n_bodies), 8.0);
+  const auto cells = [&](double w) {
+    const auto along = [w](double e) { return std::fmax(std::floor(e / w), 1.0); };
+    return Vec3d{along(extent.x), along(extent.y), along(extent.z)};
+  };
+  while (volume(cells(width)) > most) width *= 1.1;
+  const Vec3d n = cells(width);
+  const double along[3] = {n.x, n.y, n.z}, edges[3] = {extent.x, extent.y, extent.z};
+  for (std::size_t k = 0; k < 3; ++k) {
+    layout.n_cells[k] = static_cast<int>(along[k]);
+    const double of_cell = edges[k] / along[k];
+    layout.stencil[k] = std::max(1, static_cast<int>(std::ceil(needed / of_cell)));
+    layout.n_images[k] = box ? (layout.stencil[k] + layout.n_cells[k] - 1) / layout.n_cells[k] : 0;
+  }
+  layout.origin = bounds.lower;
+  if (box) extent = box->edges();
+  layout.cells_a_unit = {n.x / extent.x, n.y / extent.y, n.z / extent.z};
+  return layout;
+}
+
+std::array<int, 3> CellLayout::coordinates(const Vec3d& centre) const {
+  Vec3d at;
+  if (box) {
+    // PeriodicBox::fractional, times the numbers of cells, without a division.
+    const double y = centre.y - centre.z * box->yz();
+    const double x = centre.x - y * box->xy() - centre.z * box->xz();
+    at = {x * cells_a_unit.x + 0.5 * n_cells[0], y * cells_a_unit.y + 0.5 * n_cells[1],
+          centre.z * cells_a_unit.z + 0.5 * n_cells[2]};
+  } else {
+    const Vec3d from = centre - origin;
+    at = {from.x * cells_a_unit.x, from.y * cells_a_unit.y, from.z * cells_a_unit.z};
+  }
+  const auto cell = [](double x, int n) { return x > 0.0 ? (x < n ? static_cast<int>(x) : n - 1) : 0; };
+  return {cell(at.x, n_cells[0]), cell(at.y, n_cells[1]), cell(at.z, n_cells[2])};
+}
+
+CellLayout::Moved CellLayout::moved(std::size_t axis, int at, int by) const {
+  const int n = n_cells[axis];
+  int cell = at + by, image = 0;
+  if (cell >= 0 && cell < n) return {cell, 0, true};
+  if (!box) return {0, 0, false};
+  while (cell < 0) cell += n, --image;
+  while (cell >= n) cell -= n, ++image;
+  return {cell, image, true};
+}
+
+}  // namespace vex

@@ -1,0 +1,249 @@
+#include "engine/scene/pair_search.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "engine/query/overlap.h"
+
+namespace vex {
+namespace {
+
+// Bodies of a scene are turned as exactly as Scene::kRotationTolerance asks, and two of them together as a pose is.
+constexpr double kRelativeRotationError = Pose::kRotationTolerance;
+// So many pairs of two shapes at once pay for what is made of the two shapes.
+constexpr std::size_t kWorthAKind = 16, kFewShapes = 8;
+// So many pairs of several kinds wait before they are sorted.
+constexpr std::size_t kWaitingOfKinds = 8192;
+
+// More are forgotten, and made again where they are needed.
+constexpr std::size_t kMostKinds = 4096;
+constexpr std::uint32_t kNoChain = ~std::uint32_t{0};
+
+std::uint64_t key_of(ShapeId a, ShapeId b) { return (std::uint64_t{a} << 32) | b; }
+
+// They are read some thousand instructions later.
+void prefetch_pose(const double* poses, std::uint64_t place) {
+  const double* const pose = poses + kNumbersABody * place;
+  __builtin_prefetch(pose);
+  __builtin_prefetch(pose + kNumbersABody - 1);
+}
+
+bool is_positive(const ImageOffset& image) { return image > ImageOffset{}; }
+
+}  // namespace
+
+Transformd relative_pose(const Transformd& a, const Transformd& b, const Vec3d& shift) {
+  const auto product = [&b](double x, double y, double z) -> Vec3d {
+    return {(x * b.row_x.x + y * b.row_y.x) + z * b.row_z.x, (x * b.row_x.y + y * b.row_y.y) + z * b.row_z.y,
+            (x * b.row_x.z + y * b.row_y.z) + z * b.row_z.z};
+  };
+  return {product(a.row_x.x, a.row_y.x, a.row_z.x), product(a.row_x.y, a.row_y.y, a.row_z.y),
+          product(a.row_x.z, a.row_y.z, a.row_z.z), a.direction_to_b((b.translation - a.translation) + shift)};
+}
+
+PairSearch::Kind::Kind(const PairQuestion& question, ShapeId shape_a, ShapeId shape_b)
+    : a((*question.with_margin)[shape_a]),
+      b(question.bodies->shapes()[shape_b]),
+      quick(a, b, kRelativeRotationError),
+      packets(make_packet_overlap(packet_kernel(question.set), a, b)),
+      cylinders(cylinder_pair(question.bodies->bounds(shape_a), question.bodies->bounds(shape_b), question.margin)) {}
+
+void PairSearch::begin(const PairQuestion& question) {
+  if (question.set != question_.set || question.margin != question_.margin) kinds_.clear();
+  question_ = question;
+  near.n = 0;
+  near.n_seen = 0;
+  // Nothing that a query which ended by an exception has left is true.
+  waiting_.clear();
+  entries_.clear();
+  if (kinds_.size() > kMostKinds) kinds_.clear();
+  pairs.clear();
+  undecided.clear();
+  counts = {};
+  if (!placed_) placed_ = std::make_unique<PlacedPairs>();
+  answers_.resize(kBatch);
+}
+
+ScenePair PairSearch::pair_of(std::uint64_t a, std::uint64_t b, std::uint64_t shift) const {
+  return {body_at(a), body_at(b), question_.shifts->image(shift)};
+}
+
+// The body with the lower number comes first; of a body and its own copy the image is positive.
+void PairSearch::orient() {
+  counts[SceneStage::balls].seen += near.n_seen;
+  counts[SceneStage::balls].settled += near.n_seen - near.n;
+  const ShiftTable& shifts = *question_.shifts;
+  for (std::size_t k = 0; k < near.n; ++k) {
+    std::uint64_t a = near.places[k] & 0xffffffffu, b = near.places[k] >> 32, shift = near.shift[k];
+    const BodyId id_a = body_at(a), id_b = body_at(b);
+    const bool swaps = id_a > id_b || (id_a == id_b && !is_positive(shifts.image(shift)));
+    const std::uint64_t first = swaps ? b : a;
+    b = swaps ? a : b;
+    a = first;
+    shift = swaps ? shifts.opposite(shift) : shift;
+    if (joined != nullptr) {
+      SceneCounts::Stage& stage = counts[SceneStage::joined];
+      ++stage.seen;
+      if (joined->knows(std::min(id_a, id_b), std::max(id_a, id_b), shifts.image(shift))) {
+        ++stage.settled;
+        continue;
+      }
+    }
+    prefetch_pose(question_.poses, a);
+    prefetch_pose(question_.poses, b);
+    waiting_.add(a, b, shift);
+  }
+  near.n = 0;
+  near.n_seen = 0;
+}
+
+void PairSearch::take() {
+  orient();
+  const bool is_one_kind = question_.bodies->shapes().size() == 1;
+  if (is_one_kind) {
+    settle_all(kBatch);
+  } else if (waiting_.size() >= kWaitingOfKinds) {
+    settle_by_kinds();
+  }
+}
+
+void PairSearch::finish() {
+  orient();
+  if (question_.bodies->shapes().size() == 1) {
+    settle_all(1);
+  } else {
+    settle_by_kinds();
+  }
+}
+
+// All but fewer than so many.
+void PairSearch::settle_all(std::size_t keep_below) {
+  std::size_t first = 0;
+  while (waiting_.size() - first >= keep_below) {
+    const std::size_t n = std::min(kBatch, waiting_.size() - first);
+    Kind* const kind = kind_of(key_of(0, 0), n);
+    for (std::size_t k = 0; kind == nullptr && k < n; ++k) {
+      settle_one(waiting_.a[first + k], waiting_.b[first + k], waiting_.shift[first + k]);
+    }
+    if (kind != nullptr) {
+      settle_batch(*kind, waiting_.a.data() + first, waiting_.b.data() + first, waiting_.shift.data() + first, n);
+    }
+    first += n;
+    if (first == waiting_.size()) break;
+  }
+  for (std::vector<std::uint64_t>* column : {&waiting_.a, &waiting_.b, &waiting_.shift}) {
+    column->erase(column->begin(), column->begin() + static_cast<std::ptrdiff_t>(first));
+  }
+}
+
+// The number of the kind's chain, a new one where it has none. Entries are at most half full; the first that is free or
+// the kind's own counts, from where the key falls.
+std::size_t PairSearch::chain_of(std::uint64_t key) {
+  const std::size_t mask = entries_.size() - 1;
+  std::size_t at = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> 32) & mask;
+  while (entries_[at] != kNoChain && chains_[entries_[at]].key != key) at = (at + 1) & mask;
+  if (entries_[at] == kNoChain) {
+    entries_[at] = static_cast<std::uint32_t>(chains_.size());
+    chains_.push_back({key, kNoChain, 0, static_cast<std::uint32_t>(at)});
+  }
+  return entries_[at];
+}
+
+void PairSearch::settle_by_kinds() {
+  if (entries_.size() < 2 * waiting_.size()) entries_.assign(std::bit_ceil(2 * waiting_.size()), kNoChain);
+  chains_.clear();
+  next_.resize(waiting_.size());
+  for (std::size_t k = waiting_.size(); k-- > 0;) {
+    Chain& chain = chains_[chain_of(key_of(question_.shape[waiting_.a[k]], question_.shape[waiting_.b[k]]))];
+    next_[k] = chain.head;
+    chain.head = static_cast<std::uint32_t>(k);
+    ++chain.length;
+  }
+  for (const Chain& chain : chains_) {
+    entries_[chain.entry] = kNoChain;
+    Kind* const kind = kind_of(chain.key, chain.length);
+    batch_.clear();
+    for (std::uint32_t k = chain.head; k != kNoChain; k = next_[k]) {
+      if (kind == nullptr) {
+        settle_one(waiting_.a[k], waiting_.b[k], waiting_.shift[k]);
+        continue;
+      }
+      batch_.add(waiting_.a[k], waiting_.b[k], waiting_.shift[k]);
+      if (batch_.size() == kBatch || next_[k] == kNoChain) {
+        settle_batch(*kind, batch_.a.data(), batch_.b.data(), batch_.shift.data(), batch_.size());
+        batch_.clear();
+      }
+    }
+  }
+  waiting_.clear();
+}
+
+// None where too few pairs of it are waiting to pay for it. Answers do not depend on that, where both shapes have exact
+// forms: what bounds and packets prove, `overlap` proves too. Of other shapes bounds may prove more.
+PairSearch::Kind* PairSearch::kind_of(std::uint64_t key, std::size_t n_waiting) {
+  const auto at = kinds_.find(key);
+  if (at != kinds_.end()) return at->second.get();
+  const ShapeId a = static_cast<ShapeId>(key >> 32), b = static_cast<ShapeId>(key & 0xffffffffu);
+  const SceneBodies& bodies = *question_.bodies;
+  const bool are_exact = bodies.bounds(a).has_exact_form && bodies.bounds(b).has_exact_form;
+  if (are_exact && n_waiting < kWorthAKind && bodies.shapes().size() > kFewShapes) return nullptr;
+  return kinds_.emplace(key, std::make_unique<Kind>(question_, a, b)).first->second.get();
+}
+
+void PairSearch::settle_batch(Kind& kind, const std::uint64_t* a, const std::uint64_t* b, const std::uint64_t* shift,
+                              std::size_t n) {
+  PlacedPairs& placed = *placed_;
+  const bool has_cylinders = kind.cylinders.says_anything();
+  question_.kernel.place({question_.poses, question_.shifts->rows(), a, b, shift, n, kind.a.centre(), kind.b.centre(),
+                          has_cylinders ? &kind.cylinders : nullptr, &kind.quick},
+                         placed);
+  if (has_cylinders) {
+    counts[SceneStage::cylinders].seen += n;
+    counts[SceneStage::cylinders].settled += n - placed.n_after_cylinders;
+  }
+  counts[SceneStage::bounds].seen += placed.n_after_cylinders;
+  counts[SceneStage::bounds].settled += placed.n_after_cylinders - placed.n_open;
+  for (std::size_t k = 0; k < placed.n_overlapping; ++k) {
+    const std::uint64_t row = placed.overlapping[k];
+    pairs.push_back(pair_of(a[row], b[row], shift[row]));
+  }
+  const PoseTable poses{placed.poses[0], PlacedPairs::kStride, placed.n_open};
+  if (kind.packets) {
+    kind.packets->decide(poses, answers_.data());
+    counts[SceneStage::packets].seen += placed.n_open;
+  }
+  for (std::size_t k = 0; k < placed.n_open; ++k) {
+    const std::uint64_t row = placed.row[k];
+    const PacketAnswer found = kind.packets ? answers_[k] : PacketAnswer::open;
+    if (found == PacketAnswer::open) {
+      answer(overlap(kind.a, kind.b, Pose::unchecked(poses.pose(k))), a[row], b[row], shift[row]);
+      continue;
+    }
+    ++counts[SceneStage::packets].settled;
+    if (found == PacketAnswer::overlap) pairs.push_back(pair_of(a[row], b[row], shift[row]));
+  }
+}
+
+void PairSearch::settle_one(std::uint64_t a, std::uint64_t b, std::uint64_t shift) {
+  const Transformd pose = relative_pose(SceneBodies::pose_at(question_.poses, a),
+                                        SceneBodies::pose_at(question_.poses, b), question_.shifts->shift(shift));
+  answer(overlap((*question_.with_margin)[question_.shape[a]], question_.bodies->shapes()[question_.shape[b]],
+                 Pose::unchecked(pose)),
+         a, b, shift);
+}
+
+void PairSearch::answer(const Verdict& verdict, std::uint64_t a, std::uint64_t b, std::uint64_t shift) {
+  ++counts[SceneStage::scalar].seen;
+  const SceneStage later = verdict.by == DecidedBy::exact ? SceneStage::exact : SceneStage::double_double;
+  const bool is_decided = verdict.outcome != Outcome::undecided;
+  if (is_decided && verdict.by == DecidedBy::gjk) {
+    ++counts[SceneStage::scalar].settled;
+  } else {
+    ++counts[later].seen;
+    if (is_decided) ++counts[later].settled;
+  }
+  if (verdict.outcome == Outcome::overlap) pairs.push_back(pair_of(a, b, shift));
+  if (verdict.outcome == Outcome::undecided) undecided.push_back(pair_of(a, b, shift));
+}
+
+}  // namespace vex

@@ -1,0 +1,107 @@
+// From pairs whose balls may meet to verdicts: the stages of a scene's query, one thread's (internal).
+#pragma once
+
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "engine/scene/clusters.h"
+#include "engine/scene/scene_bodies.h"
+#include "engine/scene/shift_table.h"
+
+namespace vex {
+
+/// Scene::relative_pose, as the kernels have it: of b's copy, moved by `shift`, in a's frame.
+Transformd relative_pose(const Transformd& a, const Transformd& b, const Vec3d& shift);
+
+/// What the threads of a query share. Places are of the table of poses.
+struct PairQuestion {
+  const SceneBodies* bodies;
+  const double* poses;   // rows of four doubles, kRowsABody a place
+  const BodyId* id;      // of each place, or null where places are numbers of bodies, but for the visitor's
+  const ShapeId* shape;  // of each place
+  const ShiftTable* shifts;
+  SceneKernel kernel;
+  InstructionSet set;
+  double margin = 0.0;                         // pairs are asked whether they are this near
+  const std::vector<ConvexBody>* with_margin;  // of each shape; the shapes themselves where the margin is 0
+  std::uint64_t visitor = ~std::uint64_t{0};   // the place of a body's trial pose,
+  BodyId visitor_id = kNoBody;                 // and the body
+};
+
+/// Keeps what it makes of kinds of pairs from one query to the next, for one margin.
+class PairSearch {
+ public:
+  /// Where to send pairs that the broad phase finds; `take` empties it.
+  NearPairs near;
+
+  void begin(const PairQuestion& question);
+  /// Settles what can be settled of the near pairs in whole batches.
+  void take();
+  /// Settles all.
+  void finish();
+
+  /// Of those proven and those undecided; a caller may empty them between.
+  std::vector<ScenePair> pairs, undecided;
+  SceneCounts counts;
+  /// Not null: pairs that are in one cluster already are not tested.
+  Clusters* joined = nullptr;
+
+ private:
+  static constexpr std::size_t kBatch = PacketOverlap::kMostTrials;
+
+  // Pairs in the order of their numbers.
+  struct Oriented {
+    std::vector<std::uint64_t> a, b, shift;
+    std::size_t size() const { return a.size(); }
+    void add(std::uint64_t place_a, std::uint64_t place_b, std::uint64_t number) {
+      a.push_back(place_a);
+      b.push_back(place_b);
+      shift.push_back(number);
+    }
+    void clear() {
+      a.clear();
+      b.clear();
+      shift.clear();
+    }
+  };
+  // Two shapes, in the order of the bodies.
+  struct Kind {
+    Kind(const PairQuestion& question, ShapeId a, ShapeId b);
+    ConvexBody a, b;
+    QuickVerdict quick;
+    std::unique_ptr<PacketOverlap> packets;  // or none
+    CylinderPair cylinders;
+  };
+
+  void orient();
+  void settle_all(std::size_t keep_below);
+  void settle_by_kinds();
+  void settle_batch(Kind& kind, const std::uint64_t* a, const std::uint64_t* b, const std::uint64_t* shift,
+                    std::size_t n);
+  void settle_one(std::uint64_t a, std::uint64_t b, std::uint64_t shift);
+  void answer(const Verdict& verdict, std::uint64_t a, std::uint64_t b, std::uint64_t shift);
+  Kind* kind_of(std::uint64_t key, std::size_t n_waiting);
+  BodyId body_at(std::uint64_t place) const {
+    if (question_.id != nullptr) return question_.id[place];
+    return place == question_.visitor ? question_.visitor_id : static_cast<BodyId>(place);
+  }
+  ScenePair pair_of(std::uint64_t a, std::uint64_t b, std::uint64_t shift) const;
+
+  PairQuestion question_;
+  Oriented waiting_;
+  std::unordered_map<std::uint64_t, std::unique_ptr<Kind>> kinds_;
+  std::unique_ptr<PlacedPairs> placed_;
+  std::vector<PacketAnswer> answers_;
+  // Of settle_by_kinds: chains of waiting pairs of one kind, and a table that tells a kind's chain.
+  struct Chain {
+    std::uint64_t key;
+    std::uint32_t head, length, entry;
+  };
+  std::size_t chain_of(std::uint64_t key);
+  std::vector<Chain> chains_;
+  std::vector<std::uint32_t> entries_, next_;
+  Oriented batch_;
+};
+
+}  // namespace vex

@@ -1,0 +1,111 @@
+// The bodies of a scene: shapes, poses, and bounds that hold whatever the rotation (internal).
+#pragma once
+
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "engine/numeric/pose.h"
+#include "engine/scene/periodic_box.h"
+#include "engine/scene/scene_kernel.h"
+#include "engine/scene/scene_pair.h"
+#include "engine/support/convex_body.h"
+
+namespace vex {
+
+/// Added to radii, so that no square of a distance that matters is subnormal.
+inline constexpr double kTrifle = 0x1p-500;
+
+/// Of a number that no body has.
+inline constexpr ShapeId kNoShape = ~ShapeId{0};
+
+/// What is known of a shape at any pose of a scene (E26).
+struct ShapeBounds {
+  Vec3d centre;
+  double radius = 0.0;  // of a ball about the centre that holds the placed body, as seen from any other body's frame
+  double inner_radius = 0.0;  // of one that the body holds, seen likewise; below 0 where none is known
+  // A cylinder about the centre, along a coordinate axis of the shape's frame.
+  int axis = 0;
+  double half_length = 0.0, axis_radius = 0.0;
+  bool has_exact_form = false;
+
+  bool is_long() const { return half_length > 2.0 * axis_radius; }
+  bool is_flat() const { return axis_radius > 3.0 * half_length; }
+};
+ShapeBounds shape_bounds(const ConvexBody& body);
+
+/// The same for two shapes, bodies of which are compared; `margin` is added to their distance.
+CylinderPair cylinder_pair(const ShapeBounds& a, const ShapeBounds& b, double margin);
+
+/// Bodies by number; a free number has kNoShape.
+class SceneBodies {
+ public:
+  explicit SceneBodies(std::optional<PeriodicBox> box)
+      : box_(std::move(box)), shape_of_(1, kNoShape), poses_(kNumbersABody) {}
+
+  ShapeId add_shape(const ConvexBody& body);
+  /// Of a periodic scene: the pose moved so that the centre is in the box, and by which image.
+  Transformd wrapped(const Transformd& pose, const Vec3d& own_centre, ImageOffset* image) const;
+  /// What scenes take, of bodies and of visitors. Throw InputError.
+  static void check_size(const ConvexBody& body);
+  static void check_rotation(const Transformd& pose);
+  BodyId add(ShapeId shape, const Pose& pose);
+  void remove(BodyId body);
+  void set_pose(BodyId body, const Pose& pose);
+
+  const std::optional<PeriodicBox>& box() const { return box_; }
+  const std::vector<ConvexBody>& shapes() const { return shapes_; }
+  const ShapeBounds& bounds(ShapeId shape) const { return bounds_[shape]; }
+  std::size_t size() const { return n_; }
+  BodyId end() const { return static_cast<BodyId>(shape_of_.size() - 1); }
+  bool has(BodyId body) const { return body < end() && shape_of_[body] != kNoShape; }
+  /// Behind the last body there is a place for a visitor, in the table of poses too.
+  void set_visitor(ShapeId shape, const Transformd& pose);
+  const std::vector<ShapeId>& shape_of() const { return shape_of_; }
+  /// Rows of four doubles, kRowsABody a body.
+  const std::vector<double>& poses() const { return poses_; }
+  Transformd pose(BodyId body) const { return pose_at(poses_.data(), body); }
+  const ImageOffset& image(BodyId body) const { return image_[body]; }
+  /// The middle of the body's ball, in the scene's frame, rounded.
+  const Vec3d& centre(BodyId body) const { return centres_[body]; }
+  /// Of all bodies that are there: of their balls, and how far (in the 1-norm) their centres are from the origins of
+  /// their frames.
+  double largest_radius() const;
+  double largest_offset() const;
+
+  /// From now on what each body moves is added up.
+  void track();
+  /// No point of the body has moved farther than this since, as a sum over its moves.
+  double travel(BodyId body) const { return travel_[body]; }
+  double largest_travel() const;
+  /// Where the body would be, had it not been moved into the box again, is this many lattice vectors from where it is.
+  const ImageOffset& crossed(BodyId body) const { return crossed_[body]; }
+
+  static Transformd pose_at(const double* poses, std::size_t place);
+  static Vec3d centre_at(const double* poses, std::size_t place, const Vec3d& own_centre);
+  static void write_pose(double* poses, std::size_t place, const Transformd& pose);
+
+  /// The pose as the scene keeps it, moved into the box. Throws InputError where it is none for a scene.
+  Transformd checked(ShapeId shape, const Pose& pose, ImageOffset* image) const;
+
+ private:
+  void place(BodyId body, const Transformd& pose);
+  void add_travel(BodyId body, const Transformd& from, const Vec3d& centre_from);
+
+  std::optional<PeriodicBox> box_;
+  std::vector<ConvexBody> shapes_;
+  std::unordered_map<const void*, ShapeId> shape_by_identity_;  // the shapes hold what these point to
+  std::vector<ShapeBounds> bounds_;
+  std::vector<std::size_t> n_of_shape_;
+  std::vector<ShapeId> shape_of_;
+  std::vector<double> poses_;
+  std::vector<Vec3d> centres_;
+  std::vector<ImageOffset> image_;
+  bool tracks_ = false;
+  std::vector<double> travel_;
+  std::vector<ImageOffset> crossed_;
+  std::vector<BodyId> free_;  // a heap, the lowest first
+  std::size_t n_ = 0;
+};
+
+}  // namespace vex

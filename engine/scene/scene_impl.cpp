@@ -1,0 +1,212 @@
+#include "engine/scene/scene_impl.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <utility>
+
+#include "engine/numeric/errors.h"
+#include "engine/numeric/number_text.h"
+#include "engine/scene/pair_order.h"
+#include "engine/scene/threads.h"
+
+namespace vex {
+namespace {
+
+void check(const SceneSettings& settings) {
+  if (!(settings.skin >= 0.0 && settings.skin <= 1e100)) {
+    throw UsageError("a scene's skin is " + shortest_number(settings.skin) + " - give a length from 0 to 1e100");
+  }
+  if (settings.n_threads < 1 || settings.n_threads > 4096) {
+    throw UsageError("a scene's number of threads is " + std::to_string(settings.n_threads) +
+                     " - give one between 1 and 4096");
+  }
+}
+
+}  // namespace
+
+Scene::Impl::Impl(std::optional<PeriodicBox> box, const SceneSettings& settings)
+    : bodies_(std::move(box)), settings_(settings) {
+  check(settings);
+}
+
+void Scene::Impl::set(const SceneSettings& settings) {
+  check(settings);
+  settings_ = settings;
+}
+
+ShapeId Scene::Impl::add_shape(const ConvexBody& body) { return bodies_.add_shape(body); }
+
+BodyId Scene::Impl::add(ShapeId shape, const Pose& pose) {
+  const BodyId body = bodies_.add(shape, pose);
+  phases_.bodies_changed();
+  memory_.forget();
+  if (are_cells_true_) {
+    are_cells_true_ = cells_.takes(bodies_, body);
+    if (are_cells_true_) cells_.add(bodies_, body);
+  }
+  return body;
+}
+
+void Scene::Impl::require(BodyId body) const {
+  if (!bodies_.has(body)) throw UsageError("a scene has no body " + std::to_string(body) + " - ask `has` first");
+}
+
+void Scene::Impl::remove(BodyId body) {
+  require(body);
+  if (are_cells_true_) cells_.remove(body);
+  bodies_.remove(body);
+  phases_.bodies_changed();
+  memory_.forget();
+}
+
+void Scene::Impl::move(BodyId body, const Pose& pose) {
+  require(body);
+  bodies_.set_pose(body, pose);
+  phases_.moved(bodies_, body);
+  if (are_cells_true_) {
+    cells_.remove(body);
+    are_cells_true_ = cells_.takes(bodies_, body);
+    if (are_cells_true_) cells_.add(bodies_, body);
+  }
+}
+
+void Scene::Impl::move_all(std::span<const Pose> poses) {
+  if (poses.size() != bodies_.end() || bodies_.size() != bodies_.end()) {
+    throw UsageError("poses of " + std::to_string(poses.size()) + " bodies are given, and the scene has " +
+                     std::to_string(bodies_.size()) + " with numbers below " + std::to_string(bodies_.end()) +
+                     " - give one pose for each number, in a scene without gaps");
+  }
+  phases_.poses_changed();
+  are_cells_true_ = false;
+  const int n_threads = settings_.n_threads;
+  on_threads(n_threads, [&](int thread) {
+    const Part part = part_of(poses.size(), thread, n_threads);
+    for (std::size_t k = part.first; k < part.end; ++k) bodies_.set_pose(static_cast<BodyId>(k), poses[k]);
+  });
+}
+
+double Scene::Impl::checked_reach(double margin) const {
+  const double reach = (2.0 * bodies_.largest_radius() + margin) * (1.0 + 0x1p-18);
+  if (bodies_.box()) {
+    const Vec3d faces = bodies_.box()->face_distances();
+    const double least = std::fmin(faces.x, std::fmin(faces.y, faces.z));
+    if (!(margin <= kMostImages * least)) {
+      throw InputError("a distance of " + shortest_number(margin) + " reaches over more than " +
+                       std::to_string(kMostImages) + " copies of the periodic box, whose faces are " +
+                       shortest_number(least) + " apart - give a smaller one");
+    }
+  }
+  return reach;
+}
+
+// Made for single queries, and kept up to date from then on; anew where bodies have become many more or larger.
+BallCells& Scene::Impl::ball_cells(double farthest) {
+  const double needed = 2.0 * bodies_.largest_radius() * (1.0 + 0x1p-18);
+  const bool is_small = bodies_.size() > 2 * n_in_cells_ + 64;
+  if (!are_cells_true_ || needed > cells_.reach() || is_small || !cells_.goes_as_far_as(farthest)) {
+    cells_.build(bodies_, needed, farthest);
+    n_in_cells_ = bodies_.size();
+    are_cells_true_ = true;
+  }
+  return cells_;
+}
+
+std::vector<Clusters>& Scene::Impl::cluster_parts(int n_threads) {
+  cluster_parts_.resize(static_cast<std::size_t>(n_threads));
+  for (Clusters& part : cluster_parts_) part.reset(bodies_.end());
+  return cluster_parts_;
+}
+
+PairQuestion Scene::Impl::question(double margin) {
+  const std::vector<ConvexBody>* shapes = &bodies_.shapes();
+  if (margin > 0.0) {
+    if (margin != margin_) with_margin_.clear();
+    margin_ = margin;
+    for (std::size_t k = with_margin_.size(); k < shapes->size(); ++k) {
+      with_margin_.push_back(vex::with_margin((*shapes)[k], margin));
+    }
+    shapes = &with_margin_;
+  }
+  const SortedBodies& sorted = phases_.bodies();
+  return {&bodies_,
+          sorted.poses.data(),
+          sorted.id.data(),
+          sorted.shape.data(),
+          &phases_.shifts(),
+          scene_kernel(settings_.instruction_set),
+          settings_.instruction_set,
+          margin,
+          shapes};
+}
+
+void Scene::Impl::find_pairs(double margin, const OnBatch& on_batch, const OnBegin& on_begin) {
+  if (!(margin >= 0.0 && margin <= 1e100)) {
+    throw UsageError("the distance is " + shortest_number(margin) + " - give one from 0 to 1e100");
+  }
+  phases_.prepare(bodies_, settings_, checked_reach(margin), margin);
+  const PairQuestion asked = question(margin);
+  n_searches_ = std::min(settings_.n_threads, static_cast<int>(std::max<std::size_t>(phases_.n_parts(), 1)));
+  std::atomic<std::size_t> next_part = 0;
+  std::atomic<bool> is_over = false;
+  on_searches(asked, [&](PairSearch& search, int thread) {
+    if (on_begin) on_begin(search, thread);
+    const auto tell = [&] {
+      if (on_batch && !on_batch(search)) is_over = true;
+      return !is_over;
+    };
+    const auto take = [&] {
+      search.take();
+      return tell();
+    };
+    for (std::size_t part = next_part++; part < phases_.n_parts(); part = next_part++) {
+      if (is_over || !phases_.find_near(part, asked.kernel, search.near, take)) return;
+    }
+    search.finish();
+    tell();
+  });
+}
+
+void Scene::Impl::on_searches(const PairQuestion& asked,
+                              const std::function<void(PairSearch& search, int thread)>& work) {
+  last_had_margin_ = asked.margin > 0.0;
+  std::vector<PairSearch>& all = searches(asked.margin);
+  if (all.size() < static_cast<std::size_t>(n_searches_)) all.resize(static_cast<std::size_t>(n_searches_));
+  on_threads(n_searches_, [&](int thread) {
+    PairSearch& search = all[static_cast<std::size_t>(thread)];
+    search.begin(asked);
+    search.joined = nullptr;
+    work(search, thread);
+  });
+}
+
+void Scene::Impl::find_remembered_pairs() {
+  if (!memory_.holds(bodies_, settings_.skin)) {
+    phases_.prepare(bodies_, settings_, checked_reach(settings_.skin), settings_.skin);
+    memory_.build(bodies_, phases_, scene_kernel(settings_.instruction_set), settings_.skin, settings_.n_threads);
+  }
+  PairQuestion asked = question(0.0);
+  asked.poses = bodies_.poses().data();
+  asked.id = nullptr;
+  asked.shape = bodies_.shape_of().data();
+  asked.shifts = &memory_.shifts();
+  constexpr std::size_t kBlock = 4096;
+  n_searches_ = std::min(settings_.n_threads, static_cast<int>(memory_.size() / kBlock + 1));
+  std::atomic<std::size_t> next = 0;
+  on_searches(asked, [&](PairSearch& search, int) {
+    for (std::size_t first = next.fetch_add(kBlock); first < memory_.size(); first = next.fetch_add(kBlock)) {
+      memory_.look(bodies_, first, std::min(first + kBlock, memory_.size()), search);
+    }
+    search.finish();
+  });
+}
+
+void Scene::Impl::collect(ScenePairs& out) {
+  const std::span<PairSearch> last(searches_[last_had_margin_ ? 1 : 0].data(), static_cast<std::size_t>(n_searches_));
+  sort_pairs(last, &PairSearch::pairs, bodies_.end(), n_searches_, out.pairs);
+  sort_pairs(last, &PairSearch::undecided, bodies_.end(), 1, out.undecided);
+  out.counts = {};
+  for (const PairSearch& search : last) out.counts += search.counts;
+}
+
+}  // namespace vex

@@ -1,0 +1,28 @@
+#include "engine/scene/scene_pair.h"
+
+namespace vex {
+
+std::string_view name_of(SceneStage stage) {
+  switch (stage) {
+    case SceneStage::unmoved: return "unmoved";
+    case SceneStage::joined: return "joined";
+    case SceneStage::balls: return "balls";
+    case SceneStage::cylinders: return "cylinders";
+    case SceneStage::bounds: return "bounds";
+    case SceneStage::packets: return "packets";
+    case SceneStage::scalar: return "scalar";
+    case SceneStage::double_double: return "double_double";
+    case SceneStage::exact: break;
+  }
+  return "exact";
+}
+
+SceneCounts& SceneCounts::operator+=(const SceneCounts& other) {
+  for (std::size_t k = 0; k < stages.size(); ++k) {
+    stages[k].seen += other.stages[k].seen;
+    stages[k].settled += other.stages[k].settled;
+  }
+  return *this;
+}
+
+}  // namespace vex

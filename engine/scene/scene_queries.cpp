@@ -1,0 +1,81 @@
+// Queries of all pairs that build on the verdicts: distances, contacts, clusters.
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "engine/numeric/errors.h"
+#include "engine/scene/scene_impl.h"
+#include "engine/scene/threads.h"
+
+namespace vex {
+namespace {
+
+constexpr std::size_t kBlock = 64;
+
+// work(k) for k below n, blocks of them by whichever thread is free.
+template <class Work>
+void for_each(std::size_t n, int n_threads, const Work& work) {
+  share_parts(n_threads, (n + kBlock - 1) / kBlock, [&](std::size_t block) {
+    for (std::size_t k = block * kBlock; k < std::min((block + 1) * kBlock, n); ++k) work(k);
+  });
+}
+
+}  // namespace
+
+void Scene::distances_within(double distance, SceneDistances& out) {
+  ScenePairs& near = impl_->pairs_buffer();
+  pairs_within(distance, near);
+  out.counts = near.counts;
+  out.undecided = near.undecided;
+  out.entries.resize(near.pairs.size());
+  for_each(near.pairs.size(), settings().n_threads, [&](std::size_t k) {
+    const ScenePair& pair = near.pairs[k];
+    out.entries[k] = {
+        pair, vex::distance(shape(shape_of(pair.a)), shape(shape_of(pair.b)), Pose::unchecked(relative_pose(pair)))};
+  });
+}
+
+void Scene::contact_manifolds(SceneManifolds& out, double margin) {
+  ScenePairs& near = impl_->pairs_buffer();
+  pairs_within(margin, near);
+  out.counts = near.counts;
+  out.undecided = near.undecided;
+  out.entries.resize(near.pairs.size());
+  for_each(near.pairs.size(), settings().n_threads, [&](std::size_t k) {
+    const ScenePair& pair = near.pairs[k];
+    out.entries[k] = {pair, contact_manifold(shape(shape_of(pair.a)), shape(shape_of(pair.b)),
+                                             Pose::unchecked(relative_pose(pair)), margin)};
+  });
+}
+
+void Scene::clusters(Clusters& out) {
+  // Each thread has clusters of its own, which tell it what it need not test; what joined two of them, or closed a loop
+  // around the box, is all that the others need to know.
+  const int n_threads = settings().n_threads;
+  std::vector<Clusters>& parts = impl_->cluster_parts(n_threads);
+  std::vector<std::vector<ScenePair>> news(static_cast<std::size_t>(n_threads));
+  impl_->find_pairs(
+      0.0,
+      [&](PairSearch& search) {
+        const std::size_t thread = static_cast<std::size_t>(&search - &impl_->search(0.0, 0));
+        for (const ScenePair& pair : search.pairs) {
+          if (parts[thread].join(pair.a, pair.b, pair.image) != Clusters::Joined::closed) news[thread].push_back(pair);
+        }
+        search.pairs.clear();
+        return true;
+      },
+      [&](PairSearch& search, int thread) { search.joined = &parts[static_cast<std::size_t>(thread)]; });
+  out.reset(end());
+  for (const std::vector<ScenePair>& pairs : news) {
+    for (const ScenePair& pair : pairs) out.join(pair.a, pair.b, pair.image);
+  }
+  out.root_at_lowest();
+  ScenePairs& rest = impl_->pairs_buffer();
+  impl_->collect(rest);
+  out.counts = rest.counts;
+  // A pair of bodies that are in one cluster anyway may have been asked, or not: that hangs on the order.
+  std::copy_if(rest.undecided.begin(), rest.undecided.end(), std::back_inserter(out.undecided),
+               [&out](const ScenePair& pair) { return out.would_change(pair.a, pair.b, pair.image); });
+}
+
+}  // namespace vex

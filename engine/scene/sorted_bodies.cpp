@@ -1,0 +1,71 @@
+#include "engine/scene/sorted_bodies.h"
+
+#include <cmath>
+
+#include "engine/scene/threads.h"
+
+namespace vex {
+namespace {
+
+constexpr std::size_t kRoom = 16, kAhead = 24;
+
+}  // namespace
+
+void SortedBodies::fill(const SceneBodies& bodies, std::span<const BodyId> order, double largest_shift, int n_threads) {
+  const std::size_t n = order.size();
+  id.resize(n);
+  shape.resize(n);
+  poses.resize(kNumbersABody * n);
+  for (std::vector<double>* column : {&x, &y, &z, &radius}) column->resize(n + kRoom);
+  const double* const from = bodies.poses().data();
+  on_threads(n_threads, [&](int thread) {
+    const Part part = part_of(n, thread, n_threads);
+    for (std::size_t k = part.first; k < part.end; ++k) {
+      if (k + kAhead < part.end) {
+        const double* const next = from + kNumbersABody * order[k + kAhead];
+        __builtin_prefetch(next);
+        __builtin_prefetch(next + kNumbersABody - 1);
+        __builtin_prefetch(&bodies.centre(order[k + kAhead]));
+      }
+      const BodyId body = order[k];
+      const ShapeId of = bodies.shape_of()[body];
+      id[k] = body;
+      shape[k] = of;
+      const double* const pose = from + kNumbersABody * body;
+      double* const to = poses.data() + kNumbersABody * k;
+      for (std::size_t j = 0; j < kNumbersABody; ++j) to[j] = pose[j];
+      const ShapeBounds& bounds = bodies.bounds(of);
+      const Vec3d centre = bodies.centre(body);
+      x[k] = centre.x;
+      y[k] = centre.y;
+      z[k] = centre.z;
+      // What rounding takes off or adds where centres, shifts and squares of distances are computed.
+      radius[k] = bounds.radius + 0x1p-46 * (norm_1(centre) + norm_1(bounds.centre) + largest_shift) + kTrifle;
+    }
+  });
+}
+
+void SortedBodies::widen(double distance) {
+  const double more = 0.5 * distance * (1.0 + 0x1p-19);
+  for (double& r : radius) r += more;
+}
+
+Aabb bounds_of_centres(const SceneBodies& bodies, int n_threads) {
+  constexpr Aabb kNothing{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+  if (bodies.size() == 0) return {};
+  std::vector<Aabb> parts(static_cast<std::size_t>(n_threads), kNothing);
+  on_threads(n_threads, [&](int thread) {
+    Aabb bounds = kNothing;
+    const Part part = part_of(bodies.end(), thread, n_threads);
+    for (std::size_t k = part.first; k < part.end; ++k) {
+      const BodyId body = static_cast<BodyId>(k);
+      if (bodies.has(body)) bounds = hull_of(bounds, {bodies.centre(body), bodies.centre(body)});
+    }
+    parts[static_cast<std::size_t>(thread)] = bounds;
+  });
+  Aabb all = kNothing;
+  for (const Aabb& part : parts) all = hull_of(all, part);
+  return all;
+}
+
+}  // namespace vex

@@ -1,0 +1,31 @@
+// The bodies of a scene in the order of a broad phase, so that neighbours stand near each other in memory (internal).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/scene/aabb.h"
+#include "engine/scene/scene_bodies.h"
+
+namespace vex {
+
+/// Places are 0 ... size - 1. Columns have room for a packet behind them.
+struct SortedBodies {
+  std::vector<BodyId> id;
+  std::vector<ShapeId> shape;
+  std::vector<double> poses;            // rows of four doubles, kRowsABody a body
+  std::vector<double> x, y, z, radius;  // of the circumscribed balls, widened (E26)
+
+  std::size_t size() const { return id.size(); }
+
+  /// `order`: the number of the body at each place. `largest_shift`: what may be added to a centre.
+  void fill(const SceneBodies& bodies, std::span<const BodyId> order, double largest_shift, int n_threads);
+  /// To the radii, so that balls meet whose bodies are this near; half of it to each.
+  void widen(double distance);
+};
+
+/// The bounds of all bodies' centres.
+Aabb bounds_of_centres(const SceneBodies& bodies, int n_threads);
+
+}  // namespace vex

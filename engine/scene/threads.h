@@ -1,0 +1,73 @@
+// Work shared among threads (internal).
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace vex {
+
+/// work(k) for k = 0 ... n - 1, each on a thread of its own, the first on the caller's. The first exception is thrown
+/// again once all have ended.
+template <class Work>
+void on_threads(int n, Work&& work) {
+  if (n <= 1) {
+    work(0);
+    return;
+  }
+  std::vector<std::exception_ptr> failures(static_cast<std::size_t>(n));
+  const auto guarded = [&](int k) {
+    try {
+      work(k);
+    } catch (...) {
+      failures[static_cast<std::size_t>(k)] = std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    try {
+      for (int k = 1; k < n; ++k) threads.emplace_back(guarded, k);
+    } catch (const std::system_error&) {
+      // What a thread that cannot be had would have done is done here, after the caller's own part.
+    }
+    guarded(0);
+    for (int k = static_cast<int>(threads.size()) + 1; k < n; ++k) guarded(k);
+  }
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
+}
+
+/// work(part) for every part in [0, n_parts), by at most `n_threads`; which of them takes a part is open.
+template <class Work>
+void share_parts(int n_threads, std::size_t n_parts, const Work& work) {
+  std::atomic<std::size_t> next{0};
+  const std::size_t n = std::min(static_cast<std::size_t>(std::max(n_threads, 1)), n_parts);
+  on_threads(static_cast<int>(n), [&](int) {
+    for (std::size_t part = next++; part < n_parts; part = next++) work(part);
+  });
+}
+
+/// work(first, last) for ranges that make up [0, n): about four a thread, none of fewer than `least` but the last, each
+/// of a multiple of `least`.
+template <class Work>
+void share_range(int n_threads, std::size_t n, std::size_t least, const Work& work) {
+  const std::size_t n_parts = n_threads > 1 ? 4 * static_cast<std::size_t>(n_threads) : 1;
+  const std::size_t part = std::max<std::size_t>((n / n_parts + least) / least, 1) * least;
+  share_parts(n_threads, (n + part - 1) / part, [&](std::size_t k) { work(k * part, std::min(n, (k + 1) * part)); });
+}
+
+/// The k-th of n parts of 0 ... size, in order: its first and its end.
+struct Part {
+  std::size_t first, end;
+};
+inline Part part_of(std::size_t size, int k, int n) {
+  const auto at = [&](int j) { return size * static_cast<std::size_t>(j) / static_cast<std::size_t>(n); };
+  return {at(k), at(k + 1)};
+}
+
+}  // namespace vex

@@ -1,0 +1,107 @@
+#include <random>
+
+#include "tests/bench/rounds.h"
+#include "tests/bench/scene_cases.h"
+#include "tests/bench/scene_laps.h"
+#include "tests/bench/scene_parts.h"
+#include "tests/referees/random_poses.h"
+
+namespace vex {
+namespace {
+
+constexpr int kSteps = 20;
+
+struct StepTimes {
+  std::vector<double> move_ns, query_ns;
+  SceneCounts counts;  // of all steps
+  std::size_t n_pairs = 0;
+};
+
+// The same motion for everyone: each body goes straight on.
+std::vector<std::vector<Pose>> motion(const SceneCase& scene) {
+  std::mt19937_64 random(3);
+  std::vector<Vec3d> steps;
+  for (std::size_t k = 0; k < scene.size(); ++k) {
+    const Vec3d dir = random_direction(random);
+    steps.push_back((0.01 / norm(dir)) * dir);
+  }
+  std::vector<std::vector<Pose>> motion = {scene.poses};
+  for (int k = 0; k < kSteps; ++k) {
+    motion.push_back(motion.back());
+    for (std::size_t body = 0; body < scene.size(); ++body) {
+      Transformd pose = motion.back()[body].a_from_b();
+      pose.translation = pose.translation + steps[body];
+      motion.back()[body] = Pose::unchecked(pose);
+    }
+  }
+  return motion;
+}
+
+StepTimes move_along(const SceneCase& scene, const std::vector<std::vector<Pose>>& motion, double skin, int n_threads) {
+  Scene made = scene.scene({.n_threads = n_threads, .skin = skin});
+  ScenePairs found;
+  made.overlapping_pairs(found);
+  StepTimes times;
+  for (std::size_t k = 1; k < motion.size(); ++k) {
+    const double start = processor_ns();
+    made.move_all(motion[k]);
+    const double moved = processor_ns();
+    made.overlapping_pairs(found);
+    times.query_ns.push_back(processor_ns() - moved);
+    times.move_ns.push_back(moved - start);
+    times.counts += found.counts;
+  }
+  times.n_pairs = found.pairs.size();
+  return times;
+}
+
+double sum_ms(const std::vector<double>& ns) {
+  double sum = 0.0;
+  for (const double x : ns) sum += 1e-6 * x;
+  return sum / static_cast<double>(ns.size());
+}
+
+}  // namespace
+
+BenchReport motion_part(const ScenePartSettings& settings) {
+  const SceneCase scene = hulls(settings.bodies(1e5));
+  const std::vector<std::vector<Pose>> steps = motion(scene);
+  std::vector<double> from_nothing;
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(settings.n_rounds); ++k) {
+    SceneCase now = scene;
+    now.poses = steps[k % steps.size()];
+    const double start = processor_ns();
+    Scene made = now.scene({.skin = 0.0});
+    ScenePairs found;
+    made.overlapping_pairs(found);
+    if (k > 0) from_nothing.push_back(processor_ns() - start);
+  }
+  const double whole = 1e-6 * Timing{from_nothing}.median();
+  BenchReport report;
+  report.rows = nlohmann::ordered_json::array();
+  MarkdownTable table({"skin", "move_all, ms a step", "query, ms a step", "slowest query, ms",
+                       "a step of a scene from nothing", "pairs"});
+  std::string lines;
+  for (const double skin : {0.0, 0.1, 0.2, 0.3}) {
+    const StepTimes times = move_along(scene, steps, skin, 1);
+    const double move = sum_ms(times.move_ns), query = sum_ms(times.query_ns);
+    const double slowest = 1e-6 * *std::max_element(times.query_ns.begin(), times.query_ns.end());
+    table.add({three_digits(skin), three_digits(move), three_digits(query), three_digits(slowest),
+               percent((move + query) / whole), grouped(times.n_pairs)});
+    lines += "Skin " + three_digits(skin) + ", 20 steps. " + counts_line(times.counts) + "\n";
+    report.rows.push_back({{"skin", skin},
+                           {"move_ms", move},
+                           {"query_ms", query},
+                           {"slowest_query_ms", slowest},
+                           {"from_nothing_ms", whole},
+                           {"pairs", times.n_pairs}});
+  }
+  report.markdown = "### " + grouped(scene.size()) + " " + scene.name + ", moved by .01 diameters a step\n\n" +
+                    "A scene from nothing (bodies added, pairs found) takes " + three_digits(whole) +
+                    " ms. One thread, processor time, means of 20 steps, those in which the list is made anew among "
+                    "them.\n\n" +
+                    table.text() + "\n" + lines;
+  return report;
+}
+
+}  // namespace vex
