@@ -16,12 +16,12 @@ class CcdBackend final : public OverlapBackend {
     b_.body = &b;
   }
 
-  void decide(std::span<const Transformd> a_from_b, std::span<Verdict> verdicts) override {
+  void decide(std::span<const Pose> a_from_b, std::span<Verdict> verdicts) override {
     VEX_EXPECT(a_from_b.size() == verdicts.size());
     for (std::size_t k = 0; k < a_from_b.size(); ++k) {
       a_.n_support_calls = 0;
       b_.n_support_calls = 0;
-      b_.a_from_b = &a_from_b[k];
+      b_.a_from_b = &a_from_b[k].a_from_b();
       const int meets = query_(&a_, &b_, &ccd_);
       if (a_.has_given_up() || b_.has_given_up()) {
         verdicts[k] = Verdict::undecided(DecidedBy::peer, UndecidedReason::iteration_cap);

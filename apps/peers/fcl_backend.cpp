@@ -41,9 +41,9 @@ class FclBackend final : public OverlapBackend {
     VEX_EXPECT(a_ != nullptr && b_ != nullptr);
   }
 
-  void decide(std::span<const Transformd> a_from_b, std::span<Verdict> verdicts) override {
+  void decide(std::span<const Pose> a_from_b, std::span<Verdict> verdicts) override {
     VEX_EXPECT(a_from_b.size() == verdicts.size());
-    for (std::size_t k = 0; k < a_from_b.size(); ++k) verdicts[k] = decide(a_from_b[k]);
+    for (std::size_t k = 0; k < a_from_b.size(); ++k) verdicts[k] = decide(a_from_b[k].a_from_b());
   }
 
  private:

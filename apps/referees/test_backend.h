@@ -20,9 +20,9 @@ template <class Test>
 class TestBackend final : public OverlapBackend {
  public:
   explicit TestBackend(Test test) : test_(std::move(test)) {}
-  void decide(std::span<const Transformd> a_from_b, std::span<Verdict> verdicts) override {
+  void decide(std::span<const Pose> a_from_b, std::span<Verdict> verdicts) override {
     VEX_EXPECT(a_from_b.size() == verdicts.size());
-    for (std::size_t k = 0; k < a_from_b.size(); ++k) verdicts[k] = verdict_of_test(test_(a_from_b[k]));
+    for (std::size_t k = 0; k < a_from_b.size(); ++k) verdicts[k] = verdict_of_test(test_(a_from_b[k].a_from_b()));
   }
 
  private:

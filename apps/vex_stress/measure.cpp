@@ -18,9 +18,9 @@ constexpr std::uint64_t kPosesAtOnce = 16;
 
 constexpr double kSurelySlowUs = 1e5;
 
-double microseconds_of(OverlapBackend& backend, const Transformd& pose, Verdict& verdict) {
+double microseconds_of(OverlapBackend& backend, const Pose& pose, Verdict& verdict) {
   const auto start = std::chrono::steady_clock::now();
-  backend.decide({&pose, 1}, {&verdict, 1});
+  verdict = backend.decide(pose);
   return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
 }
 

@@ -4,8 +4,6 @@
 #include <array>
 
 #include "engine/numeric/errors.h"
-#include "engine/numeric/expect.h"
-#include "engine/numeric/pose.h"
 #include "engine/query/overlap.h"
 
 namespace vex {
@@ -20,16 +18,16 @@ class GjkBackend final : public OverlapBackend {
   GjkBackend(const ConvexBody& a, const ConvexBody& b, PacketKernel kernel)
       : a_(a), b_(b), packets_(make_packet_overlap(kernel, a, b)) {}
 
-  void decide(std::span<const Transformd> a_from_b, std::span<Verdict> verdicts) override {
+  using OverlapBackend::decide;
+  void decide(std::span<const Pose> a_from_b, std::span<Verdict> verdicts) override {
     require_as_many(a_from_b.size(), verdicts.size());
-    VEX_EXPECT(std::ranges::all_of(a_from_b, is_rotation));
     if (!packets_) {
-      for (std::size_t k = 0; k < a_from_b.size(); ++k) verdicts[k] = overlap(a_, b_, Pose::unchecked(a_from_b[k]));
+      for (std::size_t k = 0; k < a_from_b.size(); ++k) verdicts[k] = overlap(a_, b_, a_from_b[k]);
       return;
     }
     for (std::size_t first = 0; first < a_from_b.size(); first += PacketOverlap::kMostTrials) {
       const std::size_t n = std::min(PacketOverlap::kMostTrials, a_from_b.size() - first);
-      for (std::size_t k = 0; k < n; ++k) set_pose(columns_[0], PacketOverlap::kStride, k, a_from_b[first + k]);
+      for (std::size_t k = 0; k < n; ++k) set_pose(columns_[0], PacketOverlap::kStride, k, a_from_b[first + k].a_from_b());
       decide_table({columns_[0], PacketOverlap::kStride, n}, verdicts.subspan(first, n));
     }
   }
@@ -78,11 +76,11 @@ class GjkBackend final : public OverlapBackend {
 
 void OverlapBackend::decide_table(const PoseTable& a_from_b, std::span<Verdict> verdicts) {
   require_as_many(a_from_b.n, verdicts.size());
-  std::array<Transformd, 64> poses;
+  std::array<Pose, 64> poses;
   for (std::size_t first = 0; first < a_from_b.n; first += poses.size()) {
     const std::size_t n = std::min(poses.size(), a_from_b.n - first);
-    for (std::size_t k = 0; k < n; ++k) poses[k] = a_from_b.pose(first + k);
-    decide(std::span<const Transformd>(poses).first(n), verdicts.subspan(first, n));
+    for (std::size_t k = 0; k < n; ++k) poses[k] = Pose::unchecked(a_from_b.pose(first + k));
+    decide(std::span<const Pose>(poses).first(n), verdicts.subspan(first, n));
   }
 }
 

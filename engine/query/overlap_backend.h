@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "engine/numeric/transform.h"
+#include "engine/numeric/pose.h"
 #include "engine/query/packets/packet_overlap.h"
 #include "engine/query/verdict.h"
 #include "engine/support/convex_body.h"
@@ -17,12 +17,15 @@ namespace vex {
 class OverlapBackend {
  public:
   virtual ~OverlapBackend() = default;
-  /// verdicts[k] for a_from_b[k]; the spans have the same length. The poses are taken as they are, as Pose::unchecked
-  /// takes them, for they come by the million: a caller whose poses are anybody else's makes a Pose of each before. A
-  /// debug build stops at what is no pose.
-  virtual void decide(std::span<const Transformd> a_from_b, std::span<Verdict> verdicts) = 0;
-  /// The same of poses in columns.
+  /// verdicts[k] for a_from_b[k]; the spans have the same length.
+  virtual void decide(std::span<const Pose> a_from_b, std::span<Verdict> verdicts) = 0;
+  /// The same of poses in columns, which are taken as they are, as Pose::unchecked takes them.
   virtual void decide_table(const PoseTable& a_from_b, std::span<Verdict> verdicts);
+  Verdict decide(const Pose& a_from_b) {
+    Verdict verdict;
+    decide({&a_from_b, 1}, {&verdict, 1});
+    return verdict;
+  }
 };
 
 /// Names a backend and makes its instances. The bodies must outlive them.

@@ -183,11 +183,11 @@ class PoseRunner final : public TrialRunner {
     std::size_t n_open = 0;
     for (std::size_t k = 0; k < trials.n; ++k) {
       const PosedTrial trial = sampler_(trials.index(k));
-      poses_[k] = trial.a_from_b;
+      poses_[k] = Pose::unchecked(trial.a_from_b);
       shares_[k] = trial.domain_share;
       bound({&shares_[k], 1});
       if (quick_ != nullptr) {
-        const QuickVerdict::Answer<double> quick = (*quick_)(poses_[k], trial.position);
+        const QuickVerdict::Answer<double> quick = (*quick_)(trial.a_from_b, trial.position);
         if (quick.disjoint) {
           verdicts_[k] = Verdict::disjoint(DecidedBy::outer_bound);
           continue;
@@ -209,14 +209,14 @@ class PoseRunner final : public TrialRunner {
     for (std::size_t k = 0; k < trials.n; ++k) {
       const Outcome outcome = verdicts_[k].outcome;
       if (outcome == Outcome::undecided) continue;
-      CertificateCheck check = prove_again(a_, b_, Pose::unchecked(poses_[k]), outcome);
+      CertificateCheck check = prove_again(a_, b_, poses_[k], outcome);
       if (check.is_proven) {
         ++record.n_proven_again;
         continue;
       }
       ++record.unproven.n_all;
       if (record.unproven.kept.size() == FirstOf<UnprovenTrial>::kKept) continue;
-      record.unproven.kept.push_back({trials.index(k), poses_[k], outcome, std::move(check.fault)});
+      record.unproven.kept.push_back({trials.index(k), poses_[k].a_from_b(), outcome, std::move(check.fault)});
     }
   }
 
@@ -235,7 +235,7 @@ class PoseRunner final : public TrialRunner {
       if (!says(Outcome::disjoint) || !says(Outcome::overlap)) continue;
       ++record.disagreements.n_all;
       if (record.disagreements.kept.size() == FirstOf<Disagreement>::kKept) continue;
-      Disagreement found{trials.index(k), poses_[k], {verdicts_[k].outcome}};
+      Disagreement found{trials.index(k), poses_[k].a_from_b(), {verdicts_[k].outcome}};
       for (const auto& verdicts : checked_verdicts_) found.outcomes.push_back(verdicts[k].outcome);
       record.disagreements.kept.push_back(std::move(found));
     }
@@ -256,7 +256,7 @@ class PoseRunner final : public TrialRunner {
   PoseColumns columns_;
   std::unique_ptr<OverlapBackend> backend_;
   std::vector<std::unique_ptr<OverlapBackend>> checks_;
-  std::array<Transformd, kBatch> poses_, open_poses_;
+  std::array<Pose, kBatch> poses_, open_poses_;
   std::array<double, kBatch> shares_{};
   std::array<Verdict, kBatch> verdicts_, open_verdicts_;
   std::vector<std::array<Verdict, kBatch>> checked_verdicts_;  // of each of checks_

@@ -34,11 +34,11 @@ MonteCarloSettings trial_settings(const ConvexBody& body, std::uint64_t seed, st
   return settings;
 }
 
-std::vector<Transformd> stored_poses(const ConvexBody& body, std::uint64_t seed, std::size_t n) {
+std::vector<Pose> stored_poses(const ConvexBody& body, std::uint64_t seed, std::size_t n) {
   const MonteCarloSettings settings = trial_settings(body, seed, n);
-  std::vector<Transformd> poses;
+  std::vector<Pose> poses;
   poses.reserve(n);
-  for (std::size_t k = 0; k < n; ++k) poses.push_back(trial_pose(body, body, settings, k));
+  for (std::size_t k = 0; k < n; ++k) poses.push_back(Pose::unchecked(trial_pose(body, body, settings, k)));
   return poses;
 }
 
@@ -49,7 +49,7 @@ Contender trial_contender(std::string name, const ConvexBody& body, const MonteC
           }};
 }
 
-StoredQuery::StoredQuery(const BackendKind& kind, const ConvexBody& body, const std::vector<Transformd>& poses)
+StoredQuery::StoredQuery(const BackendKind& kind, const ConvexBody& body, const std::vector<Pose>& poses)
     : name_(kind.name), poses_(poses), backend_(kind.make(body, body)), verdicts_(poses.size()) {
   if (auto* const prepared = dynamic_cast<PreparedBackend*>(backend_.get())) prepared->prepare(poses_);
 }

@@ -32,7 +32,7 @@ MonteCarloSettings trial_settings(const ConvexBody& body, std::uint64_t seed, st
                                   InstructionSet set = best_instruction_set());
 
 /// The poses of the same trials.
-std::vector<Transformd> stored_poses(const ConvexBody& body, std::uint64_t seed, std::size_t n);
+std::vector<Pose> stored_poses(const ConvexBody& body, std::uint64_t seed, std::size_t n);
 
 /// A whole trial: random numbers, pose, quick verdicts, query, tally.
 Contender trial_contender(std::string name, const ConvexBody& body, const MonteCarloSettings& settings);
@@ -40,7 +40,7 @@ Contender trial_contender(std::string name, const ConvexBody& body, const MonteC
 /// A backend alone, on stored poses.
 class StoredQuery {
  public:
-  StoredQuery(const BackendKind& kind, const ConvexBody& body, const std::vector<Transformd>& poses);
+  StoredQuery(const BackendKind& kind, const ConvexBody& body, const std::vector<Pose>& poses);
   /// Of the first n poses; `this` must outlive it.
   Contender contender(std::size_t n);
   const std::string& name() const { return name_; }
@@ -52,7 +52,7 @@ class StoredQuery {
   void answer(std::size_t n);
 
   std::string name_;
-  const std::vector<Transformd>& poses_;
+  const std::vector<Pose>& poses_;
   std::unique_ptr<OverlapBackend> backend_;
   std::vector<Verdict> verdicts_;
 };

@@ -167,9 +167,9 @@ class PlainBackend final : public OverlapBackend {
     ccd_.center2 = centre_b<Shape>;
     ccd_.max_iterations = 100;  // as in its documentation; without it its GJK need not end
   }
-  void decide(std::span<const Transformd> a_from_b, std::span<Verdict> verdicts) override {
+  void decide(std::span<const Pose> a_from_b, std::span<Verdict> verdicts) override {
     for (std::size_t k = 0; k < a_from_b.size(); ++k) {
-      b_.a_from_b = a_from_b[k];
+      b_.a_from_b = a_from_b[k].a_from_b();
       verdicts[k] =
           query_(&a_, &b_, &ccd_) != 0 ? Verdict::overlap(DecidedBy::peer) : Verdict::disjoint(DecidedBy::peer);
     }

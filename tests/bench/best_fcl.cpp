@@ -96,12 +96,12 @@ class FclBackend final : public PreparedBackend {
   using Geometry = std::shared_ptr<const Shape>;
   FclBackend(Geometry a, Geometry b, Test test) : a_(std::move(a)), b_(std::move(b)), test_(std::move(test)) {}
 
-  void prepare(std::span<const Transformd> a_from_b) override {
+  void prepare(std::span<const Pose> a_from_b) override {
     first_ = a_from_b.data();
     poses_.clear();
-    for (const Transformd& pose : a_from_b) poses_.push_back(fcl_pose(pose));
+    for (const Pose& pose : a_from_b) poses_.push_back(fcl_pose(pose.a_from_b()));
   }
-  void decide(std::span<const Transformd> a_from_b, std::span<Verdict> verdicts) override {
+  void decide(std::span<const Pose> a_from_b, std::span<Verdict> verdicts) override {
     const auto begin = static_cast<std::size_t>(a_from_b.data() - first_);
     VEX_EXPECT(begin + a_from_b.size() <= poses_.size());
     for (std::size_t k = 0; k < a_from_b.size(); ++k) verdicts[k] = decide(poses_[begin + k]);
@@ -119,7 +119,7 @@ class FclBackend final : public PreparedBackend {
   Geometry a_, b_;
   Test test_;
   fcl::Transform3d pose_a_ = fcl::Transform3d::Identity();
-  const Transformd* first_ = nullptr;
+  const Pose* first_ = nullptr;
   std::vector<fcl::Transform3d, Eigen::aligned_allocator<fcl::Transform3d>> poses_;
 };
 

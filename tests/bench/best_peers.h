@@ -13,7 +13,7 @@ namespace vex {
 class PreparedBackend : public OverlapBackend {
  public:
   /// `decide` takes parts of this span, by address.
-  virtual void prepare(std::span<const Transformd> a_from_b) = 0;
+  virtual void prepare(std::span<const Pose> a_from_b) = 0;
 };
 
 struct BestPeer {

@@ -43,16 +43,16 @@ std::vector<Subject> subjects() {
 // More poses than a branch predictor remembers.
 constexpr std::size_t kPoses = 1 << 17;
 
-std::vector<Transformd> stored_poses(const ConvexBody& body) {
-  std::vector<Transformd> poses;
+std::vector<Pose> stored_poses(const ConvexBody& body) {
+  std::vector<Pose> poses;
   MonteCarloSettings settings;
   settings.domain = ball_domain(body, body);
-  for (std::size_t k = 0; k < kPoses; ++k) poses.push_back(trial_pose(body, body, settings, k));
+  for (std::size_t k = 0; k < kPoses; ++k) poses.push_back(Pose::unchecked(trial_pose(body, body, settings, k)));
   return poses;
 }
 
 void time_query(benchmark::State& state, const ConvexBody& body, const BackendKind& kind) {
-  const std::vector<Transformd> poses = stored_poses(body);
+  const std::vector<Pose> poses = stored_poses(body);
   std::vector<Verdict> verdicts(256);
   const std::unique_ptr<OverlapBackend> backend = kind.make(body, body);
   std::size_t first = 0, n_hits = 0, n = 0;
@@ -71,9 +71,9 @@ template <FilterResult (*kFilter)(const ConvexBody&, const ConvexBody&, const Tr
 class FilterBackend final : public OverlapBackend {
  public:
   FilterBackend(const ConvexBody& a, const ConvexBody& b) : a_(a), b_(b) {}
-  void decide(std::span<const Transformd> a_from_b, std::span<Verdict> verdicts) override {
+  void decide(std::span<const Pose> a_from_b, std::span<Verdict> verdicts) override {
     for (std::size_t k = 0; k < a_from_b.size(); ++k) {
-      verdicts[k] = kFilter(a_, b_, a_from_b[k], kMaxSupportCalls).verdict;
+      verdicts[k] = kFilter(a_, b_, a_from_b[k].a_from_b(), kMaxSupportCalls).verdict;
     }
   }
 

@@ -62,7 +62,7 @@ std::size_t n_poses_of(const BenchPair& pair, const BenchSettings& settings) {
 
 PairResult run_pair(const BenchPair& pair, const BenchSettings& settings, const std::vector<Contender>& trials,
                     const std::vector<BackendKind>& engine_kinds, const std::vector<PeerEntry>& peers) {
-  const std::vector<Transformd> poses = stored_poses(pair.body, settings.seed, n_poses_of(pair, settings));
+  const std::vector<Pose> poses = stored_poses(pair.body, settings.seed, n_poses_of(pair, settings));
   PairResult result{pair, poses.size(), 0, {}, {}, {}, {}};
   result.tally = run_monte_carlo(pair.body, pair.body, trial_settings(pair.body, settings.seed, poses.size())).tally;
   std::vector<Contender> contenders = trials;

@@ -89,8 +89,8 @@ SeparationPoses independent_poses(SeparationGoal goal, const ConvexBody& body, s
   SeparationPoses poses{goal, body, {}, {}};
   for (std::size_t n_drawn = 4 * n; poses.a_from_b.size() < n; n_drawn *= 2) {
     poses.a_from_b.clear();
-    for (const Transformd& pose : stored_poses(body, seed, n_drawn)) {
-      if (overlap(body, body, pose).outcome == wanted(goal)) poses.a_from_b.push_back(pose);
+    for (const Pose& pose : stored_poses(body, seed, n_drawn)) {
+      if (overlap(body, body, pose).outcome == wanted(goal)) poses.a_from_b.push_back(pose.a_from_b());
       if (poses.a_from_b.size() == n) break;
     }
   }

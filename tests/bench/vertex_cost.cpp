@@ -69,7 +69,7 @@ VertexRow run_row(std::size_t n_vertices, const BenchSettings& settings) {
   row.n_vertices = n_vertices;
   const TestPolytope hull = test_point_hull(static_cast<int>(n_vertices), {3, 2, 1}, 1);
   time_preparations(hull.vertices, row);
-  const std::vector<Transformd> poses = stored_poses(hull.body, settings.seed, settings.n_poses.value_or(kMostPoses));
+  const std::vector<Pose> poses = stored_poses(hull.body, settings.seed, settings.n_poses.value_or(kMostPoses));
   std::vector<Contender> contenders = {
       trial_contender("trial", hull.body, trial_settings(hull.body, settings.seed, poses.size()))};
   contenders[0].turn();  // makes the table, which the peer that asks for it is not to wait for

@@ -22,9 +22,7 @@ TEST(CcdBackend, WhereItContradictsTheEngineExactArithmeticSidesWithTheEngine) {
     Transformd pose = random_rotation(random);
     const Vec3d dir = random_direction(random);
     pose.translation = (exact::contact_along(cube, cube, pose, dir).apart * (1 + 1e-10)) * dir;
-    Verdict ours, theirs;
-    gjk->decide({&pose, 1}, {&ours, 1});
-    ccd->decide({&pose, 1}, {&theirs, 1});
+    const Verdict ours = gjk->decide(pose), theirs = ccd->decide(pose);
     ASSERT_EQ(ours.outcome, Outcome::disjoint);
     ASSERT_FALSE(exact::overlap(cube.vertices, exact::placed(cube.vertices, pose)));
     n_disputed += theirs.outcome == Outcome::overlap ? 1 : 0;
@@ -44,8 +42,7 @@ TEST(CcdBackend, NeverHangs) {
       for (int k = 0; k < 300; ++k) {
         Transformd pose = random_pose(random, domain, body);
         if (k % 3 == 0) pose.translation = (k % 2 == 0 ? 1.0 : 1e-3) * Vec3d{domain.radius, 0, 0};
-        Verdict verdict;
-        backend->decide({&pose, 1}, {&verdict, 1});
+        const Verdict verdict = backend->decide(pose);
         ASSERT_EQ(verdict.by, DecidedBy::peer);
       }
     }

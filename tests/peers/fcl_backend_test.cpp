@@ -39,13 +39,10 @@ TEST(FclBackend, HasEveryBodyWhereTheEngineHasIt) {
       const Vec3d dir = random_direction(random);
       const Vec3d unit_dir = (1.0 / norm(dir)) * dir;
       const Vec3d surface = body.support(unit_dir);
-      std::array<Transformd, 2> poses;
-      poses[0].translation = surface + 0.00101 * unit_dir;
-      poses[1].translation = surface + 0.00099 * unit_dir;
-      std::array<Verdict, 2> verdicts;
-      fcl->decide(poses, verdicts);
-      ASSERT_EQ(verdicts[0].outcome, Outcome::disjoint) << text;
-      ASSERT_EQ(verdicts[1].outcome, Outcome::overlap) << text;
+      const Transformd outside{.translation = surface + 0.00101 * unit_dir};
+      const Transformd inside{.translation = surface + 0.00099 * unit_dir};
+      ASSERT_EQ(fcl->decide(outside).outcome, Outcome::disjoint) << text;
+      ASSERT_EQ(fcl->decide(inside).outcome, Outcome::overlap) << text;
     }
   }
 }

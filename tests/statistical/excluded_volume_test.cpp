@@ -128,11 +128,11 @@ class ShrunkDistances final : public OverlapBackend {
  public:
   ShrunkDistances(const ConvexBody& a, const ConvexBody& b, double factor)
       : gjk_(gjk_backend().make(a, b)), factor_(factor) {}
-  void decide(std::span<const Transformd> poses, std::span<Verdict> verdicts) override {
+  void decide(std::span<const Pose> poses, std::span<Verdict> verdicts) override {
     for (std::size_t k = 0; k < poses.size(); ++k) {
-      Transformd pose = poses[k];
+      Transformd pose = poses[k].a_from_b();
       pose.translation = factor_ * pose.translation;
-      gjk_->decide({&pose, 1}, {&verdicts[k], 1});
+      verdicts[k] = gjk_->decide(pose);
     }
   }
 

@@ -115,14 +115,13 @@ TEST(OneSidedTest, OverlooksACornerThatEntersAFace) {
   const Vec3d a_in_b{0.05, 0.0, 0.5 + std::sqrt(3.0) / 2.0 - 0.3};
   Transformd a_from_b = rotation_from_quaternion(std::cos(half), s, -s, 0.0);
   a_from_b.translation = -b_from_a.direction_to_b(a_in_b);
-  Verdict right, wrong, reverse;
-  specialised_backend().make(cube, cube)->decide({&a_from_b, 1}, {&right, 1});
-  one_sided_backend().make(cube, cube)->decide({&a_from_b, 1}, {&wrong, 1});
+  const Verdict right = specialised_backend().make(cube, cube)->decide(a_from_b);
+  const Verdict wrong = one_sided_backend().make(cube, cube)->decide(a_from_b);
   EXPECT_EQ(right.outcome, Outcome::overlap);
   EXPECT_EQ(wrong.outcome, Outcome::disjoint);
   Transformd exchanged = b_from_a;
   exchanged.translation = a_in_b;
-  one_sided_backend().make(cube, cube)->decide({&exchanged, 1}, {&reverse, 1});
+  const Verdict reverse = one_sided_backend().make(cube, cube)->decide(exchanged);
   EXPECT_EQ(reverse.outcome, Outcome::overlap) << "with the names exchanged it sees them";
 }
 

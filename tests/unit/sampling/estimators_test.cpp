@@ -113,8 +113,7 @@ TEST(EstimatorsOfTheDriver, CountTheTrialsOfEachPoseOneByOne) {
     std::uint64_t n_hits = 0;
     for (std::uint64_t i = 0; i < 3001; ++i) {
       const Transformd pose = trial_pose(a, b, settings, i);
-      Verdict verdict;
-      backend->decide({&pose, 1}, {&verdict, 1});
+      const Verdict verdict = backend->decide(pose);
       ASSERT_NE(verdict.outcome, Outcome::undecided);
       ++trials[i % kClasses];
       if (verdict.outcome != Outcome::overlap) continue;

@@ -29,8 +29,8 @@ class Scripted final : public OverlapBackend {
  public:
   using Answer = std::function<Verdict(const Transformd&)>;
   explicit Scripted(Answer answer) : answer_(std::move(answer)) {}
-  void decide(std::span<const Transformd> poses, std::span<Verdict> verdicts) override {
-    for (std::size_t k = 0; k < poses.size(); ++k) verdicts[k] = answer_(poses[k]);
+  void decide(std::span<const Pose> poses, std::span<Verdict> verdicts) override {
+    for (std::size_t k = 0; k < poses.size(); ++k) verdicts[k] = answer_(poses[k].a_from_b());
   }
 
  private:
@@ -83,7 +83,7 @@ TEST(MonteCarlo, TalliesAreTheTrialsOnePerOne) {
     } else if (answer.overlap) {
       verdict = Verdict::overlap(DecidedBy::inner_bound);
     } else {
-      gjk->decide({&pose, 1}, {&verdict, 1});
+      verdict = gjk->decide(pose);
     }
     expected.add(verdict);
   }
@@ -219,9 +219,7 @@ TEST(MonteCarlo, CrossCheckFindsALiar) {
   // Denies every overlap whose centre is far out: wrong now and then.
   settings.cross_check.push_back(scripted("liar", [a](const Transformd& pose) {
     if (norm(pose.translation) > 1.2) return Verdict::disjoint(DecidedBy::peer);
-    Verdict verdict;
-    gjk_backend().make(a, a)->decide({&pose, 1}, {&verdict, 1});
-    return verdict;
+    return gjk_backend().make(a, a)->decide(pose);
   }));
   const RunRecord record = run_monte_carlo(a, a, settings);
   EXPECT_GT(record.disagreements.n_all, 100u);
@@ -358,7 +356,7 @@ TEST(MonteCarloFitted, TalliesAreTheTrialsOneByOne) {
     const QuickVerdict::Answer<double> answer = quick(pose);
     Verdict verdict =
         answer.disjoint ? Verdict::disjoint(DecidedBy::outer_bound) : Verdict::overlap(DecidedBy::inner_bound);
-    if (!answer.disjoint && !answer.overlap) gjk->decide({&pose, 1}, {&verdict, 1});
+    if (!answer.disjoint && !answer.overlap) verdict = gjk->decide(pose);
     const Parallelepiped set = fitted.at(pose);
     expected.add(verdict, set.volume / settings.domain.volume);
     // Coordinates 0, 1, 2 of the point are the place within the set, as of any domain.
@@ -405,9 +403,7 @@ TEST(MonteCarlo, ComparisonsAddUpToADirectCount) {
     if (pose.translation.y > 0.9) return Verdict::undecided(DecidedBy::peer, UndecidedReason::iteration_cap);
     if (pose.translation.x > 1.0) return Verdict::disjoint(DecidedBy::peer);
     if (pose.translation.z > 1.0) return Verdict::overlap(DecidedBy::peer);
-    Verdict verdict;
-    gjk_backend().make(a, a)->decide({&pose, 1}, {&verdict, 1});
-    return verdict;
+    return gjk_backend().make(a, a)->decide(pose);
   };
   for (const bool is_fitted : {false, true}) {
     MonteCarloSettings settings = is_fitted ? fitted_settings_for(a, a, 8000) : settings_for(a, a, 8000);
@@ -416,9 +412,7 @@ TEST(MonteCarlo, ComparisonsAddUpToADirectCount) {
     const FittedDomain fitted(a, a);
     for (std::uint64_t k = 0; k < 8000; ++k) {
       const Transformd pose = trial_pose(a, a, settings, k);
-      Verdict verdict;
-      gjk_backend().make(a, a)->decide({&pose, 1}, {&verdict, 1});
-      expected.add(verdict, liar(pose), is_fitted ? fitted.at(pose).volume / settings.domain.volume : 1.0);
+      expected.add(gjk_backend().make(a, a)->decide(pose), liar(pose), is_fitted ? fitted.at(pose).volume / settings.domain.volume : 1.0);
     }
     EXPECT_GT(expected.n_only_run, 50u);
     EXPECT_GT(expected.n_only_other, 50u);

@@ -16,8 +16,7 @@
 namespace vex {
 
 inline Outcome decide_one(OverlapBackend& backend, const Transformd& pose) {
-  Verdict verdict;
-  backend.decide({&pose, 1}, {&verdict, 1});
+  const Verdict verdict = backend.decide(pose);
   EXPECT_EQ(verdict.by, DecidedBy::peer);
   EXPECT_NE(verdict.reason, UndecidedReason::iteration_cap);
   return verdict.outcome;

@@ -134,10 +134,10 @@ TEST(PaperRows, ChiSquaredIsThatOfTheRows) {
 class Contrary final : public OverlapBackend {
  public:
   Contrary(const ConvexBody& a, const ConvexBody& b) : right_(specialised_backend().make(a, b)) {}
-  void decide(std::span<const Transformd> poses, std::span<Verdict> verdicts) override {
+  void decide(std::span<const Pose> poses, std::span<Verdict> verdicts) override {
     right_->decide(poses, verdicts);
     for (std::size_t k = 0; k < poses.size(); ++k) {
-      if ((bits_of(poses[k].translation.x) >> 8 & 63u) != 0 || verdicts[k].outcome == Outcome::undecided) continue;
+      if ((bits_of(poses[k].a_from_b().translation.x) >> 8 & 63u) != 0 || verdicts[k].outcome == Outcome::undecided) continue;
       verdicts[k].outcome = verdicts[k].outcome == Outcome::overlap ? Outcome::disjoint : Outcome::overlap;
     }
   }
@@ -187,7 +187,7 @@ TEST(PaperReferees, AskTheEngineAboutEveryPose) {
    public:
     Counting(std::unique_ptr<OverlapBackend> backend, std::shared_ptr<std::atomic<std::uint64_t>> n)
         : backend_(std::move(backend)), n_(std::move(n)) {}
-    void decide(std::span<const Transformd> poses, std::span<Verdict> verdicts) override {
+    void decide(std::span<const Pose> poses, std::span<Verdict> verdicts) override {
       *n_ += poses.size();
       backend_->decide(poses, verdicts);
     }

@@ -365,9 +365,7 @@ TEST(PacketOverlap, AlignedPosesAnswerOnlyWhatIsTrue) {
 // Of one pose, by every set; the engine without packets has the right answer.
 void expect_same_answer(const ConvexBody& a, const ConvexBody& b, const Transformd& pose) {
   for (const InstructionSet set : instruction_sets()) {
-    Verdict verdict;
-    gjk_backend(set).make(a, b)->decide({&pose, 1}, {&verdict, 1});
-    EXPECT_EQ(verdict, overlap(a, b, pose)) << name_of(set);
+    EXPECT_EQ(gjk_backend(set).make(a, b)->decide(pose), overlap(a, b, pose)) << name_of(set);
   }
 }
 
@@ -413,10 +411,10 @@ TEST(GjkBackend, AnswersTheSameWithEverySet) {
   for (const char* text :
        {"box:1,2,0.5", "ellipsoid:1,2,3", "icosahedron:1", "cone:1,0.5", "cylinder:1,0.2", "capsule:1,0.2"}) {
     const ConvexBody a = parse_shape(text).body, b = parse_shape("box:1,1,1").body;
-    std::vector<Transformd> poses;
+    std::vector<Pose> poses;
     std::uniform_real_distribution<double> share(0.0, 1.0);
     for (int k = 0; k < 1000; ++k) poses.push_back(pose_at(a, b, share(random), random));
-    poses[17].translation = {1e30, 0, 0};
+    poses[17] = Transformd{.translation = {1e30, 0, 0}};
     for (const InstructionSet set : instruction_sets()) {
       std::vector<Verdict> verdicts(poses.size());
       gjk_backend(set).make(a, b)->decide(poses, verdicts);
