@@ -120,8 +120,10 @@ void report(const std::string& name, const std::vector<Vec3d>& vertices) {
   const ConvexBody scanned_body = scanned, mapped_body = mapped;
   MonteCarloSettings settings;
   settings.domain = ball_domain(mapped_body, mapped_body);
-  std::vector<Transformd> poses;
-  for (std::size_t k = 0; k < kMost; ++k) poses.push_back(trial_pose(mapped_body, mapped_body, settings, k));
+  std::vector<Pose> poses;
+  for (std::size_t k = 0; k < kMost; ++k) {
+    poses.push_back(Pose::unchecked(trial_pose(mapped_body, mapped_body, settings, k)));
+  }
 
   const ConvexBody asked = polytope;
   for (std::size_t k = 0; k <= LazyDirectionMap::kCallsThatPay; ++k) asked.support(dirs[k]);
