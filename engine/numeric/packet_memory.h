@@ -113,6 +113,23 @@ class RowOfEach {
       const __m256d zw_02 = halves(0, 2, 2), zw_13 = halves(1, 3, 2);
       v.z.part[k] = reinterpret_cast<Register>(_mm256_unpacklo_pd(zw_02, zw_13));
       fourth->part[k] = reinterpret_cast<Register>(_mm256_unpackhi_pd(zw_02, zw_13));
+#elif defined(__AVX512F__)
+      // Eight rows as four times two, j and j + 4. (gcc 12 takes what the intrinsics do for the use of uninitialised
+      // registers.)
+      typedef double HalfRegister __attribute__((vector_size(32), aligned(8), may_alias));
+      const auto two = [&](std::size_t j) -> Register {
+        const auto row = [&](std::size_t lane) { return *reinterpret_cast<const HalfRegister*>(at[lane] + 4 * ahead); };
+        return __builtin_shufflevector(row(j), row(j + 4), 0, 1, 2, 3, 4, 5, 6, 7);
+      };
+      const Register row_04 = two(0), row_15 = two(1), row_26 = two(2), row_37 = two(3);
+      const Register xz_01 = __builtin_shufflevector(row_04, row_15, 0, 8, 2, 10, 4, 12, 6, 14);
+      const Register yw_01 = __builtin_shufflevector(row_04, row_15, 1, 9, 3, 11, 5, 13, 7, 15);
+      const Register xz_23 = __builtin_shufflevector(row_26, row_37, 0, 8, 2, 10, 4, 12, 6, 14);
+      const Register yw_23 = __builtin_shufflevector(row_26, row_37, 1, 9, 3, 11, 5, 13, 7, 15);
+      v.x.part[k] = __builtin_shufflevector(xz_01, xz_23, 0, 1, 8, 9, 4, 5, 12, 13);
+      v.y.part[k] = __builtin_shufflevector(yw_01, yw_23, 0, 1, 8, 9, 4, 5, 12, 13);
+      v.z.part[k] = __builtin_shufflevector(xz_01, xz_23, 2, 3, 10, 11, 6, 7, 14, 15);
+      fourth->part[k] = __builtin_shufflevector(yw_01, yw_23, 2, 3, 10, 11, 6, 7, 14, 15);
 #else
       for (int j = 0; j < kRegisterLanes; ++j) {
         v.x.part[k][j] = at[j][4 * ahead];

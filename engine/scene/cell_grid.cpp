@@ -52,6 +52,13 @@ void CellGrid::sort(const SceneBodies& bodies, int n_threads) {
     std::uint32_t* const next = counts_.data() + n_cells * static_cast<std::size_t>(thread);
     const Part part = part_of(n, thread, n_threads);
     for (std::size_t k = part.first; k < part.end; ++k) {
+      // Cells are read long before they are needed, and so are the places that they tell.
+      if (k + 2 * kAhead < part.end && cell_of_[k + 2 * kAhead] != kNone) {
+        __builtin_prefetch(next + cell_of_[k + 2 * kAhead], 1);
+      }
+      if (k + kAhead < part.end && cell_of_[k + kAhead] != kNone) {
+        __builtin_prefetch(order_.data() + next[cell_of_[k + kAhead]], 1);
+      }
       if (cell_of_[k] != kNone) order_[next[cell_of_[k]]++] = static_cast<BodyId>(k);
     }
   });

@@ -1,8 +1,8 @@
 #include "engine/scene/pair_memory.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+#include <utility>
 
 #include "engine/scene/threads.h"
 
@@ -24,107 +24,180 @@ void PairMemory::build(SceneBodies& bodies, const BroadPhases& phases, const Sce
     const double distances[] = {faces.x, faces.y, faces.z};
     for (std::size_t k = 0; k < 3; ++k) n_images[k] += 2 + static_cast<int>(std::ceil(skin / distances[k]));
   }
-  shifts_ = ShiftTable(bodies.box(), n_images);
-  std::vector<std::vector<Known>> found(phases.n_parts());
-  std::atomic<std::size_t> next = 0;
-  on_threads(n_threads, [&](int) {
-    NearPairs near;
-    for (std::size_t part = next++; part < phases.n_parts(); part = next++) {
-      near.n = 0;
-      phases.find_near(part, kernel, near, [&] {
-        for (std::size_t k = 0; k < near.n; ++k) {
-          BodyId a = phases.bodies().id[near.places[k] & 0xffffffffu], b = phases.bodies().id[near.places[k] >> 32];
-          ImageOffset image = phases.shifts().image(near.shift[k]);
-          if (a > b || (a == b && !(image > ImageOffset{}))) {
-            std::swap(a, b);
-            image = {-image[0], -image[1], -image[2]};
-          }
-          found[part].push_back({a, b, shifts_.number(image), false, -1.0, -1.0});
-        }
-        near.n = 0;
-        return true;
-      });
-    }
-  });
-  known_.clear();
-  for (const std::vector<Known>& part : found) known_.insert(known_.end(), part.begin(), part.end());
+  const bool is_like_before = is_there_ && skin == skin_ && n_images == shifts_.n_images() && bodies.is_tracked();
+  if (!is_like_before) shifts_ = ShiftTable(bodies.box(), n_images);
+  const double coordinates = 2.0 * bodies.largest_distance() + 3.0 * shifts_.largest_shift();
+  const double rounding =
+      0x1p-45 * (coordinates + 2.0 * bodies.largest_radius() + skin) + 0x1p-17 * bodies.largest_offset();
+  // Of what was kept with much less rounding in mind nothing is true for sure any more.
+  const bool keeps_old = is_like_before && rounding <= 2.0 * rounding_;
+  if (!keeps_old) rounding_ = rounding;
   skin_ = skin;
+  bodies_ = &bodies;
+  list(pairs_within_skin(bodies, phases, kernel, n_threads), keeps_old);
   is_there_ = true;
   bodies.track();
+}
+
+std::vector<PairMemory::Listed> PairMemory::pairs_within_skin(const SceneBodies& bodies, const BroadPhases& phases,
+                                                              const SceneKernel& kernel, int n_threads) const {
+  std::vector<std::vector<Listed>> found(phases.n_parts());
+  share_parts(n_threads, phases.n_parts(), [&](std::size_t part) {
+    thread_local NearPairs near;
+    near.n = 0;
+    phases.find_near(part, kernel, near, [&] {
+      for (std::size_t k = 0; k < near.n; ++k) {
+        BodyId a = phases.bodies().id[near.places[k] & 0xffffffffu], b = phases.bodies().id[near.places[k] >> 32];
+        ImageOffset image = phases.shifts().image(near.shift[k]);
+        if (a > b || (a == b && !(image > ImageOffset{}))) {
+          std::swap(a, b);
+          image = {-image[0], -image[1], -image[2]};
+        }
+        found[part].push_back({a, b, shifts_.number(image)});
+      }
+      near.n = 0;
+      return true;
+    });
+  });
+  // Counting sort by the first body; each has few pairs.
+  std::vector<std::uint32_t> next(std::size_t{bodies.end()} + 1, 0);
+  for (const std::vector<Listed>& part : found) {
+    for (const Listed& pair : part) ++next[pair.a + 1];
+  }
+  for (std::size_t k = 1; k < next.size(); ++k) next[k] += next[k - 1];
+  std::vector<Listed> pairs(next.back());
+  for (const std::vector<Listed>& part : found) {
+    for (const Listed& pair : part) pairs[next[pair.a]++] = pair;
+  }
+  for (std::size_t first = 0; first < pairs.size();) {
+    const std::size_t end = next[pairs[first].a];
+    std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.begin() + static_cast<std::ptrdiff_t>(end));
+    first = end;
+  }
+  return pairs;
+}
+
+void PairMemory::list(const std::vector<Listed>& pairs, bool keeps_old) {
+  std::vector<Known> old;
+  old.swap(known_);
+  if (!keeps_old) old.clear();
+  known_.reserve(pairs.size());
+  const auto has_crossed = [this](BodyId body) { return bodies_->track_of(body).crossed != ImageOffset{}; };
+  auto at = old.begin();
+  for (const Listed& pair : pairs) {
+    while (at != old.end() && Listed{at->a, at->b, at->shift} < pair) ++at;
+    const bool is_known = at != old.end() && Listed{at->a, at->b, at->shift} == pair;
+    // The image of a body that has crossed a face means another copy now.
+    if (is_known && !has_crossed(pair.a) && !has_crossed(pair.b)) {
+      known_.push_back(*at);
+    } else {
+      known_.push_back({pair.a, pair.b, pair.shift, Known::Kind::nothing, {}, 0.0});
+    }
+  }
 }
 
 bool PairMemory::holds(const SceneBodies& bodies, double skin) const {
   return is_there_ && skin == skin_ && 2.0 * bodies.largest_travel() < skin * kLess;
 }
 
-void PairMemory::look(const SceneBodies& bodies, std::size_t first, std::size_t end, PairSearch& search) {
-  thread_local std::vector<AtRest> at_rest;  // memory that a thread keeps
-  at_rest.clear();
-  // What other parts of the list have left waiting is answered here too, and found in no pair at rest.
-  const std::size_t first_pair = search.pairs.size(), first_undecided = search.undecided.size();
+Vec3d PairMemory::way(const Known& known) const {
+  return (bodies_->track_of(known.b).centre - bodies_->track_of(known.a).centre) + shifts_.shift(known.shift);
+}
+double PairMemory::turned(const Known& known) const {
+  return bodies_->track_of(known.a).turned + bodies_->track_of(known.b).turned;
+}
+double PairMemory::n_moves(const Known& known) const {
+  return static_cast<double>(bodies_->track_of(known.a).n_moves + bodies_->track_of(known.b).n_moves);
+}
+
+ImageOffset PairMemory::image(const Known& known) const {
+  const ImageOffset &then = shifts_.image(known.shift), &of_a = bodies_->track_of(known.a).crossed,
+                    &of_b = bodies_->track_of(known.b).crossed;
+  return {then[0] + of_b[0] - of_a[0], then[1] + of_b[1] - of_a[1], then[2] + of_b[2] - of_a[2]};
+}
+
+bool PairMemory::holds(const Known& known, const Vec3d& way) const {
+  switch (known.kind) {
+    case Known::Kind::apart: return dot(known.at, way) - turned(known) > known.limit;
+    case Known::Kind::overlap: return norm(way - known.at) + turned(known) < known.limit;
+    case Known::Kind::apart_at_rest:
+    case Known::Kind::overlap_at_rest: return n_moves(known) == known.limit;
+    case Known::Kind::nothing: break;
+  }
+  return false;
+}
+
+bool PairMemory::keep_what_balls_tell(Known& known, std::uint64_t tag, const Vec3d& way) {
+  const double distance = norm(way);
+  const ShapeBounds& of_a = bodies_->bounds(bodies_->track_of(known.a).shape);
+  const ShapeBounds& of_b = bodies_->bounds(bodies_->track_of(known.b).shape);
+  const double apart = distance * kLess - (of_a.radius + of_b.radius) - rounding_;
+  const double inside = (of_a.inner_radius + of_b.inner_radius) - distance / kLess - rounding_;
+  if (apart > 0.0) {
+    keep_apart(tag, (1.0 / distance) * way, apart);
+  } else if (inside > 0.0) {
+    keep_overlap(tag, inside);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void PairMemory::look(std::size_t first, std::size_t end, PairSearch& search) {
   SceneCounts::Stage& unmoved = search.counts[SceneStage::unmoved];
   SceneCounts::Stage& balls = search.counts[SceneStage::balls];
   unmoved.seen += end - first;
-  const auto image_now = [&](const Known& known) {
-    const ImageOffset& image = shifts_.image(known.shift);
-    const ImageOffset &of_a = bodies.crossed(known.a), &of_b = bodies.crossed(known.b);
-    return ImageOffset{image[0] + of_b[0] - of_a[0], image[1] + of_b[1] - of_a[1], image[2] + of_b[2] - of_a[2]};
-  };
   for (std::size_t k = first; k < end; ++k) {
+    if (k + kAhead < end) {
+      bodies_->prefetch_track(known_[k + kAhead].a);
+      bodies_->prefetch_track(known_[k + kAhead].b);
+    }
     Known& known = known_[k];
-    const double travel = bodies.travel(known.a) + bodies.travel(known.b);
-    if (travel <= known.until) {
+    const Vec3d from_a_to_b = way(known);
+    if (holds(known, from_a_to_b)) {
       ++unmoved.settled;
-      if (known.overlaps) search.pairs.push_back({known.a, known.b, image_now(known)});
-      continue;
-    }
-    const ImageOffset image = image_now(known);
-    const std::uint32_t number = shifts_.number(image);
-    const Vec3d& centre_a = bodies.centre(known.a);
-    const Vec3d& centre_b = bodies.centre(known.b);
-    const Vec3d shift = shifts_.shift(number);
-    const double distance = norm((centre_b - centre_a) + shift);
-    const double rounding = 0x1p-45 * (norm_1(centre_a) + norm_1(centre_b) + norm_1(shift));
-    const ShapeBounds& of_a = bodies.bounds(bodies.shape_of()[known.a]);
-    const ShapeBounds& of_b = bodies.bounds(bodies.shape_of()[known.b]);
-    const double apart = distance * kLess - (of_a.radius + of_b.radius) - rounding;
-    const double inside = (of_a.inner_radius + of_b.inner_radius) - distance / kLess - rounding;
-    if (apart > 0.0 || inside > 0.0) {
+    } else {
       ++balls.seen;
+      if (!keep_what_balls_tell(known, k, from_a_to_b)) {
+        search.ask(known.a, known.b, shifts_.number(image(known)), k);
+        continue;
+      }
       ++balls.settled;
-      known.overlaps = inside > 0.0;
-      known.until = travel + std::fmax(apart, inside) * kLess;
-      if (known.overlaps) search.pairs.push_back({known.a, known.b, image});
-      continue;
     }
-    if (known.asked == travel) at_rest.push_back({{known.a, known.b, image}, k, travel});
-    known.asked = travel;
-    search.near.places[search.near.n] = known.a | (std::uint64_t{known.b} << 32);
-    search.near.shift[search.near.n] = number;
-    ++search.near.n_seen;
-    if (++search.near.n == NearPairs::kMost) search.take();
+    if (known.kind == Known::Kind::overlap || known.kind == Known::Kind::overlap_at_rest) {
+      search.pairs.push_back({known.a, known.b, image(known)});
+    }
   }
-  if (!at_rest.empty()) keep_answers(at_rest, first_pair, first_undecided, search);
 }
 
-void PairMemory::keep_answers(std::vector<AtRest>& at_rest, std::size_t first_pair, std::size_t first_undecided,
-                              PairSearch& search) {
-  search.finish();
-  std::sort(at_rest.begin(), at_rest.end(), [](const AtRest& x, const AtRest& y) { return x.pair < y.pair; });
-  const auto each_of = [&](const std::vector<ScenePair>& pairs, std::size_t first, const auto& what) {
-    for (std::size_t k = first; k < pairs.size(); ++k) {
-      const auto at = std::lower_bound(at_rest.begin(), at_rest.end(), pairs[k],
-                                       [](const AtRest& x, const ScenePair& pair) { return x.pair < pair; });
-      if (at != at_rest.end() && at->pair == pairs[k]) what(known_[at->number]);
-    }
-  };
-  for (const AtRest& rest : at_rest) {
-    known_[rest.number].overlaps = false;
-    known_[rest.number].until = rest.travel;
+void PairMemory::keep_as_it_stands(std::uint64_t tag, Outcome outcome) {
+  Known& known = known_[tag];
+  known.kind = outcome == Outcome::overlap    ? Known::Kind::overlap_at_rest
+               : outcome == Outcome::disjoint ? Known::Kind::apart_at_rest
+                                              : Known::Kind::nothing;
+  known.limit = n_moves(known);
+}
+
+void PairMemory::keep_apart(std::uint64_t tag, const Vec3d& unit_dir, double room) {
+  Known& known = known_[tag];
+  if (!(room * kLess > 2.0 * rounding_)) {
+    keep_as_it_stands(tag, Outcome::disjoint);
+    return;
   }
-  each_of(search.pairs, first_pair, [](Known& known) { known.overlaps = true; });
-  // Of what is undecided nothing is known.
-  each_of(search.undecided, first_undecided, [](Known& known) { known.until = -1.0; });
+  known.kind = Known::Kind::apart;
+  known.at = unit_dir;
+  known.limit = dot(unit_dir, way(known)) - turned(known) - room * kLess + rounding_;
+}
+
+void PairMemory::keep_overlap(std::uint64_t tag, double room) {
+  Known& known = known_[tag];
+  if (!(room * kLess > 2.0 * rounding_)) {
+    keep_as_it_stands(tag, Outcome::overlap);
+    return;
+  }
+  known.kind = Known::Kind::overlap;
+  known.at = way(known);
+  known.limit = room * kLess - rounding_ + turned(known);
 }
 
 }  // namespace vex

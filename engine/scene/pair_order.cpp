@@ -31,9 +31,27 @@ void sort_pairs(std::span<PairSearch> searches, std::vector<ScenePair> PairSearc
   std::uint32_t* const at = next.data();
   const auto each_of = [&](const Part& bodies, const auto& what) {
     for (const PairSearch& search : searches) {
-      for (const ScenePair& pair : search.*list) {
-        if (pair.a >= bodies.first && pair.a < bodies.end) what(pair);
+      const std::vector<ScenePair>& pairs = search.*list;
+      const auto is_here = [&](std::size_t k) {
+        return k < pairs.size() && pairs[k].a >= bodies.first && pairs[k].a < bodies.end;
+      };
+      for (std::size_t k = 0; k < pairs.size(); ++k) {
+        if (k + 2 * kAhead < pairs.size()) __builtin_prefetch(at + pairs[k + 2 * kAhead].a, 1);
+        if (is_here(k + kAhead)) __builtin_prefetch(out.data() + at[pairs[k + kAhead].a], 1);
+        if (is_here(k)) what(pairs[k]);
       }
+    }
+  };
+  const auto sort_run = [&out](std::size_t first, std::size_t end_of_run) {
+    if (end_of_run - first > 16) {
+      std::sort(out.data() + first, out.data() + end_of_run);
+      return;
+    }
+    for (std::size_t k = first + 1; k < end_of_run; ++k) {
+      const ScenePair pair = out[k];
+      std::size_t to = k;
+      for (; to > first && pair < out[to - 1]; --to) out[to] = out[to - 1];
+      out[to] = pair;
     }
   };
   on_threads(n_threads, [&](int thread) {
@@ -52,13 +70,13 @@ void sort_pairs(std::span<PairSearch> searches, std::vector<ScenePair> PairSearc
     for (std::size_t k = bodies.first; k < bodies.end; ++k) {
       const std::uint32_t first = k == bodies.first ? (k == 0 ? 0 : std::uint32_t(-1)) : at[k - 1];
       if (first == std::uint32_t(-1)) continue;
-      if (at[k] - first > 1) std::sort(out.begin() + first, out.begin() + at[k]);
+      if (at[k] - first > 1) sort_run(first, at[k]);
     }
   });
   // The first body of each thread's part: where its pairs begin is what the part before has left.
   for (int thread = 1; thread < n_threads; ++thread) {
     const Part bodies = part_of(end, thread, n_threads);
-    if (bodies.first < bodies.end) std::sort(out.begin() + at[bodies.first - 1], out.begin() + at[bodies.first]);
+    if (bodies.first < bodies.end) sort_run(at[bodies.first - 1], at[bodies.first]);
   }
 }
 

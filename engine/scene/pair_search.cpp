@@ -48,9 +48,10 @@ PairSearch::Kind::Kind(const PairQuestion& question, ShapeId shape_a, ShapeId sh
       packets(make_packet_overlap(packet_kernel(question.set), a, b)),
       cylinders(cylinder_pair(question.bodies->bounds(shape_a), question.bodies->bounds(shape_b), question.margin)) {}
 
-void PairSearch::begin(const PairQuestion& question) {
+void PairSearch::begin(const PairQuestion& question, PairKeeper* keeper) {
   if (question.set != question_.set || question.margin != question_.margin) kinds_.clear();
   question_ = question;
+  keeper_ = keeper;
   near.n = 0;
   near.n_seen = 0;
   // Nothing that a query which ended by an exception has left is true.
@@ -62,10 +63,11 @@ void PairSearch::begin(const PairQuestion& question) {
   counts = {};
   if (!placed_) placed_ = std::make_unique<PlacedPairs>();
   answers_.resize(kBatch);
+  if (keeper_ != nullptr && !clearances_) clearances_ = std::make_unique<PacketClearances>();
 }
 
-ScenePair PairSearch::pair_of(std::uint64_t a, std::uint64_t b, std::uint64_t shift) const {
-  return {body_at(a), body_at(b), question_.shifts->image(shift)};
+ScenePair PairSearch::pair_of(const Pairs& asked, std::size_t row) const {
+  return {body_at(asked.a[row]), body_at(asked.b[row]), question_.shifts->image(asked.shift[row])};
 }
 
 // The body with the lower number comes first; of a body and its own copy the image is positive.
@@ -73,6 +75,8 @@ void PairSearch::orient() {
   counts[SceneStage::balls].seen += near.n_seen;
   counts[SceneStage::balls].settled += near.n_seen - near.n;
   const ShiftTable& shifts = *question_.shifts;
+  std::size_t n = waiting_.size();
+  for (std::vector<std::uint64_t>* column : {&waiting_.a, &waiting_.b, &waiting_.shift}) column->resize(n + near.n);
   for (std::size_t k = 0; k < near.n; ++k) {
     std::uint64_t a = near.places[k] & 0xffffffffu, b = near.places[k] >> 32, shift = near.shift[k];
     const BodyId id_a = body_at(a), id_b = body_at(b);
@@ -91,14 +95,29 @@ void PairSearch::orient() {
     }
     prefetch_pose(question_.poses, a);
     prefetch_pose(question_.poses, b);
-    waiting_.add(a, b, shift);
+    waiting_.a[n] = a;
+    waiting_.b[n] = b;
+    waiting_.shift[n++] = shift;
   }
+  for (std::vector<std::uint64_t>* column : {&waiting_.a, &waiting_.b, &waiting_.shift}) column->resize(n);
   near.n = 0;
   near.n_seen = 0;
 }
 
 void PairSearch::take() {
   orient();
+  settle_waiting();
+}
+
+void PairSearch::ask(std::uint64_t place_a, std::uint64_t place_b, std::uint64_t shift, std::uint64_t tag) {
+  prefetch_pose(question_.poses, place_a);
+  prefetch_pose(question_.poses, place_b);
+  waiting_.add(place_a, place_b, shift);
+  waiting_.tag.push_back(tag);
+  if (waiting_.size() % kBatch == 0) settle_waiting();
+}
+
+void PairSearch::settle_waiting() {
   const bool is_one_kind = question_.bodies->shapes().size() == 1;
   if (is_one_kind) {
     settle_all(kBatch);
@@ -120,19 +139,15 @@ void PairSearch::finish() {
 void PairSearch::settle_all(std::size_t keep_below) {
   std::size_t first = 0;
   while (waiting_.size() - first >= keep_below) {
-    const std::size_t n = std::min(kBatch, waiting_.size() - first);
-    Kind* const kind = kind_of(key_of(0, 0), n);
-    for (std::size_t k = 0; kind == nullptr && k < n; ++k) {
-      settle_one(waiting_.a[first + k], waiting_.b[first + k], waiting_.shift[first + k]);
-    }
-    if (kind != nullptr) {
-      settle_batch(*kind, waiting_.a.data() + first, waiting_.b.data() + first, waiting_.shift.data() + first, n);
-    }
-    first += n;
+    const Pairs batch = waiting_.from(first, std::min(kBatch, waiting_.size() - first));
+    Kind* const kind = kind_of(key_of(0, 0), batch.n);
+    for (std::size_t k = 0; kind == nullptr && k < batch.n; ++k) settle_one(batch, k);
+    if (kind != nullptr) settle_batch(*kind, batch);
+    first += batch.n;
     if (first == waiting_.size()) break;
   }
-  for (std::vector<std::uint64_t>* column : {&waiting_.a, &waiting_.b, &waiting_.shift}) {
-    column->erase(column->begin(), column->begin() + static_cast<std::ptrdiff_t>(first));
+  for (std::vector<std::uint64_t>* column : {&waiting_.a, &waiting_.b, &waiting_.shift, &waiting_.tag}) {
+    if (!column->empty()) column->erase(column->begin(), column->begin() + static_cast<std::ptrdiff_t>(first));
   }
 }
 
@@ -165,12 +180,13 @@ void PairSearch::settle_by_kinds() {
     batch_.clear();
     for (std::uint32_t k = chain.head; k != kNoChain; k = next_[k]) {
       if (kind == nullptr) {
-        settle_one(waiting_.a[k], waiting_.b[k], waiting_.shift[k]);
+        settle_one(waiting_.from(0, waiting_.size()), k);
         continue;
       }
       batch_.add(waiting_.a[k], waiting_.b[k], waiting_.shift[k]);
+      if (keeper_ != nullptr) batch_.tag.push_back(waiting_.tag[k]);
       if (batch_.size() == kBatch || next_[k] == kNoChain) {
-        settle_batch(*kind, batch_.a.data(), batch_.b.data(), batch_.shift.data(), batch_.size());
+        settle_batch(*kind, batch_.from(0, batch_.size()));
         batch_.clear();
       }
     }
@@ -190,49 +206,74 @@ PairSearch::Kind* PairSearch::kind_of(std::uint64_t key, std::size_t n_waiting) 
   return kinds_.emplace(key, std::make_unique<Kind>(question_, a, b)).first->second.get();
 }
 
-void PairSearch::settle_batch(Kind& kind, const std::uint64_t* a, const std::uint64_t* b, const std::uint64_t* shift,
-                              std::size_t n) {
+void PairSearch::settle_batch(Kind& kind, const Pairs& asked) {
   PlacedPairs& placed = *placed_;
+  const std::size_t n = asked.n;
   const bool has_cylinders = kind.cylinders.says_anything();
-  question_.kernel.place({question_.poses, question_.shifts->rows(), a, b, shift, n, kind.a.centre(), kind.b.centre(),
-                          has_cylinders ? &kind.cylinders : nullptr, &kind.quick},
-                         placed);
+  // Bounds do not tell how much room there is, and packets do: of pairs that are remembered these are asked.
+  const bool asks_bounds = keeper_ == nullptr || !kind.packets;
+  question_.kernel.place(
+      {question_.poses, question_.shifts->rows(), asked.a, asked.b, asked.shift, n, kind.a.centre(), kind.b.centre(),
+       has_cylinders ? &kind.cylinders : nullptr, asks_bounds ? &kind.quick : nullptr},
+      placed);
   if (has_cylinders) {
     counts[SceneStage::cylinders].seen += n;
     counts[SceneStage::cylinders].settled += n - placed.n_after_cylinders;
   }
-  counts[SceneStage::bounds].seen += placed.n_after_cylinders;
-  counts[SceneStage::bounds].settled += placed.n_after_cylinders - placed.n_open;
+  if (asks_bounds) {
+    counts[SceneStage::bounds].seen += placed.n_after_cylinders;
+    counts[SceneStage::bounds].settled += placed.n_after_cylinders - placed.n_open;
+  }
+  if (keeper_ != nullptr && placed.n_open < n) {
+    // What is not open, and does not overlap (below), is apart.
+    for (std::size_t row = 0; row < n; ++row) keeper_->keep_as_it_stands(asked.tag[row], Outcome::disjoint);
+  }
   for (std::size_t k = 0; k < placed.n_overlapping; ++k) {
     const std::uint64_t row = placed.overlapping[k];
-    pairs.push_back(pair_of(a[row], b[row], shift[row]));
+    pairs.push_back(pair_of(asked, row));
+    if (keeper_ != nullptr) keeper_->keep_as_it_stands(asked.tag[row], Outcome::overlap);
   }
   const PoseTable poses{placed.poses[0], PlacedPairs::kStride, placed.n_open};
   if (kind.packets) {
-    kind.packets->decide(poses, answers_.data());
+    kind.packets->decide(poses, answers_.data(), keeper_ != nullptr ? clearances_.get() : nullptr);
     counts[SceneStage::packets].seen += placed.n_open;
   }
   for (std::size_t k = 0; k < placed.n_open; ++k) {
     const std::uint64_t row = placed.row[k];
     const PacketAnswer found = kind.packets ? answers_[k] : PacketAnswer::open;
     if (found == PacketAnswer::open) {
-      answer(overlap(kind.a, kind.b, Pose::unchecked(poses.pose(k))), a[row], b[row], shift[row]);
+      answer(overlap(kind.a, kind.b, Pose::unchecked(poses.pose(k))), asked, row);
       continue;
     }
     ++counts[SceneStage::packets].settled;
-    if (found == PacketAnswer::overlap) pairs.push_back(pair_of(a[row], b[row], shift[row]));
+    if (found == PacketAnswer::overlap) pairs.push_back(pair_of(asked, row));
+    if (keeper_ != nullptr) keep_room(asked, row, k);
   }
 }
 
-void PairSearch::settle_one(std::uint64_t a, std::uint64_t b, std::uint64_t shift) {
-  const Transformd pose = relative_pose(SceneBodies::pose_at(question_.poses, a),
-                                        SceneBodies::pose_at(question_.poses, b), question_.shifts->shift(shift));
-  answer(overlap((*question_.with_margin)[question_.shape[a]], question_.bodies->shapes()[question_.shape[b]],
-                 Pose::unchecked(pose)),
-         a, b, shift);
+// The room that the k-th answer of the packets leaves.
+void PairSearch::keep_room(const Pairs& asked, std::size_t row, std::size_t k) {
+  const double room = clearances_->room[k];
+  if (answers_[k] == PacketAnswer::overlap) {
+    keeper_->keep_overlap(asked.tag[row], room);
+    return;
+  }
+  const Vec3d dir{clearances_->dir[0][k], clearances_->dir[1][k], clearances_->dir[2][k]};
+  const Transformd a = SceneBodies::pose_at(question_.poses, asked.a[row]);
+  const Vec3d unit = (1.0 / norm(dir)) * dir;
+  keeper_->keep_apart(asked.tag[row], {dot(a.row_x, unit), dot(a.row_y, unit), dot(a.row_z, unit)}, room);
 }
 
-void PairSearch::answer(const Verdict& verdict, std::uint64_t a, std::uint64_t b, std::uint64_t shift) {
+void PairSearch::settle_one(const Pairs& asked, std::size_t row) {
+  const Transformd pose =
+      relative_pose(SceneBodies::pose_at(question_.poses, asked.a[row]),
+                    SceneBodies::pose_at(question_.poses, asked.b[row]), question_.shifts->shift(asked.shift[row]));
+  answer(overlap((*question_.with_margin)[question_.shape[asked.a[row]]],
+                 question_.bodies->shapes()[question_.shape[asked.b[row]]], Pose::unchecked(pose)),
+         asked, row);
+}
+
+void PairSearch::answer(const Verdict& verdict, const Pairs& asked, std::size_t row) {
   ++counts[SceneStage::scalar].seen;
   const SceneStage later = verdict.by == DecidedBy::exact ? SceneStage::exact : SceneStage::double_double;
   const bool is_decided = verdict.outcome != Outcome::undecided;
@@ -242,8 +283,9 @@ void PairSearch::answer(const Verdict& verdict, std::uint64_t a, std::uint64_t b
     ++counts[later].seen;
     if (is_decided) ++counts[later].settled;
   }
-  if (verdict.outcome == Outcome::overlap) pairs.push_back(pair_of(a, b, shift));
-  if (verdict.outcome == Outcome::undecided) undecided.push_back(pair_of(a, b, shift));
+  if (verdict.outcome == Outcome::overlap) pairs.push_back(pair_of(asked, row));
+  if (verdict.outcome == Outcome::undecided) undecided.push_back(pair_of(asked, row));
+  if (keeper_ != nullptr) keeper_->keep_as_it_stands(asked.tag[row], verdict.outcome);
 }
 
 }  // namespace vex

@@ -29,15 +29,30 @@ struct PairQuestion {
   BodyId visitor_id = kNoBody;                 // and the body
 };
 
+/// What is told of pairs that are asked by a tag, beside their verdicts.
+class PairKeeper {
+ public:
+  virtual ~PairKeeper() = default;
+  /// The pair as it stands is apart, overlaps, or is undecided: nothing more is known.
+  virtual void keep_as_it_stands(std::uint64_t tag, Outcome outcome) = 0;
+  /// Along this unit vector, which leads from a to b in the scene's frame, there is so much room between the bodies.
+  virtual void keep_apart(std::uint64_t tag, const Vec3d& unit_dir, double room) = 0;
+  /// Their Minkowski difference has a ball of this radius about the origin.
+  virtual void keep_overlap(std::uint64_t tag, double room) = 0;
+};
+
 /// Keeps what it makes of kinds of pairs from one query to the next, for one margin.
 class PairSearch {
  public:
   /// Where to send pairs that the broad phase finds; `take` empties it.
   NearPairs near;
 
-  void begin(const PairQuestion& question);
+  /// Where there is a keeper all pairs come by `ask`.
+  void begin(const PairQuestion& question, PairKeeper* keeper = nullptr);
   /// Settles what can be settled of the near pairs in whole batches.
   void take();
+  /// A pair in the order of its numbers whose balls may meet.
+  void ask(std::uint64_t place_a, std::uint64_t place_b, std::uint64_t shift, std::uint64_t tag);
   /// Settles all.
   void finish();
 
@@ -50,9 +65,13 @@ class PairSearch {
  private:
   static constexpr std::size_t kBatch = PacketOverlap::kMostTrials;
 
-  // Pairs in the order of their numbers.
+  // Pairs in the order of their numbers, in columns.
+  struct Pairs {
+    const std::uint64_t *a, *b, *shift, *tag;
+    std::size_t n;
+  };
   struct Oriented {
-    std::vector<std::uint64_t> a, b, shift;
+    std::vector<std::uint64_t> a, b, shift, tag;  // tags only with a keeper
     std::size_t size() const { return a.size(); }
     void add(std::uint64_t place_a, std::uint64_t place_b, std::uint64_t number) {
       a.push_back(place_a);
@@ -60,9 +79,10 @@ class PairSearch {
       shift.push_back(number);
     }
     void clear() {
-      a.clear();
-      b.clear();
-      shift.clear();
+      for (std::vector<std::uint64_t>* column : {&a, &b, &shift, &tag}) column->clear();
+    }
+    Pairs from(std::size_t first, std::size_t n) const {
+      return {a.data() + first, b.data() + first, shift.data() + first, tag.data() + (tag.empty() ? 0 : first), n};
     }
   };
   // Two shapes, in the order of the bodies.
@@ -75,24 +95,27 @@ class PairSearch {
   };
 
   void orient();
+  void settle_waiting();
   void settle_all(std::size_t keep_below);
   void settle_by_kinds();
-  void settle_batch(Kind& kind, const std::uint64_t* a, const std::uint64_t* b, const std::uint64_t* shift,
-                    std::size_t n);
-  void settle_one(std::uint64_t a, std::uint64_t b, std::uint64_t shift);
-  void answer(const Verdict& verdict, std::uint64_t a, std::uint64_t b, std::uint64_t shift);
+  void settle_batch(Kind& kind, const Pairs& asked);
+  void settle_one(const Pairs& asked, std::size_t row);
+  void answer(const Verdict& verdict, const Pairs& asked, std::size_t row);
+  void keep_room(const Pairs& asked, std::size_t row, std::size_t k);
   Kind* kind_of(std::uint64_t key, std::size_t n_waiting);
   BodyId body_at(std::uint64_t place) const {
     if (question_.id != nullptr) return question_.id[place];
     return place == question_.visitor ? question_.visitor_id : static_cast<BodyId>(place);
   }
-  ScenePair pair_of(std::uint64_t a, std::uint64_t b, std::uint64_t shift) const;
+  ScenePair pair_of(const Pairs& asked, std::size_t row) const;
 
   PairQuestion question_;
+  PairKeeper* keeper_ = nullptr;
   Oriented waiting_;
   std::unordered_map<std::uint64_t, std::unique_ptr<Kind>> kinds_;
   std::unique_ptr<PlacedPairs> placed_;
   std::vector<PacketAnswer> answers_;
+  std::unique_ptr<PacketClearances> clearances_;  // with a keeper
   // Of settle_by_kinds: chains of waiting pairs of one kind, and a table that tells a kind's chain.
   struct Chain {
     std::uint64_t key;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "engine/numeric/vec3.h"
 
@@ -36,6 +37,12 @@ class PeriodicBox {
   Vec3d shift(const ImageOffset& image) const;
   /// Coordinates along a, b, c.
   Vec3d fractional(const Vec3d& point) const;
+  /// Whether the coordinates along a, b, c are surely within -part/2 ... part/2, without a division; `part` at most
+  /// .999.
+  bool surely_holds(const Vec3d& point, double part) const {
+    const double half = 0.5 * part, y = point.y - point.z * yz_, x = (point.x - y * xy_) - point.z * xz_;
+    return std::fabs(x) < half * edges_.x && std::fabs(y) < half * edges_.y && std::fabs(point.z) < half * edges_.z;
+  }
   /// The point moved into the cell, and by which image: by shift(image), rounded, once or, from far away, step by step.
   Vec3d wrapped(const Vec3d& point, ImageOffset* image) const;
   /// The distances between opposite faces.

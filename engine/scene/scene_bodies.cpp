@@ -17,6 +17,24 @@ namespace {
 // is undone by its transpose.
 constexpr double kStretch = 0x1p-19;
 
+// Of a box: what is surely inside is not wrapped.
+constexpr double kInside = 0.999;
+
+// Whether check_rotation has nothing against it; NaN fails.
+bool is_turned_well(const Transformd& pose) {
+  const Vec3d x{pose.row_x.x, pose.row_y.x, pose.row_z.x}, y{pose.row_x.y, pose.row_y.y, pose.row_z.y},
+      z{pose.row_x.z, pose.row_y.z, pose.row_z.z};
+  const auto is_small = [](double off) { return std::fabs(off) <= 0.5 * Scene::kRotationTolerance; };
+  const bool are_units = is_small(dot(x, x) - 1.0) & is_small(dot(y, y) - 1.0) & is_small(dot(z, z) - 1.0);
+  return are_units & is_small(dot(x, y)) & is_small(dot(y, z)) & is_small(dot(z, x));
+}
+
+bool differ(const Vec3d& a, const Vec3d& b) { return (a.x != b.x) | (a.y != b.y) | (a.z != b.z); }
+bool differ(const Transformd& a, const Transformd& b) {
+  return differ(a.row_x, b.row_x) | differ(a.row_y, b.row_y) | differ(a.row_z, b.row_z) |
+         differ(a.translation, b.translation);
+}
+
 double part(const Vec3d& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
 // How far the body reaches from the line through its centre along a coordinate axis.
@@ -137,15 +155,15 @@ void SceneBodies::check_rotation(const Transformd& pose) {
 }
 
 Transformd SceneBodies::checked(ShapeId shape, const Pose& pose, ImageOffset* image) const {
-  Transformd kept = pose.a_from_b();
-  check_rotation(kept);
+  const Transformd& given = pose.a_from_b();
+  if (!is_turned_well(given)) check_rotation(given);
   *image = {};
+  const Vec3d centre = centre_of(given, bounds_[shape].centre);
   if (!box_) {
-    const Vec3d centre = kept(bounds_[shape].centre);
     if (!(norm_1(centre) <= 1e100)) throw InputError("a body of a scene is more than 1e100 away - move it nearer");
-    return kept;
+    return given;
   }
-  return wrapped(kept, bounds_[shape].centre, image);
+  return box_->surely_holds(centre, kInside) ? given : wrapped(given, bounds_[shape].centre, image);
 }
 
 BodyId SceneBodies::add(ShapeId shape, const Pose& pose) {
@@ -160,10 +178,7 @@ BodyId SceneBodies::add(ShapeId shape, const Pose& pose) {
     image_.push_back(image);
     poses_.resize(poses_.size() + kNumbersABody);
     centres_.emplace_back();
-    if (tracks_) {
-      travel_.push_back(0.0);
-      crossed_.emplace_back();
-    }
+    tracks_.clear();
   } else {
     std::pop_heap(free_.begin(), free_.end(), std::greater<>());
     body = free_.back();
@@ -179,7 +194,7 @@ BodyId SceneBodies::add(ShapeId shape, const Pose& pose) {
 
 void SceneBodies::place(BodyId body, const Transformd& pose) {
   write_pose(poses_.data(), body, pose);
-  centres_[body] = centre_at(poses_.data(), body, bounds_[shape_of_[body]].centre);
+  centres_[body] = centre_of(pose, bounds_[shape_of_[body]].centre);
 }
 
 void SceneBodies::set_visitor(ShapeId shape, const Transformd& pose) {
@@ -188,44 +203,58 @@ void SceneBodies::set_visitor(ShapeId shape, const Transformd& pose) {
 }
 
 void SceneBodies::track() {
-  tracks_ = true;
-  travel_.assign(end(), 0.0);
-  crossed_.assign(end(), {});
+  tracks_.resize(end());
+  for (BodyId body = 0; body < end(); ++body) {
+    Track& track = tracks_[body];
+    track.centre = centres_[body];
+    track.crossed = {};
+    track.shape = shape_of_[body];
+    track.travel = 0.0;
+  }
 }
 
 double SceneBodies::largest_travel() const {
   double largest = 0.0;
-  for (const double t : travel_) largest = std::fmax(largest, t);
+  for (const Track& track : tracks_) largest = track.travel > largest ? track.travel : largest;
   return largest;
 }
 
 // A point c + R x with |x| <= r moves by |c' - c| + |R' - R| r or less; of the matrix the Frobenius norm.
-void SceneBodies::add_travel(BodyId body, const Transformd& from, const Vec3d& centre_from) {
-  const Transformd to = pose(body);
-  Vec3d step = centres_[body] - centre_from;
-  if (box_) {
-    // A body that has left through one face and come back through the opposite one has moved a little.
+void SceneBodies::add_to_track(BodyId body, const Transformd& from, const Transformd& to, const Vec3d& centre_from) {
+  Track& track = tracks_[body];
+  const Vec3d& centre = centres_[body];
+  ++track.n_moves;
+  Vec3d step = centre - centre_from;
+  // A body that has left through one face and come back through the opposite one has moved a little.
+  if (box_ && !box_->surely_holds(step, kInside)) {
     const Vec3d f = box_->fractional(step);
     const ImageOffset image{-static_cast<int>(std::nearbyint(f.x)), -static_cast<int>(std::nearbyint(f.y)),
                             -static_cast<int>(std::nearbyint(f.z))};
-    if (image != ImageOffset{}) {
-      step = step + box_->shift(image);
-      for (std::size_t k = 0; k < 3; ++k) crossed_[body][k] += image[k];
-    }
+    step = step + box_->shift(image);
+    track.crossed = image_sum(track.crossed, image);
   }
+  const bool has_crossed = (track.crossed[0] | track.crossed[1] | track.crossed[2]) != 0;
+  track.centre = has_crossed ? centre + box_->shift(track.crossed) : centre;
   const auto square = [](const Vec3d& v) { return dot(v, v); };
-  const double turn =
-      std::sqrt(square(to.row_x - from.row_x) + square(to.row_y - from.row_y) + square(to.row_z - from.row_z));
-  const double moved = norm(step) + turn * bounds_[shape_of_[body]].radius;
-  if (moved == 0.0) return;
-  const double rounding = 0x1p-46 * (norm_1(centres_[body]) + norm_1(centre_from) + norm_1(step));
-  travel_[body] += moved * (1.0 + 0x1p-18) + rounding;
+  const double turn = square(to.row_x - from.row_x) + square(to.row_y - from.row_y) + square(to.row_z - from.row_z);
+  const double turned = turn > 0.0 ? std::sqrt(turn) * bounds_[shape_of_[body]].radius * (1.0 + 0x1p-18) : 0.0;
+  const double rounding = 0x1p-46 * (norm_1(centre) + norm_1(centre_from) + norm_1(step));
+  track.turned += turned;
+  track.travel += norm(step) * (1.0 + 0x1p-18) + turned + rounding;
 }
 
 double SceneBodies::largest_offset() const {
   double largest = 0.0;
   for (std::size_t k = 0; k < bounds_.size(); ++k) {
     if (n_of_shape_[k] > 0) largest = std::fmax(largest, norm_1(bounds_[k].centre));
+  }
+  return largest;
+}
+
+double SceneBodies::largest_distance() const {
+  double largest = 0.0;
+  for (BodyId body = 0; body < end(); ++body) {
+    if (has(body)) largest = std::fmax(largest, norm_1(centres_[body]));
   }
   return largest;
 }
@@ -249,22 +278,20 @@ void SceneBodies::remove(BodyId body) {
 void SceneBodies::set_pose(BodyId body, const Pose& pose) {
   ImageOffset image;
   const Transformd kept = checked(shape_of_[body], pose, &image);
-  const Transformd from = tracks_ ? this->pose(body) : Transformd{};
-  const Vec3d centre_from = centres_[body];
-  place(body, kept);
-  if (tracks_) add_travel(body, from, centre_from);
+  if (tracks_.empty()) {
+    place(body, kept);
+  } else {
+    const Transformd from = this->pose(body);
+    const Vec3d centre_from = centres_[body];
+    place(body, kept);
+    if (differ(kept, from)) add_to_track(body, from, kept, centre_from);
+  }
   image_[body] = image;
 }
 
 Transformd SceneBodies::pose_at(const double* poses, std::size_t place) {
   const double* p = poses + kNumbersABody * place;
   return {{p[0], p[1], p[2]}, {p[4], p[5], p[6]}, {p[8], p[9], p[10]}, {p[3], p[7], p[11]}};
-}
-
-Vec3d SceneBodies::centre_at(const double* poses, std::size_t place, const Vec3d& own) {
-  const double* p = poses + kNumbersABody * place;
-  if (own.x == 0.0 && own.y == 0.0 && own.z == 0.0) return {p[3], p[7], p[11]};
-  return pose_at(poses, place)(own);
 }
 
 void SceneBodies::write_pose(double* poses, std::size_t place, const Transformd& pose) {

@@ -16,6 +16,9 @@ namespace vex {
 /// Added to radii, so that no square of a distance that matters is subnormal.
 inline constexpr double kTrifle = 0x1p-500;
 
+/// What a loop over bodies or pairs reads here and there in memory is asked for so many turns before.
+inline constexpr std::size_t kAhead = 16;
+
 /// Of a number that no body has.
 inline constexpr ShapeId kNoShape = ~ShapeId{0};
 
@@ -72,17 +75,30 @@ class SceneBodies {
   /// their frames.
   double largest_radius() const;
   double largest_offset() const;
+  /// Of the centres themselves (in the 1-norm).
+  double largest_distance() const;
 
-  /// From now on what each body moves is added up.
+  /// How a body has moved since `track` (E26). A line of memory.
+  struct alignas(64) Track {
+    Vec3d centre;               // where its centre would be, had it not been moved into the box again:
+    ImageOffset crossed;        // this many lattice vectors from where it is
+    ShapeId shape;
+    double travel = 0.0;        // no point has moved farther than this, as a sum over the moves
+    double turned = 0.0;        // nor this, seen from the centre
+    std::uint64_t n_moves = 0;  // that changed any bit of the pose
+  };
+  /// From now on moves are added up; `travel` and `crossed` begin anew, the rest goes on where there are tracks
+  /// already.
   void track();
-  /// No point of the body has moved farther than this since, as a sum over its moves.
-  double travel(BodyId body) const { return travel_[body]; }
+  bool is_tracked() const { return !tracks_.empty(); }
+  const Track& track_of(BodyId body) const { return tracks_[body]; }
+  void prefetch_track(BodyId body) const { __builtin_prefetch(&tracks_[body]); }
   double largest_travel() const;
-  /// Where the body would be, had it not been moved into the box again, is this many lattice vectors from where it is.
-  const ImageOffset& crossed(BodyId body) const { return crossed_[body]; }
 
   static Transformd pose_at(const double* poses, std::size_t place);
-  static Vec3d centre_at(const double* poses, std::size_t place, const Vec3d& own_centre);
+  static Vec3d centre_of(const Transformd& pose, const Vec3d& own_centre) {
+    return own_centre.x == 0.0 && own_centre.y == 0.0 && own_centre.z == 0.0 ? pose.translation : pose(own_centre);
+  }
   static void write_pose(double* poses, std::size_t place, const Transformd& pose);
 
   /// The pose as the scene keeps it, moved into the box. Throws InputError where it is none for a scene.
@@ -90,7 +106,7 @@ class SceneBodies {
 
  private:
   void place(BodyId body, const Transformd& pose);
-  void add_travel(BodyId body, const Transformd& from, const Vec3d& centre_from);
+  void add_to_track(BodyId body, const Transformd& from, const Transformd& to, const Vec3d& centre_from);
 
   std::optional<PeriodicBox> box_;
   std::vector<ConvexBody> shapes_;
@@ -101,10 +117,8 @@ class SceneBodies {
   std::vector<double> poses_;
   std::vector<Vec3d> centres_;
   std::vector<ImageOffset> image_;
-  bool tracks_ = false;
-  std::vector<double> travel_;
-  std::vector<ImageOffset> crossed_;
-  std::vector<BodyId> free_;  // a heap, the lowest first
+  std::vector<Track> tracks_;  // none before `track`
+  std::vector<BodyId> free_;   // a heap, the lowest first
   std::size_t n_ = 0;
 };
 

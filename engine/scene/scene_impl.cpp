@@ -149,7 +149,7 @@ void Scene::Impl::find_pairs(double margin, const OnBatch& on_batch, const OnBeg
   n_searches_ = std::min(settings_.n_threads, static_cast<int>(std::max<std::size_t>(phases_.n_parts(), 1)));
   std::atomic<std::size_t> next_part = 0;
   std::atomic<bool> is_over = false;
-  on_searches(asked, [&](PairSearch& search, int thread) {
+  on_searches(asked, nullptr, [&](PairSearch& search, int thread) {
     if (on_begin) on_begin(search, thread);
     const auto tell = [&] {
       if (on_batch && !on_batch(search)) is_over = true;
@@ -167,14 +167,14 @@ void Scene::Impl::find_pairs(double margin, const OnBatch& on_batch, const OnBeg
   });
 }
 
-void Scene::Impl::on_searches(const PairQuestion& asked,
+void Scene::Impl::on_searches(const PairQuestion& asked, PairKeeper* keeper,
                               const std::function<void(PairSearch& search, int thread)>& work) {
   last_had_margin_ = asked.margin > 0.0;
   std::vector<PairSearch>& all = searches(asked.margin);
   if (all.size() < static_cast<std::size_t>(n_searches_)) all.resize(static_cast<std::size_t>(n_searches_));
   on_threads(n_searches_, [&](int thread) {
     PairSearch& search = all[static_cast<std::size_t>(thread)];
-    search.begin(asked);
+    search.begin(asked, keeper);
     search.joined = nullptr;
     work(search, thread);
   });
@@ -193,9 +193,9 @@ void Scene::Impl::find_remembered_pairs() {
   constexpr std::size_t kBlock = 4096;
   n_searches_ = std::min(settings_.n_threads, static_cast<int>(memory_.size() / kBlock + 1));
   std::atomic<std::size_t> next = 0;
-  on_searches(asked, [&](PairSearch& search, int) {
+  on_searches(asked, &memory_, [&](PairSearch& search, int) {
     for (std::size_t first = next.fetch_add(kBlock); first < memory_.size(); first = next.fetch_add(kBlock)) {
-      memory_.look(bodies_, first, std::min(first + kBlock, memory_.size()), search);
+      memory_.look(first, std::min(first + kBlock, memory_.size()), search);
     }
     search.finish();
   });

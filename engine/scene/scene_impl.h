@@ -61,7 +61,8 @@ class Scene::Impl {
   // How far apart the centres of bodies may be that are this near each other. Throws InputError where it is too far.
   double checked_reach(double margin) const;
   // For n_searches_ threads: each with its search, which has begun.
-  void on_searches(const PairQuestion& asked, const std::function<void(PairSearch& search, int thread)>& work);
+  void on_searches(const PairQuestion& asked, PairKeeper* keeper,
+                   const std::function<void(PairSearch& search, int thread)>& work);
   // For a query at a place as far out as this.
   BallCells& ball_cells(double farthest);
   std::vector<PairSearch>& searches(double margin) { return searches_[margin > 0.0 ? 1 : 0]; }

@@ -15,8 +15,8 @@ using Bits = PacketBits<W>;
 using Vec = Vec3<L>;
 
 // A pose and what is asked of it; rows by RowOfEach.
-Transform<L> pose_of(const double* poses, const std::uint64_t* places) {
-  const RowOfEach<W> rows(poses, Bits::load(places) + (Bits::load(places) << 1));
+Transform<L> pose_of(const double* poses, const Bits& places) {
+  const RowOfEach<W> rows(poses, places + (places << 1));
   Transform<L> pose;
   pose.row_x = rows.read(0, &pose.translation.x);
   pose.row_y = rows.read(1, &pose.translation.y);
@@ -90,49 +90,58 @@ class Placing {
   Placing(const PlaceQuery& query, PlacedPairs& out) : query_(query), out_(out) {}
 
   void run() {
-    out_.n_open = query_.n;
     out_.n_overlapping = 0;
     for (std::size_t k = 0; k < query_.n; k += W) Bits::numbers_from(k).store(out_.row + k);
+    set_open(query_.n);
     if (query_.cylinders != nullptr) part_by_cylinders();
     out_.n_after_cylinders = out_.n_open;
     const bool is_central = query_.centre_b.x == 0.0 && query_.centre_b.y == 0.0 && query_.centre_b.z == 0.0;
-    if (is_central) part_by_place();
-    turn(is_central);
+    if (query_.quick == nullptr) {
+      turn(nullptr, false);
+      return;
+    }
+    const QuickVerdict quick = *query_.quick;
+    if (is_central) part_by_place(quick);
+    turn(&quick, is_central);
   }
 
  private:
-  // Of the open pairs k ... k + W - 1: where they are in the query.
+  // Of the open pairs k ... k + W - 1: the places of their bodies, and the number of the shift.
   struct Places {
-    std::uint64_t a[W], b[W], shift[W];
+    Bits a, b, shift;
   };
   Places places(std::size_t k) const {
-    Places at;
-    for (std::size_t j = 0; j < W; ++j) {
-      const std::uint64_t row = k + j < out_.n_open ? out_.row[k + j] : 0;  // behind the open ones is rubbish
-      at.a[j] = query_.a[row];
-      at.b[j] = query_.b[row];
-      at.shift[j] = query_.shift[row];
+    if (out_.n_open == query_.n && k + W <= query_.n) {
+      return {Bits::load(query_.a + k), Bits::load(query_.b + k), Bits::load(query_.shift + k)};
     }
-    return at;
+    const Bits row = Bits::load(out_.row + k);
+    return {gather(query_.a, row), gather(query_.b, row), gather(query_.shift, row)};
   }
   Vec shift(const Places& at) const {
     L fourth;
-    return RowOfEach<W>(query_.shifts, Bits::load(at.shift)).read(0, &fourth);
+    return RowOfEach<W>(query_.shifts, at.shift).read(0, &fourth);
   }
   // (t_b - t_a) + shift.
   Vec between(const Transform<L>& a, const Vec& b, const Places& at) const { return (b - a.translation) + shift(at); }
-  Vec translation_of(const std::uint64_t* places) const {
+  Vec translation_of(const Bits& places) const {
+    const RowOfEach<W> rows(query_.poses, places + (places << 1));
     Vec t;
-    alignas(64) double x[W], y[W], z[W];
-    for (std::size_t j = 0; j < W; ++j) {
-      const double* const rows = query_.poses + kNumbersABody * places[j];
-      x[j] = rows[3];
-      y[j] = rows[7];
-      z[j] = rows[11];
+    for (std::size_t k = 0; k < kParts<W>; ++k) {
+      for (std::size_t j = 0; j < std::size_t{kRegisterLanes}; ++j) {
+        const double* const at = rows.at(k * std::size_t{kRegisterLanes} + j);
+        t.x.part[k][j] = at[3];
+        t.y.part[k][j] = at[7];
+        t.z.part[k][j] = at[11];
+      }
     }
-    return {L::load(x), L::load(y), L::load(z)};
+    return t;
   }
 
+  // Behind the open rows stand some that are read and not meant.
+  void set_open(std::size_t n) {
+    out_.n_open = n;
+    Bits(0).store(out_.row + n);
+  }
   // Keeps those that are on of the packet at k, behind the `n` that are kept already.
   std::size_t keep(const Mask& on, std::size_t k, std::size_t n) {
     const Compaction<W> kept(on);
@@ -157,12 +166,11 @@ class Placing {
       const Mask apart = Cylinders(cylinders, axis_a, axis_b, d).are_apart();
       n_kept = keep(but_not(Mask::first(n - k), apart), k, n_kept);
     }
-    out_.n_open = n_kept;
+    set_open(n_kept);
   }
 
   // What b's place alone settles, before the rotations are multiplied.
-  void part_by_place() {
-    const QuickVerdict quick = *query_.quick;
+  void part_by_place(const QuickVerdict& quick) {
     const std::size_t n = out_.n_open;
     std::size_t n_kept = 0;
     for (std::size_t k = 0; k < n; k += W) {
@@ -174,11 +182,10 @@ class Placing {
       add_overlapping(but_not(both(trials, answer.overlap), answer.disjoint), k);
       n_kept = keep(but_not(trials, either(answer.disjoint, answer.overlap)), k, n_kept);
     }
-    out_.n_open = n_kept;
+    set_open(n_kept);
   }
 
-  void turn(bool is_placed) {
-    const QuickVerdict quick = *query_.quick;
+  void turn(const QuickVerdict* quick, bool is_placed) {
     const std::size_t n = out_.n_open;
     std::size_t n_kept = 0;
     for (std::size_t k = 0; k < n; k += W) {
@@ -190,9 +197,9 @@ class Placing {
       pose.row_z = row_product(a.row_x.z, a.row_y.z, a.row_z.z, b);
       pose.translation = turned_back(a, between(a, b.translation, at));
       Mask open = Mask::first(n - k);
-      if (!is_placed || quick.turned_pays()) {
+      if (quick != nullptr && (!is_placed || quick->turned_pays())) {
         const QuickVerdict::Answer<L> answer =
-            is_placed ? quick.turned(pose) : quick(pose, pose(broadcast<L>(query_.centre_b)));
+            is_placed ? quick->turned(pose) : (*quick)(pose, pose(broadcast<L>(query_.centre_b)));
         add_overlapping(but_not(both(open, answer.overlap), answer.disjoint), k);
         open = but_not(open, either(answer.disjoint, answer.overlap));
       }
@@ -205,7 +212,7 @@ class Placing {
       }
       n_kept = keep(open, k, n_kept);
     }
-    out_.n_open = n_kept;
+    set_open(n_kept);
   }
 
   const PlaceQuery& query_;
@@ -214,14 +221,15 @@ class Placing {
 
 }  // namespace
 
-__attribute__((flatten)) void find_near(const NearQuery& query, NearPairs& out) {
+__attribute__((flatten)) void find_near(const NearQuery& asked, NearPairs& out) {
+  const NearQuery query = asked;  // what is stored may be what it points to: it would be read again each time
   std::size_t n = out.n;
   std::uint64_t n_seen = 0;
   for (std::uint64_t i = query.first; i < query.end; ++i) {
     const Vec centre{L(query.x[i]), L(query.y[i]), L(query.z[i])};
     const L radius(query.radius[i]);
     for (std::size_t r = 0; r < query.n_ranges; ++r) {
-      const NearRange& range = query.ranges[r];
+      const NearRange range = query.ranges[r];
       const std::uint64_t first = range.is_own ? i + 1 : range.first;
       if (first >= range.end) continue;
       n_seen += range.end - first;

@@ -81,7 +81,7 @@ struct PlaceQuery {
   std::size_t n;  // at most PacketOverlap::kMostTrials
   Vec3d centre_a, centre_b;
   const CylinderPair* cylinders;  // or none
-  const QuickVerdict* quick;
+  const QuickVerdict* quick;      // or none
 };
 
 /// Of these pairs the ones left open, with their poses, and those proven to overlap.

@@ -7,7 +7,7 @@
 namespace vex {
 namespace {
 
-constexpr std::size_t kRoom = 16, kAhead = 24;
+constexpr std::size_t kRoom = 16;
 
 }  // namespace
 
@@ -18,6 +18,7 @@ void SortedBodies::fill(const SceneBodies& bodies, std::span<const BodyId> order
   poses.resize(kNumbersABody * n);
   for (std::vector<double>* column : {&x, &y, &z, &radius}) column->resize(n + kRoom);
   const double* const from = bodies.poses().data();
+  const bool is_one_shape = bodies.shapes().size() == 1;
   on_threads(n_threads, [&](int thread) {
     const Part part = part_of(n, thread, n_threads);
     for (std::size_t k = part.first; k < part.end; ++k) {
@@ -25,17 +26,17 @@ void SortedBodies::fill(const SceneBodies& bodies, std::span<const BodyId> order
         const double* const next = from + kNumbersABody * order[k + kAhead];
         __builtin_prefetch(next);
         __builtin_prefetch(next + kNumbersABody - 1);
-        __builtin_prefetch(&bodies.centre(order[k + kAhead]));
+        if (!is_one_shape) __builtin_prefetch(&bodies.shape_of()[order[k + kAhead]]);
       }
       const BodyId body = order[k];
-      const ShapeId of = bodies.shape_of()[body];
+      const ShapeId of = is_one_shape ? 0 : bodies.shape_of()[body];
       id[k] = body;
       shape[k] = of;
       const double* const pose = from + kNumbersABody * body;
       double* const to = poses.data() + kNumbersABody * k;
       for (std::size_t j = 0; j < kNumbersABody; ++j) to[j] = pose[j];
       const ShapeBounds& bounds = bodies.bounds(of);
-      const Vec3d centre = bodies.centre(body);
+      const Vec3d centre = SceneBodies::centre_of(SceneBodies::pose_at(poses.data(), k), bounds.centre);
       x[k] = centre.x;
       y[k] = centre.y;
       z[k] = centre.z;

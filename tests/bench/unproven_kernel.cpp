@@ -12,8 +12,8 @@ class Kernel final : public PacketOverlap {
  public:
   explicit Kernel(const PacketPairForms& forms) : search_(forms) {}
 
-  void decide(const PoseTable& poses, PacketAnswer* answers) override {
-    search_.decide(poses.columns, poses.stride, poses.n, answers);
+  void decide(const PoseTable& poses, PacketAnswer* answers, PacketClearances* clearances) override {
+    search_.decide(poses.columns, poses.stride, poses.n, answers, clearances);
   }
 
  private:

@@ -13,7 +13,9 @@ class OwningPacketOverlap final : public PacketOverlap {
   OwningPacketOverlap(std::unique_ptr<PacketPair> pair, PacketKernel kernel)
       : pair_(std::move(pair)), kernel_(kernel(pair_->forms())) {}
 
-  void decide(const PoseTable& poses, PacketAnswer* answers) override { kernel_->decide(poses, answers); }
+  void decide(const PoseTable& poses, PacketAnswer* answers, PacketClearances* clearances) override {
+    kernel_->decide(poses, answers, clearances);
+  }
 
  private:
   std::unique_ptr<PacketPair> pair_;

@@ -49,7 +49,10 @@ struct PacketPairForms {
   Vec3d centre_a, centre_b, start_offset;
   double ball_radius;
   double own_reach, own_error;  // E1's W and E but for what the translation adds
+  double start_room;            // A - B has a ball of this radius about the search's first point, whatever the pose
 };
+
+struct PacketClearances;
 
 /// One instance serves one thread.
 class PacketOverlap {
@@ -58,8 +61,18 @@ class PacketOverlap {
   static constexpr std::size_t kStride = kMostTrials + 16;  // of a table of so many
 
   virtual ~PacketOverlap();  // not inline: kernels would each have it
-  /// Of up to kMostTrials poses. What is answered disjoint or overlap is proven (E1, E18).
-  virtual void decide(const PoseTable& poses, PacketAnswer* answers) = 0;
+  /// Of up to kMostTrials poses. What is answered disjoint or overlap is proven (E1, E18), and so are the clearances,
+  /// where they are asked for.
+  virtual void decide(const PoseTable& poses, PacketAnswer* answers, PacketClearances* clearances = nullptr) = 0;
+};
+
+/// How much room each answer leaves, in A's frame; of open trials nothing (E18).
+struct PacketClearances {
+  /// Of disjoint bodies a direction from A towards B, of any length, along which their supports are at least `room`
+  /// apart; of overlapping ones nothing.
+  double dir[3][PacketOverlap::kStride];
+  /// Of overlapping bodies A - B has a ball of this radius about the origin. Not below 0.
+  double room[PacketOverlap::kStride];
 };
 
 /// The caller owns what it makes.

@@ -35,7 +35,8 @@ PacketPairForms PacketPair::forms() const {
                          inradii * kStartOffset,
                          a_.ball_radius() + b_.ball_radius(),
                          own.reach,
-                         error - 40.0 * kUnitRoundoff * own.reach * (1.0 - 8.0 * kUnitRoundoff)};
+                         error - 40.0 * kUnitRoundoff * own.reach * (1.0 - 8.0 * kUnitRoundoff),
+                         inradii * (1.0 - 0x1p-19 - norm_1(kStartOffset))};
 }
 
 }  // namespace vex

@@ -14,22 +14,11 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engine/numeric/packet_memory.h"
-#include "engine/numeric/rounding.h"
-#include "engine/numeric/transform.h"
-#include "engine/query/packets/packet_core.h"
-#include "engine/query/packets/packet_overlap.h"
+#include "engine/query/packets/packet_difference.h"
 #include "engine/query/search/portal_split.h"
 
 namespace vex {
 namespace VEX_ISA {
-
-// tests/bench compiles the kernel once more without the proofs, to measure what they cost.
-#ifdef VEX_FILTER_WITHOUT_PROOFS
-inline constexpr bool kProven = false;
-#else
-inline constexpr bool kProven = true;
-#endif
 
 template <int W, class CoreA, class CoreB>
 class PacketSearch {
@@ -42,24 +31,32 @@ class PacketSearch {
   explicit PacketSearch(const PacketPairForms& forms) : pair_(forms) {}
 
   /// PacketOverlap::decide.
-  __attribute__((flatten)) void decide(const double* poses, std::size_t stride, std::size_t n, PacketAnswer* answers) {
+  __attribute__((flatten)) void decide(const double* poses, std::size_t stride, std::size_t n, PacketAnswer* answers,
+                                       PacketClearances* clearances) {
     for (std::size_t k = 0; k < n; ++k) answers[k] = PacketAnswer::open;
     n_ended_ = n_portal_ = 0;
+    tells_room_ = clearances != nullptr;
     first_point(poses, stride, n);
     second_point();
     for (int round = 0; round < kMostWedges && n_wedge_ > 0; ++round) third_point();
-    for (int round = 0; round < kMostPortals && n_portal_ > 0; ++round) next_portal();
+    for (int round = 1; round <= kMostPortals && n_portal_ > 0; ++round) next_portal(round == kMostPortals);
     for (std::size_t k = 0; k < n_ended_; ++k) {
       std::uint64_t code;
       __builtin_memcpy(&code, &ended_[k], sizeof code);
       answers[code >> 2] = static_cast<PacketAnswer>(code & 3u);
+      if (!tells_room_) continue;
+      const std::uint64_t row = code >> 2;
+      for (std::size_t c = 0; c < 3; ++c) clearances->dir[c][row] = ended_room_[c][k];
+      clearances->room[row] = ended_room_[3][k] > 0.0 ? ended_room_[3][k] : 0.0;
     }
   }
 
  private:
+  using Pair = PacketDifference<W, CoreA, CoreB>;
+
   static constexpr int kMostWedges = 8, kMostPortals = 16;
-  // |t|_1 in units of own_reach_, up to which one bound of errors serves all: what is farther is apart.
-  static constexpr double kFarthest = 1.75;
+  // A portal is pushed outwards no more where its height is this much of K's.
+  static constexpr double kNearSurface = 0.6;
   // A direction so short might lose the products with it, or the squares of an ellipsoid's image, to underflow, and
   // takes its trial out of the search (E18).
   static constexpr double kLeastLength = 0x1p-200;
@@ -67,102 +64,63 @@ class PacketSearch {
   static constexpr std::size_t kColumn = PacketOverlap::kMostTrials + W;
   static constexpr std::size_t kCode = 12, kV1 = 13, kV2 = 16, kV3 = 19;
 
-  static Transform<L> pose_of(const double* poses, std::size_t stride, std::size_t k) {
-    const auto column = [&](std::size_t c) { return L::load(poses + c * stride + k); };
-    return {{column(0), column(1), column(2)},
-            {column(3), column(4), column(5)},
-            {column(6), column(7), column(8)},
-            {column(9), column(10), column(11)}};
-  }
   static Vec load(const double (*columns)[kColumn], std::size_t first, std::size_t k) {
     return {L::load(columns[first] + k), L::load(columns[first + 1] + k), L::load(columns[first + 2] + k)};
   }
   static Mask load_mask(const double* from) { return mask_of(bits_of(L::load(from))); }
 
-  // What is known of the two bodies. Loops work on a copy of their own: a member would be read again after each store.
-  struct Pair {
-    explicit Pair(const PacketPairForms& forms)
-        : a(*forms.a),
-          b(*forms.b),
-          centre_b(forms.centre_b),
-          b_is_central(forms.centre_b.x == 0.0 && forms.centre_b.y == 0.0 && forms.centre_b.z == 0.0),
-          start(forms.centre_a + forms.start_offset),
-          ball_radius(forms.ball_radius),
-          own_reach(forms.own_reach),
-          own_error(forms.own_error),
-          farthest(kFarthest * own_reach),
-          error(kProven ? own_error + 40.0 * kUnitRoundoff * (own_reach + farthest) : 0.0),
-          threshold(4.25 * error * ((own_reach + farthest) * (own_reach + farthest))) {}
-
-    Vec start_point(const Transform<L>& pose) const {
-      if (b_is_central) return broadcast<L>(start) - pose.translation;
-      return broadcast<L>(start) - pose(broadcast<L>(centre_b));
-    }
-    // Of the trials in these columns, of whose poses no more is needed if B's centre is its origin.
-    Vec start_point(const double (*columns)[kColumn], std::size_t k) const {
-      if (b_is_central) return broadcast<L>(start) - load(columns, 9, k);
-      return start_point(pose_of(columns[0], kColumn, k));
-    }
-
-    Vec support(const Transform<L>& pose, const Vec& dir) const {
-      const Vec p = b.support(-pose.direction_to_b(dir));
-      Vec w = a.support(dir) - pose.translation;
-      w = {((w.x - pose.row_x.x * p.x) - pose.row_x.y * p.y) - pose.row_x.z * p.z,
-           ((w.y - pose.row_y.x * p.x) - pose.row_y.y * p.y) - pose.row_y.z * p.z,
-           ((w.z - pose.row_z.x * p.x) - pose.row_z.y * p.y) - pose.row_z.z * p.z};
-      if (ball_radius > 0.0) w = w + (L(ball_radius) / norm(dir)) * dir;
-      return w;
-    }
-
-    // The origin is in the simplex: every determinant above what rounding and the points' own error could make of it.
-    Mask encloses(const L& d0, const L& d23, const L& d31, const L& d12) const {
-      const L least(threshold);
-      return both(both(d0 > least, d23 > least), both(d31 > least, d12 > least));
-    }
-
-    CoreA a;
-    CoreB b;
-    Vec3d centre_b;
-    bool b_is_central;
-    Vec3d start;
-    double ball_radius, own_reach, own_error;
-    double farthest, error, threshold;  // of all trials that are no farther than this
-  };
-
   // A step is two loops, so that neither runs out of registers, nor is its chain of operations longer than what a
   // processor sees at once. The first finds the support point of each trial along its direction, and whether that
   // separates the bodies (apart_); of the others onward_ has those whose direction was usual: whose point is to be
-  // believed.
-  void set_found(std::size_t k, const Vec& w, const Mask& apart, const Mask& usual) {
+  // believed. room_ has the direction and the gap that it shows, where that is asked for.
+  void set_found(std::size_t k, const Vec& dir, const Vec& w, const L& gap, const Mask& apart, const Mask& usual) {
+    if (tells_room_) {
+      dir.x.store(room_[0] + k);
+      dir.y.store(room_[1] + k);
+      dir.z.store(room_[2] + k);
+      (gap / (L(1.0 + 0x1p-40) * norm(dir))).store(room_[3] + k);
+    }
     w.x.store(w_[0] + k);
     w.y.store(w_[1] + k);
     w.z.store(w_[2] + k);
     from_bits(bits_of(apart)).store(apart_ + k);
     from_bits(bits_of(but_not(usual, apart))).store(onward_ + k);
   }
+  void set_room(std::size_t k, const Mask& inside, const L& room) {
+    select(inside, room, L::load(room_[3] + k)).store(room_[3] + k);
+  }
+  // Of trials whose simplex has the origin, at least what no length of theirs is below; of others 0.
+  L room_of(const Mask& inside, const Vec& v0, const Vec& v1, const Vec& v2, const Vec& v3, const L& d0, const L& d23,
+            const L& d31, const L& d12) const {
+    return select(inside, larger(pair_.room(v0, v1, v2, v3, d0, d23, d31, d12), L(0x1p-1000)), L(0.0));
+  }
   template <class Direction, class Found>
   void find_points(const double (*columns)[kColumn], std::size_t n, const Direction& direction, const Found& found) {
     const Pair pair = pair_;
     for (std::size_t k = 0; k < n; k += W) {
-      const Transform<L> pose = pose_of(columns[0], kColumn, k);
+      const Transform<L> pose = Pair::pose_at(columns[0], kColumn, k);
       const Vec dir = direction(pair, pose, k);
       const Vec w = pair.support(pose, dir);
       const L height = dot(dir, w), length = norm_1(dir);
       const L slack = L(pair.error) * length;
       const Mask is_usual = both(length > L(kLeastLength), Mask::first(n - k));
-      set_found(k, w, both(is_usual, height < -slack), is_usual);
+      set_found(k, dir, w, -(height + slack), both(is_usual, height < -slack), is_usual);
       found(k, dir, height, slack);
     }
   }
   static constexpr auto kNothingMore = [](std::size_t, const Vec&, const L&, const L&) {};
 
-  // A trial's row, times four, and its answer: open till it ends. Numbers that a loop counts up are its own variables:
-  // a member would be read again after each store.
-  void end(std::size_t& n_ended, const Bits& code, const Mask& ends, const Mask& apart, const Mask& inside) {
+  // The trials at k: a row, times four, and its answer, open till it ends; and the room that it leaves. Numbers that a
+  // loop counts up are its own variables: a member would be read again after each store.
+  void end(std::size_t& n_ended, std::size_t k, const Bits& code, const Mask& ends, const Mask& apart,
+           const Mask& inside) {
     const Compaction<W> move(ends);
     const Bits answer = (bits_of(apart) & Bits(static_cast<std::uint64_t>(PacketAnswer::disjoint))) |
                         (bits_of(inside) & Bits(static_cast<std::uint64_t>(PacketAnswer::overlap)));
     move.store(ended_ + n_ended, from_bits(code | answer));
+    if (tells_room_) {
+      for (std::size_t c = 0; c < 4; ++c) move.store(ended_room_[c] + n_ended, L::load(room_[c] + k));
+    }
     n_ended += static_cast<std::size_t>(move.n());
   }
 
@@ -185,7 +143,7 @@ class PacketSearch {
   void first_point(const double* poses, std::size_t stride, std::size_t n) {
     const Pair pair = pair_;
     for (std::size_t k = 0; k < n; k += W) {
-      const Transform<L> pose = pose_of(poses, stride, k);
+      const Transform<L> pose = Pair::pose_at(poses, stride, k);
       const Vec v0 = pair.start_point(pose);
       const Vec dir = usual(pair.a.direction_to(broadcast<L>(pair.start) - v0), -v0);
       const L distance = norm_1(pose.translation), length = norm_1(dir);
@@ -196,13 +154,15 @@ class PacketSearch {
       const Mask is_usual =
           both(both(turn < L(8.0), reach < L(kLargestPacketReach)), both(length > L(kLeastLength), Mask::first(n - k)));
       const Vec w = pair.support(pose, dir);
-      set_found(k, w, both(is_usual, dot(dir, w) < -slack), both(is_usual, distance < L(pair.farthest)));
+      const L height = dot(dir, w);
+      set_found(k, dir, w, -(height + slack), both(is_usual, height < -slack),
+                both(is_usual, distance < L(pair.farthest)));
     }
     std::size_t n_ended = 0, n_wedge = 0;
     for (std::size_t k = 0; k < n; k += W) {
       const Bits code = Bits::numbers_from(k) << 2;
       const Mask onward = load_mask(onward_ + k);
-      end(n_ended, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), Mask(false));
+      end(n_ended, k, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), Mask(false));
       append(wedges_, n_wedge, Compaction<W>(onward), poses, stride, k, code, load(w_, 0, k));
     }
     n_ended_ = n_ended;
@@ -246,7 +206,7 @@ class PacketSearch {
     const bool is_last = columns == portals_ || !pair.b.has_direction();
     std::size_t n_ended = n_ended_, n_wedge = n_wedge_, n_again = 0;
     for (std::size_t k = 0; k < n; k += W) {
-      const Vec v0 = pair.start_point(columns, k), v1 = load(columns, kV1, k), w = load(w_, 0, k);
+      const Vec v0 = pair.start_point(columns[0], kColumn, k), v1 = load(columns, kV1, k), w = load(w_, 0, k);
       // Oriented so that the wedge's normal points to the origin's side.
       const Vec across = cross(v1, v0);
       const L side = dot(across, w);
@@ -254,7 +214,7 @@ class PacketSearch {
       const Mask onward = load_mask(onward_ + k);
       const Mask is_flat = is_last ? Mask(false) : absolute(side) < (L(0x1p-30) * norm_1(across)) * norm_1(w);
       const Bits code = bits_of(L::load(columns[kCode] + k));
-      end(n_ended, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), Mask(false));
+      end(n_ended, k, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), Mask(false));
       if (!is_last) append(portals_, n_again, Compaction<W>(both(onward, is_flat)), columns[0], kColumn, k, code, v1);
       append(wedges_, n_wedge, Compaction<W>(but_not(onward, is_flat)), columns[0], kColumn, k, code,
              select<L>(flips, w, v1), select<L>(flips, v1, w));
@@ -274,7 +234,7 @@ class PacketSearch {
     const Pair pair = pair_;
     std::size_t n_ended = n_ended_, n_wedge = 0, n_portal = n_portal_;
     for (std::size_t k = 0; k < n; k += W) {
-      const Vec v0 = pair.start_point(wedges_, k), v1 = load(wedges_, kV1, k), v2 = load(wedges_, kV2, k);
+      const Vec v0 = pair.start_point(wedges_[0], kColumn, k), v1 = load(wedges_, kV1, k), v2 = load(wedges_, kV2, k);
       const Vec w = load(w_, 0, k);
       const Vec face = cross(v1, v2), w_v0 = cross(w, v0);
       const L d23 = -dot(w_v0, v2), d31 = dot(w_v0, v1);
@@ -282,11 +242,14 @@ class PacketSearch {
       const Mask outside_23 = but_not(d23 < L(0.0), outside_13);
       const Mask turns = either(outside_13, outside_23);
       const Mask may = load_mask(onward_ + k);
-      const Mask inside = both(may, pair.encloses(dot(w, face), d23, d31, -dot(face, v0)));
-      const Mask onward = but_not(may, inside);
+      const L d0 = dot(w, face), d12 = -dot(face, v0);
+      const Mask inside = both(may, pair.encloses(d0, d23, d31, d12));
+      const Mask onward = tells_room_ ? may : but_not(may, inside);
       const Bits code = bits_of(L::load(wedges_[kCode] + k));
-      end(n_ended, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), inside);
-      append(portals_, n_portal, Compaction<W>(but_not(onward, turns)), wedges_[0], kColumn, k, code, v1, v2, w);
+      end(n_ended, k, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), inside);
+      const Compaction<W> passed(but_not(onward, turns));
+      if (tells_room_) passed.store(portal_room_ + n_portal, room_of(inside, v0, v1, v2, w, d0, d23, d31, d12));
+      append(portals_, n_portal, passed, wedges_[0], kColumn, k, code, v1, v2, w);
       append(wedges_, n_wedge, Compaction<W>(both(onward, turns)), wedges_[0], kColumn, k, code,
              select<L>(outside_23, w, v1), select<L>(outside_13, w, v2));
     }
@@ -295,7 +258,9 @@ class PacketSearch {
     n_portal_ = n_portal;
   }
 
-  void next_portal() {
+  // Of trials whose room is asked for, those whose simplex has the origin go on with it (portal_room_ is above 0 then),
+  // until the portal is as near to the surface as it pays, or to the last round.
+  void next_portal(bool is_last) {
     const std::size_t n = n_portal_;
     const auto direction = [this](const Pair&, const Transform<L>&, std::size_t k) {
       const Vec v1 = load(portals_, kV1, k);
@@ -303,37 +268,51 @@ class PacketSearch {
     };
     // Where the height is not beyond the portal's own the search is at its end.
     find_points(portals_, n, direction, [this](std::size_t k, const Vec& dir, const L& height, const L& slack) {
-      const Mask advances = height - dot(dir, load(portals_, kV1, k)) > slack;
-      from_bits(bits_of(advances)).store(advances_ + k);
+      const L own = dot(dir, load(portals_, kV1, k));
+      from_bits(bits_of(height - own > slack)).store(advances_ + k);
+      if (tells_room_) from_bits(bits_of(own < L(kNearSurface) * height)).store(is_far_ + k);
     });
     const Pair pair = pair_;
     std::size_t n_ended = n_ended_, n_portal = 0;
     for (std::size_t k = 0; k < n; k += W) {
-      const Vec v0 = pair.start_point(portals_, k), w = load(w_, 0, k);
+      const Vec v0 = pair.start_point(portals_[0], kColumn, k), w = load(w_, 0, k);
       const Vec w_v0 = cross(w, v0);
       const Vec v1 = load(portals_, kV1, k), v2 = load(portals_, kV2, k), v3 = load(portals_, kV3, k);
       const PortalPart<L> part = part_passed(split_portal(v1, v2, v3, w_v0), v1, v2, v3);
       const Vec &left = part.left, &right = part.right;
       const Vec face = cross(left, right);
       const Mask usual = load_mask(onward_ + k);
-      const Mask inside = both(usual, pair.encloses(dot(w, face), part.past_left, -part.past_right, -dot(face, v0)));
-      const Mask onward = but_not(both(usual, load_mask(advances_ + k)), inside);
+      const L d0 = dot(w, face), d23 = -part.past_right, d31 = part.past_left, d12 = -dot(face, v0);
+      Mask inside = both(usual, pair.encloses(d0, d23, d31, d12));
+      Mask ends = inside;
+      L room;
+      if (tells_room_) {
+        room = larger(L::load(portal_room_ + k), room_of(inside, v0, left, right, w, d0, d23, d31, d12));
+        inside = room > L(0.0);
+        ends = is_last ? inside : but_not(inside, load_mask(is_far_ + k));
+        set_room(k, inside, room);
+      }
+      const Mask onward = but_not(both(usual, load_mask(advances_ + k)), ends);
       const Bits code = bits_of(L::load(portals_[kCode] + k));
-      end(n_ended, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), inside);
-      append(portals_, n_portal, Compaction<W>(onward), portals_[0], kColumn, k, code, left, right, w);
+      end(n_ended, k, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), inside);
+      const Compaction<W> passed(onward);
+      if (tells_room_) passed.store(portal_room_ + n_portal, room);
+      append(portals_, n_portal, passed, portals_[0], kColumn, k, code, left, right, w);
     }
     n_ended_ = n_ended;
     n_portal_ = n_portal;
   }
 
   Pair pair_;
+  bool tells_room_ = false;
   std::size_t n_ended_ = 0, n_wedge_ = 0, n_portal_ = 0;
   // Pose, code, points. A step reads a packet before it writes one, and writes no farther than it has read.
   alignas(64) double wedges_[19][kColumn] = {};
   alignas(64) double portals_[22][kColumn] = {};
-  alignas(64) double ended_[kColumn] = {};
-  // Of a step: support points, and truth values as the bits of doubles.
+  alignas(64) double ended_[kColumn] = {}, ended_room_[4][kColumn] = {};
+  // Of a step: support points, truth values as the bits of doubles, and directions with the room that they show.
   alignas(64) double w_[3][kColumn] = {}, apart_[kColumn] = {}, onward_[kColumn] = {}, advances_[kColumn] = {};
+  alignas(64) double room_[4][kColumn] = {}, portal_room_[kColumn] = {}, is_far_[kColumn] = {};
 };
 
 }  // namespace VEX_ISA

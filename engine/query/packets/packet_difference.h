@@ -1,0 +1,109 @@
+// The Minkowski difference K = A - B of one pair of bodies at many poses, as the packets' overlap search takes it:
+// support points, a start, and what rounding may change of them (E1, E18).
+#pragma once
+
+#include <cstddef>
+
+#include "engine/numeric/packet_memory.h"
+#include "engine/numeric/rounding.h"
+#include "engine/numeric/transform.h"
+#include "engine/query/packets/packet_core.h"
+#include "engine/query/packets/packet_overlap.h"
+
+namespace vex {
+namespace VEX_ISA {
+
+// tests/bench compiles the kernel once more without the proofs, to measure what they cost.
+#ifdef VEX_FILTER_WITHOUT_PROOFS
+inline constexpr bool kProven = false;
+#else
+inline constexpr bool kProven = true;
+#endif
+
+/// Loops work on a copy of their own: a search's member would be read again after each store.
+template <int W, class CoreA, class CoreB>
+struct PacketDifference {
+  using L = Packet<W>;
+  using Mask = PacketMask<W>;
+  using Vec = Vec3<L>;
+
+  // |t|_1 in units of own_reach, up to which one bound of errors serves all: what is farther is apart.
+  static constexpr double kFarthest = 1.75;
+
+  static Transform<L> pose_at(const double* columns, std::size_t stride, std::size_t k) {
+    const auto column = [&](std::size_t c) { return L::load(columns + c * stride + k); };
+    return {{column(0), column(1), column(2)},
+            {column(3), column(4), column(5)},
+            {column(6), column(7), column(8)},
+            {column(9), column(10), column(11)}};
+  }
+
+  explicit PacketDifference(const PacketPairForms& forms)
+      : a(*forms.a),
+        b(*forms.b),
+        centre_b(forms.centre_b),
+        b_is_central(forms.centre_b.x == 0.0 && forms.centre_b.y == 0.0 && forms.centre_b.z == 0.0),
+        start(forms.centre_a + forms.start_offset),
+        ball_radius(forms.ball_radius),
+        own_reach(forms.own_reach),
+        own_error(forms.own_error),
+        farthest(kFarthest * own_reach),
+        error(kProven ? own_error + 40.0 * kUnitRoundoff * (own_reach + farthest) : 0.0),
+        threshold(4.25 * error * ((own_reach + farthest) * (own_reach + farthest))),
+        start_room(forms.start_room - 2.0 * error) {}
+
+  Vec start_point(const Transform<L>& pose) const {
+    if (b_is_central) return broadcast<L>(start) - pose.translation;
+    return broadcast<L>(start) - pose(broadcast<L>(centre_b));
+  }
+  // Of the trials whose poses stand in these columns, of which no more is needed if B's centre is its origin.
+  Vec start_point(const double* columns, std::size_t stride, std::size_t k) const {
+    if (!b_is_central) return start_point(pose_at(columns, stride, k));
+    const auto column = [&](std::size_t c) { return L::load(columns + c * stride + k); };
+    return broadcast<L>(start) - Vec{column(9), column(10), column(11)};
+  }
+
+  Vec support(const Transform<L>& pose, const Vec& dir) const {
+    const Vec p = b.support(-pose.direction_to_b(dir));
+    Vec w = a.support(dir) - pose.translation;
+    w = {((w.x - pose.row_x.x * p.x) - pose.row_x.y * p.y) - pose.row_x.z * p.z,
+         ((w.y - pose.row_y.x * p.x) - pose.row_y.y * p.y) - pose.row_y.z * p.z,
+         ((w.z - pose.row_z.x * p.x) - pose.row_z.y * p.y) - pose.row_z.z * p.z};
+    if (ball_radius > 0.0) w = w + (L(ball_radius) / norm(dir)) * dir;
+    return w;
+  }
+
+  // The origin is in the simplex: every determinant above what rounding and the points' own error could make of it.
+  Mask encloses(const L& d0, const L& d23, const L& d31, const L& d12) const {
+    const L least(threshold);
+    return both(both(d0 > least, d23 > least), both(d31 > least, d12 > least));
+  }
+
+  // How far inside of K the origin is, where it is in that simplex (E18): its height over each face, or what the ball
+  // about v0 has of it.
+  L room(const Vec& v0, const Vec& v1, const Vec& v2, const Vec& v3, const L& d0, const L& d23, const L& d31,
+         const L& d12) const {
+    const Vec from_v0[] = {v1 - v0, v2 - v0, v3 - v0};
+    const L reach(own_reach + farthest), unsure(threshold);
+    const auto height = [&](const L& d, const Vec& normal) {
+      return (d - unsure) / (L(1.0 + 0x1p-20) * norm(normal) + L(0x1p-40) * (reach * reach));
+    };
+    const L over_sides =
+        smaller(height(d23, cross(from_v0[1], from_v0[2])),
+                smaller(height(d31, cross(from_v0[2], from_v0[0])), height(d12, cross(from_v0[0], from_v0[1]))));
+    const L weight = (d0 - unsure) / (L(1.0 + 0x1p-20) * ((d0 + d23) + (d31 + d12)) + L(4.0) * unsure);
+    return larger(smaller(height(d0, cross(v2 - v1, v3 - v1)), over_sides), weight * L(start_room));
+  }
+
+  CoreA a;
+  CoreB b;
+  Vec3d centre_b;
+  bool b_is_central;
+  Vec3d start;
+  double ball_radius, own_reach, own_error;
+  double farthest, error, threshold;  // of all trials that are no farther than this
+  double start_room;
+};
+
+}  // namespace VEX_ISA
+}  // namespace vex
