@@ -34,14 +34,15 @@ void PairMemory::build(SceneBodies& bodies, const BroadPhases& phases, const Sce
   if (!keeps_old) rounding_ = rounding;
   skin_ = skin;
   bodies_ = &bodies;
-  list(pairs_within_skin(bodies, phases, kernel, n_threads), keeps_old);
+  find_pairs_within_skin(phases, kernel, n_threads);
+  list(keeps_old);
   is_there_ = true;
   bodies.track();
 }
 
-std::vector<PairMemory::Listed> PairMemory::pairs_within_skin(const SceneBodies& bodies, const BroadPhases& phases,
-                                                              const SceneKernel& kernel, int n_threads) const {
-  std::vector<std::vector<Listed>> found(phases.n_parts());
+void PairMemory::find_pairs_within_skin(const BroadPhases& phases, const SceneKernel& kernel, int n_threads) {
+  if (found_.size() < phases.n_parts()) found_.resize(phases.n_parts());
+  for (std::vector<Listed>& part : found_) part.clear();
   share_parts(n_threads, phases.n_parts(), [&](std::size_t part) {
     thread_local NearPairs near;
     near.n = 0;
@@ -53,40 +54,38 @@ std::vector<PairMemory::Listed> PairMemory::pairs_within_skin(const SceneBodies&
           std::swap(a, b);
           image = {-image[0], -image[1], -image[2]};
         }
-        found[part].push_back({a, b, shifts_.number(image)});
+        found_[part].push_back({a, b, shifts_.number(image)});
       }
       near.n = 0;
       return true;
     });
   });
   // Counting sort by the first body; each has few pairs.
-  std::vector<std::uint32_t> next(std::size_t{bodies.end()} + 1, 0);
-  for (const std::vector<Listed>& part : found) {
-    for (const Listed& pair : part) ++next[pair.a + 1];
+  next_.assign(std::size_t{bodies_->end()} + 1, 0);
+  for (const std::vector<Listed>& part : found_) {
+    for (const Listed& pair : part) ++next_[pair.a + 1];
   }
-  for (std::size_t k = 1; k < next.size(); ++k) next[k] += next[k - 1];
-  std::vector<Listed> pairs(next.back());
-  for (const std::vector<Listed>& part : found) {
-    for (const Listed& pair : part) pairs[next[pair.a]++] = pair;
+  for (std::size_t k = 1; k < next_.size(); ++k) next_[k] += next_[k - 1];
+  listed_.resize(next_.back());
+  for (const std::vector<Listed>& part : found_) {
+    for (const Listed& pair : part) listed_[next_[pair.a]++] = pair;
   }
-  for (std::size_t first = 0; first < pairs.size();) {
-    const std::size_t end = next[pairs[first].a];
-    std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.begin() + static_cast<std::ptrdiff_t>(end));
+  for (std::size_t first = 0; first < listed_.size();) {
+    const std::size_t end = next_[listed_[first].a];
+    std::sort(listed_.begin() + static_cast<std::ptrdiff_t>(first), listed_.begin() + static_cast<std::ptrdiff_t>(end));
     first = end;
   }
-  return pairs;
 }
 
-void PairMemory::list(const std::vector<Listed>& pairs, bool keeps_old) {
-  std::vector<Known> old;
-  old.swap(known_);
-  if (!keeps_old) old.clear();
-  known_.reserve(pairs.size());
+void PairMemory::list(bool keeps_old) {
+  known_before_.swap(known_);
+  if (!keeps_old) known_before_.clear();
+  known_.clear();
   const auto has_crossed = [this](BodyId body) { return bodies_->track_of(body).crossed != ImageOffset{}; };
-  auto at = old.begin();
-  for (const Listed& pair : pairs) {
-    while (at != old.end() && Listed{at->a, at->b, at->shift} < pair) ++at;
-    const bool is_known = at != old.end() && Listed{at->a, at->b, at->shift} == pair;
+  auto at = known_before_.begin();
+  for (const Listed& pair : listed_) {
+    while (at != known_before_.end() && Listed{at->a, at->b, at->shift} < pair) ++at;
+    const bool is_known = at != known_before_.end() && Listed{at->a, at->b, at->shift} == pair;
     // The image of a body that has crossed a face means another copy now.
     if (is_known && !has_crossed(pair.a) && !has_crossed(pair.b)) {
       known_.push_back(*at);

@@ -59,9 +59,8 @@ class PairMemory final : public PairKeeper {
     std::uint32_t shift;
     friend auto operator<=>(const Listed&, const Listed&) = default;
   };
-  std::vector<Listed> pairs_within_skin(const SceneBodies& bodies, const BroadPhases& phases, const SceneKernel& kernel,
-                                        int n_threads) const;
-  void list(const std::vector<Listed>& pairs, bool keeps_old);
+  void find_pairs_within_skin(const BroadPhases& phases, const SceneKernel& kernel, int n_threads);
+  void list(bool keeps_old);
   // From a's centre to that of b's copy.
   Vec3d way(const Known& known) const;
   double turned(const Known& known) const;
@@ -76,6 +75,11 @@ class PairMemory final : public PairKeeper {
   const SceneBodies* bodies_ = nullptr;
   ShiftTable shifts_;
   std::vector<Known> known_;  // by numbers
+  // Memory that is kept: for the last list, and for what the parts of the broad phase find, sorted.
+  std::vector<Known> known_before_;
+  std::vector<std::vector<Listed>> found_;
+  std::vector<Listed> listed_;
+  std::vector<std::uint32_t> next_;
 };
 
 }  // namespace vex
