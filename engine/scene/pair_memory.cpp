@@ -177,26 +177,26 @@ void PairMemory::keep_as_it_stands(std::uint64_t tag, Outcome outcome) {
   known.limit = n_moves(known);
 }
 
-void PairMemory::keep_apart(std::uint64_t tag, const Vec3d& unit_dir, double room) {
+void PairMemory::keep_apart(std::uint64_t tag, const Vec3d& unit_dir, double clearance) {
   Known& known = known_[tag];
-  if (!(room * kLess > 2.0 * rounding_)) {
+  if (!(clearance * kLess > 2.0 * rounding_)) {
     keep_as_it_stands(tag, Outcome::disjoint);
     return;
   }
   known.kind = Known::Kind::apart;
   known.at = unit_dir;
-  known.limit = dot(unit_dir, way(known)) - turned(known) - room * kLess + rounding_;
+  known.limit = dot(unit_dir, way(known)) - turned(known) - clearance * kLess + rounding_;
 }
 
-void PairMemory::keep_overlap(std::uint64_t tag, double room) {
+void PairMemory::keep_overlap(std::uint64_t tag, double clearance) {
   Known& known = known_[tag];
-  if (!(room * kLess > 2.0 * rounding_)) {
+  if (!(clearance * kLess > 2.0 * rounding_)) {
     keep_as_it_stands(tag, Outcome::overlap);
     return;
   }
   known.kind = Known::Kind::overlap;
   known.at = way(known);
-  known.limit = room * kLess - rounding_ + turned(known);
+  known.limit = clearance * kLess - rounding_ + turned(known);
 }
 
 }  // namespace vex

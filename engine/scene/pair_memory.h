@@ -3,7 +3,7 @@
 // After L. Verlet's neighbour lists (Phys. Rev. 159, 98, 1967): the pairs whose balls are nearer than a skin are listed
 // once, and as long as no body has moved by more than half of it no other pair can meet. Of each listed pair it is kept
 // what was last proven, a plane between the bodies or a ball in their Minkowski difference, and whether the bodies can
-// have left the room that it gave them (E26): a pair is asked again only then.
+// have used up the clearance that it showed (E26): a pair is asked again only then.
 #pragma once
 
 #include <cstdint>
@@ -32,8 +32,8 @@ class PairMemory final : public PairKeeper {
   void look(std::size_t first, std::size_t end, PairSearch& search);
 
   void keep_as_it_stands(std::uint64_t tag, Outcome outcome) override;
-  void keep_apart(std::uint64_t tag, const Vec3d& unit_dir, double room) override;
-  void keep_overlap(std::uint64_t tag, double room) override;
+  void keep_apart(std::uint64_t tag, const Vec3d& unit_dir, double clearance) override;
+  void keep_overlap(std::uint64_t tag, double clearance) override;
 
  private:
   struct Known {
@@ -71,7 +71,7 @@ class PairMemory final : public PairKeeper {
 
   bool is_there_ = false;
   double skin_ = 0.0;
-  double rounding_ = 0.0;  // less room than this is as good as none (E26)
+  double rounding_ = 0.0;  // a clearance below this is as good as none (E26)
   const SceneBodies* bodies_ = nullptr;
   ShiftTable shifts_;
   std::vector<Known> known_;  // by numbers

@@ -210,7 +210,7 @@ void PairSearch::settle_batch(Kind& kind, const Pairs& asked) {
   PlacedPairs& placed = *placed_;
   const std::size_t n = asked.n;
   const bool has_cylinders = kind.cylinders.says_anything();
-  // Bounds do not tell how much room there is, and packets do: of pairs that are remembered these are asked.
+  // Bounds tell no clearance, and packets do: of pairs that are remembered these are asked.
   const bool asks_bounds = keeper_ == nullptr || !kind.packets;
   question_.kernel.place(
       {question_.poses, question_.shifts->rows(), asked.a, asked.b, asked.shift, n, kind.a.centre(), kind.b.centre(),
@@ -247,21 +247,21 @@ void PairSearch::settle_batch(Kind& kind, const Pairs& asked) {
     }
     ++counts[SceneStage::packets].settled;
     if (found == PacketAnswer::overlap) pairs.push_back(pair_of(asked, row));
-    if (keeper_ != nullptr) keep_room(asked, row, k);
+    if (keeper_ != nullptr) keep_clearance(asked, row, k);
   }
 }
 
-// The room that the k-th answer of the packets leaves.
-void PairSearch::keep_room(const Pairs& asked, std::size_t row, std::size_t k) {
-  const double room = clearances_->room[k];
+// Of the k-th answer of the packets.
+void PairSearch::keep_clearance(const Pairs& asked, std::size_t row, std::size_t k) {
+  const double clearance = clearances_->length[k];
   if (answers_[k] == PacketAnswer::overlap) {
-    keeper_->keep_overlap(asked.tag[row], room);
+    keeper_->keep_overlap(asked.tag[row], clearance);
     return;
   }
   const Vec3d dir{clearances_->dir[0][k], clearances_->dir[1][k], clearances_->dir[2][k]};
   const Transformd a = SceneBodies::pose_at(question_.poses, asked.a[row]);
   const Vec3d unit = (1.0 / norm(dir)) * dir;
-  keeper_->keep_apart(asked.tag[row], {dot(a.row_x, unit), dot(a.row_y, unit), dot(a.row_z, unit)}, room);
+  keeper_->keep_apart(asked.tag[row], {dot(a.row_x, unit), dot(a.row_y, unit), dot(a.row_z, unit)}, clearance);
 }
 
 void PairSearch::settle_one(const Pairs& asked, std::size_t row) {

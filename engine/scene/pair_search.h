@@ -35,10 +35,10 @@ class PairKeeper {
   virtual ~PairKeeper() = default;
   /// The pair as it stands is apart, overlaps, or is undecided: nothing more is known.
   virtual void keep_as_it_stands(std::uint64_t tag, Outcome outcome) = 0;
-  /// Along this unit vector, which leads from a to b in the scene's frame, there is so much room between the bodies.
-  virtual void keep_apart(std::uint64_t tag, const Vec3d& unit_dir, double room) = 0;
+  /// Along this unit vector, which leads from a to b in the scene's frame, the bodies are at least so far apart.
+  virtual void keep_apart(std::uint64_t tag, const Vec3d& unit_dir, double clearance) = 0;
   /// Their Minkowski difference has a ball of this radius about the origin.
-  virtual void keep_overlap(std::uint64_t tag, double room) = 0;
+  virtual void keep_overlap(std::uint64_t tag, double clearance) = 0;
 };
 
 /// Keeps what it makes of kinds of pairs from one query to the next, for one margin.
@@ -101,7 +101,7 @@ class PairSearch {
   void settle_batch(Kind& kind, const Pairs& asked);
   void settle_one(const Pairs& asked, std::size_t row);
   void answer(const Verdict& verdict, const Pairs& asked, std::size_t row);
-  void keep_room(const Pairs& asked, std::size_t row, std::size_t k);
+  void keep_clearance(const Pairs& asked, std::size_t row, std::size_t k);
   Kind* kind_of(std::uint64_t key, std::size_t n_waiting);
   BodyId body_at(std::uint64_t place) const {
     if (question_.id != nullptr) return question_.id[place];

@@ -80,8 +80,8 @@ class SceneBodies {
 
   /// How a body has moved since `track` (E26). A line of memory.
   struct alignas(64) Track {
-    Vec3d centre;               // where its centre would be, had it not been moved into the box again:
-    ImageOffset crossed;        // this many lattice vectors from where it is
+    Vec3d centre;         // where its centre would be, had it not been moved into the box again:
+    ImageOffset crossed;  // this many lattice vectors from where it is
     ShapeId shape;
     double travel = 0.0;        // no point has moved farther than this, as a sum over the moves
     double turned = 0.0;        // nor this, seen from the centre

@@ -31,13 +31,13 @@ struct ScenePair {
 
 /// The stages that a pair goes through until one settles it, in their order.
 enum class SceneStage : std::uint8_t {
-  unmoved,        // what was known of the pair still holds: neither body has moved by as much as their clearance
-  joined,         // only clusters are asked for, and the bodies are in one already, with the same offset
-  balls,          // circumscribed balls apart
-  cylinders,      // circumscribed cylinders of needles and plates apart
-  bounds,         // a body's own box or ellipsoid against the other's balls, circumscribed and inscribed
-  packets,        // the search in double precision, several pairs at a time
-  scalar,         // the same, one pair at a time
+  unmoved,    // what was proven of the pair still holds: the bodies cannot have used up the clearance that it showed
+  joined,     // only clusters are asked for, and the bodies are in one already, with the same offset
+  balls,      // circumscribed balls apart
+  cylinders,  // circumscribed cylinders of needles and plates apart
+  bounds,     // a body's own box or ellipsoid against the other's balls, circumscribed and inscribed
+  packets,    // the search in double precision, several pairs at a time
+  scalar,     // the same, one pair at a time
   double_double,  // curved bodies, in twice the precision
   exact,          // polytopes, spheres and capsules, in whole numbers
 };

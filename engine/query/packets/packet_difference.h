@@ -50,7 +50,7 @@ struct PacketDifference {
         farthest(kFarthest * own_reach),
         error(kProven ? own_error + 40.0 * kUnitRoundoff * (own_reach + farthest) : 0.0),
         threshold(4.25 * error * ((own_reach + farthest) * (own_reach + farthest))),
-        start_room(forms.start_room - 2.0 * error) {}
+        start_clearance(forms.start_clearance - 2.0 * error) {}
 
   Vec start_point(const Transform<L>& pose) const {
     if (b_is_central) return broadcast<L>(start) - pose.translation;
@@ -81,8 +81,8 @@ struct PacketDifference {
 
   // How far inside of K the origin is, where it is in that simplex (E18): its height over each face, or what the ball
   // about v0 has of it.
-  L room(const Vec& v0, const Vec& v1, const Vec& v2, const Vec& v3, const L& d0, const L& d23, const L& d31,
-         const L& d12) const {
+  L clearance(const Vec& v0, const Vec& v1, const Vec& v2, const Vec& v3, const L& d0, const L& d23, const L& d31,
+              const L& d12) const {
     const Vec from_v0[] = {v1 - v0, v2 - v0, v3 - v0};
     const L reach(own_reach + farthest), unsure(threshold);
     const auto height = [&](const L& d, const Vec& normal) {
@@ -92,7 +92,7 @@ struct PacketDifference {
         smaller(height(d23, cross(from_v0[1], from_v0[2])),
                 smaller(height(d31, cross(from_v0[2], from_v0[0])), height(d12, cross(from_v0[0], from_v0[1]))));
     const L weight = (d0 - unsure) / (L(1.0 + 0x1p-20) * ((d0 + d23) + (d31 + d12)) + L(4.0) * unsure);
-    return larger(smaller(height(d0, cross(v2 - v1, v3 - v1)), over_sides), weight * L(start_room));
+    return larger(smaller(height(d0, cross(v2 - v1, v3 - v1)), over_sides), weight * L(start_clearance));
   }
 
   CoreA a;
@@ -102,7 +102,7 @@ struct PacketDifference {
   Vec3d start;
   double ball_radius, own_reach, own_error;
   double farthest, error, threshold;  // of all trials that are no farther than this
-  double start_room;
+  double start_clearance;
 };
 
 }  // namespace VEX_ISA

@@ -49,7 +49,7 @@ struct PacketPairForms {
   Vec3d centre_a, centre_b, start_offset;
   double ball_radius;
   double own_reach, own_error;  // E1's W and E but for what the translation adds
-  double start_room;            // A - B has a ball of this radius about the search's first point, whatever the pose
+  double start_clearance;       // A - B has a ball of this radius about the search's first point, whatever the pose
 };
 
 struct PacketClearances;
@@ -66,13 +66,13 @@ class PacketOverlap {
   virtual void decide(const PoseTable& poses, PacketAnswer* answers, PacketClearances* clearances = nullptr) = 0;
 };
 
-/// How much room each answer leaves, in A's frame; of open trials nothing (E18).
+/// How far the bodies may move before each answer can end, in A's frame; of open trials nothing (E18).
 struct PacketClearances {
-  /// Of disjoint bodies a direction from A towards B, of any length, along which their supports are at least `room`
+  /// Of disjoint bodies a direction from A towards B, of any length, along which their supports are at least `length`
   /// apart; of overlapping ones nothing.
   double dir[3][PacketOverlap::kStride];
   /// Of overlapping bodies A - B has a ball of this radius about the origin. Not below 0.
-  double room[PacketOverlap::kStride];
+  double length[PacketOverlap::kStride];
 };
 
 /// The caller owns what it makes.

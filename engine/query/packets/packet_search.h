@@ -35,7 +35,7 @@ class PacketSearch {
                                        PacketClearances* clearances) {
     for (std::size_t k = 0; k < n; ++k) answers[k] = PacketAnswer::open;
     n_ended_ = n_portal_ = 0;
-    tells_room_ = clearances != nullptr;
+    tells_clearance_ = clearances != nullptr;
     first_point(poses, stride, n);
     second_point();
     for (int round = 0; round < kMostWedges && n_wedge_ > 0; ++round) third_point();
@@ -44,10 +44,10 @@ class PacketSearch {
       std::uint64_t code;
       __builtin_memcpy(&code, &ended_[k], sizeof code);
       answers[code >> 2] = static_cast<PacketAnswer>(code & 3u);
-      if (!tells_room_) continue;
+      if (!tells_clearance_) continue;
       const std::uint64_t row = code >> 2;
-      for (std::size_t c = 0; c < 3; ++c) clearances->dir[c][row] = ended_room_[c][k];
-      clearances->room[row] = ended_room_[3][k] > 0.0 ? ended_room_[3][k] : 0.0;
+      for (std::size_t c = 0; c < 3; ++c) clearances->dir[c][row] = ended_clearance_[c][k];
+      clearances->length[row] = ended_clearance_[3][k] > 0.0 ? ended_clearance_[3][k] : 0.0;
     }
   }
 
@@ -72,13 +72,13 @@ class PacketSearch {
   // A step is two loops, so that neither runs out of registers, nor is its chain of operations longer than what a
   // processor sees at once. The first finds the support point of each trial along its direction, and whether that
   // separates the bodies (apart_); of the others onward_ has those whose direction was usual: whose point is to be
-  // believed. room_ has the direction and the gap that it shows, where that is asked for.
+  // believed. clearance_ has the direction and the gap that it shows, where that is asked for.
   void set_found(std::size_t k, const Vec& dir, const Vec& w, const L& gap, const Mask& apart, const Mask& usual) {
-    if (tells_room_) {
-      dir.x.store(room_[0] + k);
-      dir.y.store(room_[1] + k);
-      dir.z.store(room_[2] + k);
-      (gap / (L(1.0 + 0x1p-40) * norm(dir))).store(room_[3] + k);
+    if (tells_clearance_) {
+      dir.x.store(clearance_[0] + k);
+      dir.y.store(clearance_[1] + k);
+      dir.z.store(clearance_[2] + k);
+      (gap / (L(1.0 + 0x1p-40) * norm(dir))).store(clearance_[3] + k);
     }
     w.x.store(w_[0] + k);
     w.y.store(w_[1] + k);
@@ -86,13 +86,13 @@ class PacketSearch {
     from_bits(bits_of(apart)).store(apart_ + k);
     from_bits(bits_of(but_not(usual, apart))).store(onward_ + k);
   }
-  void set_room(std::size_t k, const Mask& inside, const L& room) {
-    select(inside, room, L::load(room_[3] + k)).store(room_[3] + k);
+  void set_clearance(std::size_t k, const Mask& inside, const L& clearance) {
+    select(inside, clearance, L::load(clearance_[3] + k)).store(clearance_[3] + k);
   }
   // Of trials whose simplex has the origin, at least what no length of theirs is below; of others 0.
-  L room_of(const Mask& inside, const Vec& v0, const Vec& v1, const Vec& v2, const Vec& v3, const L& d0, const L& d23,
-            const L& d31, const L& d12) const {
-    return select(inside, larger(pair_.room(v0, v1, v2, v3, d0, d23, d31, d12), L(0x1p-1000)), L(0.0));
+  L clearance_of(const Mask& inside, const Vec& v0, const Vec& v1, const Vec& v2, const Vec& v3, const L& d0,
+                 const L& d23, const L& d31, const L& d12) const {
+    return select(inside, larger(pair_.clearance(v0, v1, v2, v3, d0, d23, d31, d12), L(0x1p-1000)), L(0.0));
   }
   template <class Direction, class Found>
   void find_points(const double (*columns)[kColumn], std::size_t n, const Direction& direction, const Found& found) {
@@ -110,16 +110,16 @@ class PacketSearch {
   }
   static constexpr auto kNothingMore = [](std::size_t, const Vec&, const L&, const L&) {};
 
-  // The trials at k: a row, times four, and its answer, open till it ends; and the room that it leaves. Numbers that a
-  // loop counts up are its own variables: a member would be read again after each store.
+  // The trials at k: a row, times four, and its answer, open till it ends; and the clearance that it leaves. Numbers
+  // that a loop counts up are its own variables: a member would be read again after each store.
   void end(std::size_t& n_ended, std::size_t k, const Bits& code, const Mask& ends, const Mask& apart,
            const Mask& inside) {
     const Compaction<W> move(ends);
     const Bits answer = (bits_of(apart) & Bits(static_cast<std::uint64_t>(PacketAnswer::disjoint))) |
                         (bits_of(inside) & Bits(static_cast<std::uint64_t>(PacketAnswer::overlap)));
     move.store(ended_ + n_ended, from_bits(code | answer));
-    if (tells_room_) {
-      for (std::size_t c = 0; c < 4; ++c) move.store(ended_room_[c] + n_ended, L::load(room_[c] + k));
+    if (tells_clearance_) {
+      for (std::size_t c = 0; c < 4; ++c) move.store(ended_clearance_[c] + n_ended, L::load(clearance_[c] + k));
     }
     n_ended += static_cast<std::size_t>(move.n());
   }
@@ -244,11 +244,12 @@ class PacketSearch {
       const Mask may = load_mask(onward_ + k);
       const L d0 = dot(w, face), d12 = -dot(face, v0);
       const Mask inside = both(may, pair.encloses(d0, d23, d31, d12));
-      const Mask onward = tells_room_ ? may : but_not(may, inside);
+      const Mask onward = tells_clearance_ ? may : but_not(may, inside);
       const Bits code = bits_of(L::load(wedges_[kCode] + k));
       end(n_ended, k, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), inside);
       const Compaction<W> passed(but_not(onward, turns));
-      if (tells_room_) passed.store(portal_room_ + n_portal, room_of(inside, v0, v1, v2, w, d0, d23, d31, d12));
+      if (tells_clearance_)
+        passed.store(portal_clearance_ + n_portal, clearance_of(inside, v0, v1, v2, w, d0, d23, d31, d12));
       append(portals_, n_portal, passed, wedges_[0], kColumn, k, code, v1, v2, w);
       append(wedges_, n_wedge, Compaction<W>(both(onward, turns)), wedges_[0], kColumn, k, code,
              select<L>(outside_23, w, v1), select<L>(outside_13, w, v2));
@@ -258,8 +259,8 @@ class PacketSearch {
     n_portal_ = n_portal;
   }
 
-  // Of trials whose room is asked for, those whose simplex has the origin go on with it (portal_room_ is above 0 then),
-  // until the portal is as near to the surface as it pays, or to the last round.
+  // Of trials whose clearance is asked for, those whose simplex has the origin go on with it (portal_clearance_ is
+  // above 0 then), until the portal is as near to the surface as it pays, or to the last round.
   void next_portal(bool is_last) {
     const std::size_t n = n_portal_;
     const auto direction = [this](const Pair&, const Transform<L>&, std::size_t k) {
@@ -270,7 +271,7 @@ class PacketSearch {
     find_points(portals_, n, direction, [this](std::size_t k, const Vec& dir, const L& height, const L& slack) {
       const L own = dot(dir, load(portals_, kV1, k));
       from_bits(bits_of(height - own > slack)).store(advances_ + k);
-      if (tells_room_) from_bits(bits_of(own < L(kNearSurface) * height)).store(is_far_ + k);
+      if (tells_clearance_) from_bits(bits_of(own < L(kNearSurface) * height)).store(is_far_ + k);
     });
     const Pair pair = pair_;
     std::size_t n_ended = n_ended_, n_portal = 0;
@@ -285,18 +286,18 @@ class PacketSearch {
       const L d0 = dot(w, face), d23 = -part.past_right, d31 = part.past_left, d12 = -dot(face, v0);
       Mask inside = both(usual, pair.encloses(d0, d23, d31, d12));
       Mask ends = inside;
-      L room;
-      if (tells_room_) {
-        room = larger(L::load(portal_room_ + k), room_of(inside, v0, left, right, w, d0, d23, d31, d12));
-        inside = room > L(0.0);
+      L clearance;
+      if (tells_clearance_) {
+        clearance = larger(L::load(portal_clearance_ + k), clearance_of(inside, v0, left, right, w, d0, d23, d31, d12));
+        inside = clearance > L(0.0);
         ends = is_last ? inside : but_not(inside, load_mask(is_far_ + k));
-        set_room(k, inside, room);
+        set_clearance(k, inside, clearance);
       }
       const Mask onward = but_not(both(usual, load_mask(advances_ + k)), ends);
       const Bits code = bits_of(L::load(portals_[kCode] + k));
       end(n_ended, k, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), inside);
       const Compaction<W> passed(onward);
-      if (tells_room_) passed.store(portal_room_ + n_portal, room);
+      if (tells_clearance_) passed.store(portal_clearance_ + n_portal, clearance);
       append(portals_, n_portal, passed, portals_[0], kColumn, k, code, left, right, w);
     }
     n_ended_ = n_ended;
@@ -304,15 +305,15 @@ class PacketSearch {
   }
 
   Pair pair_;
-  bool tells_room_ = false;
+  bool tells_clearance_ = false;
   std::size_t n_ended_ = 0, n_wedge_ = 0, n_portal_ = 0;
   // Pose, code, points. A step reads a packet before it writes one, and writes no farther than it has read.
   alignas(64) double wedges_[19][kColumn] = {};
   alignas(64) double portals_[22][kColumn] = {};
-  alignas(64) double ended_[kColumn] = {}, ended_room_[4][kColumn] = {};
-  // Of a step: support points, truth values as the bits of doubles, and directions with the room that they show.
+  alignas(64) double ended_[kColumn] = {}, ended_clearance_[4][kColumn] = {};
+  // Of a step: support points, truth values as the bits of doubles, and directions with the clearance that they show.
   alignas(64) double w_[3][kColumn] = {}, apart_[kColumn] = {}, onward_[kColumn] = {}, advances_[kColumn] = {};
-  alignas(64) double room_[4][kColumn] = {}, portal_room_[kColumn] = {}, is_far_[kColumn] = {};
+  alignas(64) double clearance_[4][kColumn] = {}, portal_clearance_[kColumn] = {}, is_far_[kColumn] = {};
 };
 
 }  // namespace VEX_ISA

@@ -13,6 +13,7 @@
 
 #include "engine/query/overlap.h"
 #include "engine/query/overlap_backend.h"
+#include "engine/query/separation.h"
 #include "shapes/any_shape.h"
 #include "shapes/ellipsoid.h"
 #include "shapes/polytope.h"
@@ -169,6 +170,52 @@ TEST(PacketOverlap, AnswersWhatTheEngineProves) {
     EXPECT_LT(n_open, (n_overlap + n_disjoint) / 20) << name_of(set);
     EXPECT_GT(n_overlap, 1000) << name_of(set);
     EXPECT_GT(n_disjoint, 1000) << name_of(set);
+  }
+}
+
+// What a clearance claims is looked at by support points alone where bodies are apart, and by the depth's proven bound
+// where they overlap; and it is worth something.
+TEST(PacketOverlap, HasTheClearancesItClaims) {
+  std::mt19937_64 random(12);
+  for (const InstructionSet set : kernel_sets()) {
+    const std::vector<ConvexBody> bodies = packet_bodies();
+    long n_apart = 0, n_inside = 0, n_worth_apart = 0, n_worth_inside = 0;
+    for (const ConvexBody& a : bodies) {
+      for (const ConvexBody& b : bodies) {
+        const std::unique_ptr<PacketOverlap> packets = make_packet_overlap(packet_kernel(set), a, b);
+        Table table;
+        for (int k = 0; k < 30; ++k) table.add(pose_at(a, b, 0.3 + 0.6 * random_in_unit_interval(random), random));
+        std::array<PacketAnswer, PacketOverlap::kMostTrials> answers{}, without{};
+        const auto clearances = std::make_unique<PacketClearances>();
+        packets->decide(table.table(), answers.data(), clearances.get());
+        packets->decide(table.table(), without.data());
+        const double size = a.reach() + b.reach();
+        for (std::size_t k = 0; k < table.n; ++k) {
+          ASSERT_EQ(answers[k], without[k]);
+          if (answers[k] == PacketAnswer::open) continue;
+          const Transformd pose = table.table().pose(k);
+          const double clearance = clearances->length[k];
+          ASSERT_GE(clearance, 0.0);
+          if (answers[k] == PacketAnswer::overlap) {
+            const double depth = -signed_distance(a, b, pose).lower;
+            ASSERT_LE(clearance, depth * (1.0 + 1e-9) + 1e-13 * size);
+            ++n_inside;
+            n_worth_inside += clearance > 0.2 * depth ? 1 : 0;
+            continue;
+          }
+          const Vec3d dir{clearances->dir[0][k], clearances->dir[1][k], clearances->dir[2][k]};
+          const Vec3d unit = (1.0 / norm(dir)) * dir;
+          const double gap = dot(unit, pose(b.support(-pose.direction_to_b(unit))) - a.support(unit));
+          ASSERT_LE(clearance, gap + 1e-13 * (size + norm_1(pose.translation)));
+          ++n_apart;
+          n_worth_apart += clearance > 0.2 * signed_distance(a, b, pose).upper ? 1 : 0;
+        }
+      }
+    }
+    EXPECT_GT(n_apart, 1000) << name_of(set);
+    EXPECT_GT(n_inside, 1000) << name_of(set);
+    EXPECT_GT(n_worth_apart, n_apart / 2) << name_of(set);
+    EXPECT_GT(n_worth_inside, n_inside / 2) << name_of(set);
   }
 }
 
