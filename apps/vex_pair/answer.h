@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "apps/vex_pair/margin.h"
+#include "engine/query/margin.h"
 #include "apps/vex_pair/query.h"
 #include "apps/vex_pair/query_certificate.h"
 #include "engine/query/certificate.h"

@@ -1,5 +1,7 @@
 #include "engine/scene/ball_cells.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/scene/sorted_bodies.h"
@@ -16,6 +18,35 @@ BallBlock empty_block() {
   return block;
 }
 
+// Of open space: where nearly all bodies are, so that a few which are far away do not make all cells large. What is
+// beyond the outermost cells is held by them (BallCells::takes).
+Aabb bounds_of_most(const SceneBodies& bodies, const Aabb& all) {
+  constexpr std::size_t kSample = 1024, kBeyond = 16;
+  std::array<std::vector<double>, 3> along;
+  const std::size_t step = std::max<std::size_t>(bodies.end() / kSample, 1);
+  for (std::size_t k = 0; k < bodies.end(); k += step) {
+    const BodyId body = static_cast<BodyId>(k);
+    if (!bodies.has(body)) continue;
+    const Vec3d& centre = bodies.centre(body);
+    along[0].push_back(centre.x);
+    along[1].push_back(centre.y);
+    along[2].push_back(centre.z);
+  }
+  const std::size_t n = along[0].size();
+  if (n < 4 * kBeyond) return all;
+  const auto within = [&](std::vector<double>& values, double* lower, double* upper) {
+    std::sort(values.begin(), values.end());
+    const double first = values[kBeyond], last = values[n - 1 - kBeyond], more = 0.25 * (last - first);
+    *lower = std::fmax(*lower, first - more);
+    *upper = std::fmin(*upper, last + more);
+  };
+  Aabb most = all;
+  within(along[0], &most.lower.x, &most.upper.x);
+  within(along[1], &most.lower.y, &most.upper.y);
+  within(along[2], &most.lower.z, &most.upper.z);
+  return most;
+}
+
 }  // namespace
 
 void BallCells::build(const SceneBodies& bodies, double reach, double farthest) {
@@ -24,7 +55,8 @@ void BallCells::build(const SceneBodies& bodies, double reach, double farthest) 
   // Room for bodies that move, twice as far out as they are.
   farthest_ = std::fmax(norm_1(bounds.lower), norm_1(bounds.upper)) + bodies.largest_offset() + reach;
   farthest_ = 2.0 * std::fmax(farthest_, farthest);
-  layout_ = CellLayout::make(bodies.box(), bounds, farthest_, reach, bodies.size());
+  layout_ = CellLayout::make(bodies.box(), bodies.box() ? bounds : bounds_of_most(bodies, bounds), farthest_, reach,
+                             bodies.size());
   shifts_ = ShiftTable(layout_.box, layout_.n_images);
   shift_error_ = 0x1p-46 * 3.0 * shifts_.largest_shift();
   blocks_.assign(layout_.size(), empty_block());

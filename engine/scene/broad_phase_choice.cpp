@@ -1,10 +1,14 @@
 #include "engine/scene/broad_phase_choice.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 #include "engine/scene/body_tree.h"
+#include "engine/scene/cell_layout.h"
+#include "engine/scene/sorted_bodies.h"
 
 namespace vex {
 namespace {
@@ -23,6 +27,15 @@ std::vector<BodyId> sample(const SceneBodies& bodies, std::size_t n) {
   return some;
 }
 
+// Whether bodies of the one cell are compared with those of the other.
+bool are_neighbours(const CellLayout& layout, const std::array<int, 3>& a, const std::array<int, 3>& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int apart = std::abs(a[k] - b[k]), around = layout.box ? layout.n_cells[k] - apart : apart;
+    if (std::min(apart, around) > layout.stencil[k]) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 BroadPhase cheaper_broad_phase(const SceneBodies& bodies, double reach, double margin) {
@@ -30,21 +43,23 @@ BroadPhase cheaper_broad_phase(const SceneBodies& bodies, double reach, double m
   if (asking.empty() || asked.empty()) return BroadPhase::grid;
   std::vector<Aabb> boxes;
   for (const BodyId body : asked) boxes.push_back(scene_box(bodies, body, margin, 0.0));
+  const Aabb bounds = bodies.box() ? Aabb{} : bounds_of_centres(bodies, 1);
+  const CellLayout layout = CellLayout::make(bodies.box(), bounds, bodies.largest_offset(), reach, bodies.size());
+  std::vector<std::array<int, 3>> cells;
+  for (const BodyId body : asked) cells.push_back(layout.coordinates(bodies.centre(body)));
   double in_cells = 0.0, in_boxes = 0.0;
   for (const BodyId body : asking) {
     const Aabb box = scene_box(bodies, body, margin, 0.0);
+    const std::array<int, 3> cell = layout.coordinates(bodies.centre(body));
     for (std::size_t k = 0; k < asked.size(); ++k) {
       if (asked[k] == body) continue;
-      Vec3d d = bodies.centre(asked[k]) - bodies.centre(body), shift{};
+      Vec3d shift{};
       if (bodies.box()) {
-        const Vec3d f = bodies.box()->fractional(d);
+        const Vec3d f = bodies.box()->fractional(bodies.centre(asked[k]) - bodies.centre(body));
         shift = bodies.box()->shift({-static_cast<int>(std::nearbyint(f.x)), -static_cast<int>(std::nearbyint(f.y)),
                                      -static_cast<int>(std::nearbyint(f.z))});
-        d = d + shift;
       }
-      // A body in the middle of its cell sees the 27 cells around.
-      const double farthest = std::fmax(std::fabs(d.x), std::fmax(std::fabs(d.y), std::fabs(d.z)));
-      if (farthest <= 1.5 * reach) in_cells += 1.0;
+      if (are_neighbours(layout, cell, cells[k])) in_cells += 1.0;
       if (box.meets({boxes[k].lower + shift, boxes[k].upper + shift})) in_boxes += 1.0;
     }
   }

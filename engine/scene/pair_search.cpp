@@ -42,10 +42,9 @@ Transformd relative_pose(const Transformd& a, const Transformd& b, const Vec3d& 
 }
 
 PairSearch::Kind::Kind(const PairQuestion& question, ShapeId shape_a, ShapeId shape_b)
-    : a((*question.with_margin)[shape_a]),
-      b(question.bodies->shapes()[shape_b]),
-      quick(a, b, kRelativeRotationError),
-      packets(make_packet_overlap(packet_kernel(question.set), a, b)),
+    : pair(question.bodies->shapes()[shape_a], question.bodies->shapes()[shape_b], question.margin),
+      quick(pair.narrow().a, pair.narrow().b, kRelativeRotationError),
+      packets(make_packet_overlap(packet_kernel(question.set), pair.narrow().a, pair.narrow().b)),
       cylinders(cylinder_pair(question.bodies->bounds(shape_a), question.bodies->bounds(shape_b), question.margin)) {}
 
 void PairSearch::begin(const PairQuestion& question, PairKeeper* keeper) {
@@ -213,8 +212,8 @@ void PairSearch::settle_batch(Kind& kind, const Pairs& asked) {
   // Bounds tell no clearance, and packets do: of pairs that are remembered these are asked.
   const bool asks_bounds = keeper_ == nullptr || !kind.packets;
   question_.kernel.place(
-      {question_.poses, question_.shifts->rows(), asked.a, asked.b, asked.shift, n, kind.a.centre(), kind.b.centre(),
-       has_cylinders ? &kind.cylinders : nullptr, asks_bounds ? &kind.quick : nullptr},
+      {question_.poses, question_.shifts->rows(), asked.a, asked.b, asked.shift, n, kind.pair.narrow().a.centre(),
+       kind.pair.narrow().b.centre(), has_cylinders ? &kind.cylinders : nullptr, asks_bounds ? &kind.quick : nullptr},
       placed);
   if (has_cylinders) {
     counts[SceneStage::cylinders].seen += n;
@@ -242,7 +241,7 @@ void PairSearch::settle_batch(Kind& kind, const Pairs& asked) {
     const std::uint64_t row = placed.row[k];
     const PacketAnswer found = kind.packets ? answers_[k] : PacketAnswer::open;
     if (found == PacketAnswer::open) {
-      answer(overlap(kind.a, kind.b, Pose::unchecked(poses.pose(k))), asked, row);
+      answer(within_margin(kind.pair, Pose::unchecked(poses.pose(k))), asked, row);
       continue;
     }
     ++counts[SceneStage::packets].settled;
@@ -268,9 +267,10 @@ void PairSearch::settle_one(const Pairs& asked, std::size_t row) {
   const Transformd pose =
       relative_pose(SceneBodies::pose_at(question_.poses, asked.a[row]),
                     SceneBodies::pose_at(question_.poses, asked.b[row]), question_.shifts->shift(asked.shift[row]));
-  answer(overlap((*question_.with_margin)[question_.shape[asked.a[row]]],
-                 question_.bodies->shapes()[question_.shape[asked.b[row]]], Pose::unchecked(pose)),
-         asked, row);
+  const std::vector<ConvexBody>& shapes = question_.bodies->shapes();
+  const MarginPairs pair(shapes[question_.shape[asked.a[row]]], shapes[question_.shape[asked.b[row]]],
+                         question_.margin);
+  answer(within_margin(pair, Pose::unchecked(pose)), asked, row);
 }
 
 void PairSearch::answer(const Verdict& verdict, const Pairs& asked, std::size_t row) {

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "engine/query/margin.h"
 #include "engine/scene/clusters.h"
 #include "engine/scene/scene_bodies.h"
 #include "engine/scene/shift_table.h"
@@ -23,10 +24,9 @@ struct PairQuestion {
   const ShiftTable* shifts;
   SceneKernel kernel;
   InstructionSet set;
-  double margin = 0.0;                         // pairs are asked whether they are this near
-  const std::vector<ConvexBody>* with_margin;  // of each shape; the shapes themselves where the margin is 0
-  std::uint64_t visitor = ~std::uint64_t{0};   // the place of a body's trial pose,
-  BodyId visitor_id = kNoBody;                 // and the body
+  double margin = 0.0;                        // pairs are asked whether they are this near
+  std::uint64_t visitor = ~std::uint64_t{0};  // the place of a body's trial pose,
+  BodyId visitor_id = kNoBody;                // and the body
 };
 
 /// What is told of pairs that are asked by a tag, beside their verdicts.
@@ -88,7 +88,8 @@ class PairSearch {
   // Two shapes, in the order of the bodies.
   struct Kind {
     Kind(const PairQuestion& question, ShapeId a, ShapeId b);
-    ConvexBody a, b;
+    // Bounds and packets are asked of the narrow ones: what they prove is true of the margin itself (E26).
+    MarginPairs pair;
     QuickVerdict quick;
     std::unique_ptr<PacketOverlap> packets;  // or none
     CylinderPair cylinders;

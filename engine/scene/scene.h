@@ -104,7 +104,8 @@ class Scene {
   SceneNeighbour nearest(BodyId body);
   SceneNeighbour nearest(const ConvexBody& visitor, const Pose& world_from_body);
 
-  /// The first body on a ray, or that a moving visitor meets. In a periodic box `until` must be finite.
+  /// The first body on a ray, or that a moving visitor meets: the one that is proven to be met soonest; `undecided` lists
+  /// what may be met before it. In a periodic box `until` must be finite.
   SceneHit cast_ray(const Vec3d& origin, const Vec3d& dir, double until = HUGE_VAL);
   SceneHit linear_cast(const ConvexBody& visitor, const Pose& world_from_body, const Vec3d& motion,
                        double until = HUGE_VAL);

@@ -127,8 +127,10 @@ SceneNeighbour Scene::Impl::nearest(const ConvexBody& visitor, const Pose& pose,
       const Separation found =
           distance(visitor, visit.shape_of(body), Pose::unchecked(visit.relative_pose(body, image)));
       const ImageOffset told = image_difference(image, visit.moved_by);
-      if (best.body == kNoBody || std::tie(found.signed_distance, body, told) <
-                                      std::tie(best.separation.signed_distance, best.body, best.image)) {
+      // By the upper bounds, which the value is near to: where nothing is known a value says nothing.
+      if (best.body == kNoBody ||
+          std::tie(found.upper, found.signed_distance, body, told) <
+              std::tie(best.separation.upper, best.separation.signed_distance, best.body, best.image)) {
         best = {body, told, found};
         bound = widened(std::fmax(found.upper, 0.0));
       }
@@ -186,7 +188,7 @@ SceneHit Scene::Impl::cast(const Vec3d& from, const Vec3d& dir, const Vec3d& hal
   SceneHit best;
   best.contact.verdict = Verdict::disjoint(DecidedBy::gjk);
   best.contact.time = best.contact.lower = best.contact.upper = HUGE_VAL;
-  std::vector<std::pair<ScenePair, double>> undecided;  // and the time before which it is not met
+  std::vector<std::pair<ScenePair, double>> rivals;  // all that may be met, and the time before which each is not
   double last = until;
   for (double start = 0.0; start <= last; start += piece) {
     Vec3d origin = from + start * dir;
@@ -202,11 +204,12 @@ SceneHit Scene::Impl::cast(const Vec3d& from, const Vec3d& dir, const Vec3d& hal
         const BodyId body = tree.body_of(leaf);
         const ImageOffset told = image_difference(image, moved_by);
         const FirstContact contact = cast(body, told, last);
-        if (contact.verdict.outcome == Outcome::undecided) {
-          undecided.push_back({{kNoBody, body, told}, contact.lower});
-        } else if (contact.verdict.outcome == Outcome::overlap &&
-                   (best.body == kNoBody ||
-                    std::tie(contact.time, body, told) < std::tie(best.contact.time, best.body, best.image))) {
+        if (contact.verdict.outcome == Outcome::disjoint) return last - start;
+        rivals.push_back({{kNoBody, body, told}, contact.lower});
+        // The one that is proven to be met soonest: what is not met by then is met later.
+        if (contact.verdict.outcome == Outcome::overlap &&
+            (best.body == kNoBody || std::tie(contact.upper, contact.time, body, told) <
+                                         std::tie(best.contact.upper, best.contact.time, best.body, best.image))) {
           best.body = body;
           best.image = told;
           best.contact = contact;
@@ -217,8 +220,9 @@ SceneHit Scene::Impl::cast(const Vec3d& from, const Vec3d& dir, const Vec3d& hal
     });
     if (!box) break;
   }
-  for (const auto& [pair, lower] : undecided) {
-    if (lower <= best.contact.upper) best.undecided.push_back(pair);
+  const ScenePair first{kNoBody, best.body, best.image};
+  for (const auto& [pair, lower] : rivals) {
+    if (lower <= best.contact.upper && pair != first) best.undecided.push_back(pair);
   }
   std::sort(best.undecided.begin(), best.undecided.end());
   best.undecided.erase(std::unique(best.undecided.begin(), best.undecided.end()), best.undecided.end());
@@ -226,7 +230,7 @@ SceneHit Scene::Impl::cast(const Vec3d& from, const Vec3d& dir, const Vec3d& hal
     if (!best.undecided.empty()) {
       best.contact.verdict = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);
       best.contact.lower = HUGE_VAL;
-      for (const auto& [pair, lower] : undecided) best.contact.lower = std::fmin(best.contact.lower, lower);
+      for (const auto& [pair, lower] : rivals) best.contact.lower = std::fmin(best.contact.lower, lower);
       best.contact.time = best.contact.lower;
     }
     return best;

@@ -119,15 +119,6 @@ std::vector<Clusters>& Scene::Impl::cluster_parts(int n_threads) {
 }
 
 PairQuestion Scene::Impl::question(double margin) {
-  const std::vector<ConvexBody>* shapes = &bodies_.shapes();
-  if (margin > 0.0) {
-    if (margin != margin_) with_margin_.clear();
-    margin_ = margin;
-    for (std::size_t k = with_margin_.size(); k < shapes->size(); ++k) {
-      with_margin_.push_back(vex::with_margin((*shapes)[k], margin));
-    }
-    shapes = &with_margin_;
-  }
   const SortedBodies& sorted = phases_.bodies();
   return {&bodies_,
           sorted.poses.data(),
@@ -136,8 +127,7 @@ PairQuestion Scene::Impl::question(double margin) {
           &phases_.shifts(),
           scene_kernel(settings_.instruction_set),
           settings_.instruction_set,
-          margin,
-          shapes};
+          margin};
 }
 
 void Scene::Impl::find_pairs(double margin, const OnBatch& on_batch, const OnBegin& on_begin) {

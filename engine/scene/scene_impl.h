@@ -82,8 +82,6 @@ class Scene::Impl {
   bool last_had_margin_ = false;         // of the last query, and its threads
   int n_searches_ = 1;
   PairSearch single_;
-  std::vector<ConvexBody> with_margin_;
-  double margin_ = 0.0;
 
   ScenePairs pairs_buffer_;
   std::vector<Clusters> cluster_parts_;

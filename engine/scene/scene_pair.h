@@ -104,7 +104,7 @@ struct SceneHit {
 struct SceneNeighbour {
   BodyId body = kNoBody;  // none: there is no other body
   ImageOffset image{};
-  Separation separation;  // from the asking body's frame; 0 where they overlap
+  Separation separation;  // from the asking body's frame; 0 where they overlap. No other body has a lower `upper`
 };
 
 }  // namespace vex

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "apps/vex_pair/margin.h"
+#include "engine/query/margin.h"
 #include "engine/numeric/double_double.h"
 #include "engine/numeric/errors.h"
 

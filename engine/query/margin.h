@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "engine/numeric/transform.h"
-#include "engine/query/certificate.h"
+#include "engine/numeric/pose.h"
+#include "engine/query/verdict.h"
 #include "engine/support/convex_body.h"
 
 namespace vex {
@@ -31,6 +31,10 @@ class MarginPairs {
   WidenedPair narrow_;
   std::optional<WidenedPair> wide_;
 };
+
+/// Whether the gap is at most the margin of the pair; undecided where neither pair's verdict tells. Overlap where the
+/// margin is 0 and the bodies share a point.
+Verdict within_margin(const MarginPairs& pairs, const Pose& pose);
 
 /// Margins beside one that, added to a radius, give no more than the exact sum, and no less.
 double margin_rounded_down(double radius, double margin);

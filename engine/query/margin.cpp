@@ -1,9 +1,10 @@
-#include "apps/vex_pair/margin.h"
+#include "engine/query/margin.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "engine/numeric/double_double.h"
+#include "engine/query/overlap.h"
 #include "engine/query/separation.h"
 
 namespace vex {
@@ -59,6 +60,14 @@ MarginPairs::MarginPairs(const ConvexBody& a, const ConvexBody& b, double margin
     narrow_ = widened(a, b, is_a, margin_rounded_down(radius, margin));
     wide_ = widened(a, b, is_a, margin_rounded_up(radius, margin));
   }
+}
+
+Verdict within_margin(const MarginPairs& pairs, const Pose& pose) {
+  const Verdict narrow = overlap(pairs.narrow().a, pairs.narrow().b, pose);
+  if (!pairs.is_rounded() || narrow.outcome == Outcome::overlap) return narrow;
+  const Verdict wide = overlap(pairs.wide().a, pairs.wide().b, pose);
+  if (wide.outcome == Outcome::disjoint) return wide;
+  return Verdict::undecided(wide.by, UndecidedReason::rounding);
 }
 
 }  // namespace vex
