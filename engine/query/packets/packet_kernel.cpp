@@ -7,13 +7,26 @@ namespace vex {
 namespace VEX_ISA {
 namespace {
 
+template <class A, class B>
+inline constexpr bool kAreAlike = false;
+template <class A>
+inline constexpr bool kAreAlike<A, A> = true;
+
 template <class CoreA, class CoreB>
 class Kernel final : public PacketOverlap {
  public:
   explicit Kernel(const PacketPairForms& forms) : search_(forms) {}
 
   void decide(const PoseTable& poses, PacketAnswer* answers, PacketClearances* clearances) override {
-    search_.decide(poses.columns, poses.stride, poses.n, answers, clearances);
+    // Cores of one form alone: for all pairs of forms it would take twice as long to compile.
+    if constexpr (kAreAlike<CoreA, CoreB>) {
+      if (clearances != nullptr) {
+        search_.template decide<true>(poses.columns, poses.stride, poses.n, answers, clearances);
+        return;
+      }
+    }
+    search_.template decide<false>(poses.columns, poses.stride, poses.n, answers, nullptr);
+    for (std::size_t k = 0; clearances != nullptr && k < poses.n; ++k) clearances->length[k] = 0.0;
   }
 
  private:

@@ -66,10 +66,11 @@ class PacketOverlap {
   virtual void decide(const PoseTable& poses, PacketAnswer* answers, PacketClearances* clearances = nullptr) = 0;
 };
 
-/// How far the bodies may move before each answer can end, in A's frame; of open trials nothing (E18).
+/// How far the bodies may move before each answer can end, in A's frame; of open trials nothing (E18). Of two bodies
+/// whose cores are of different forms (CoreForm::Kind) all are 0.
 struct PacketClearances {
-  /// Of disjoint bodies a direction from A towards B, of any length, along which their supports are at least `length`
-  /// apart; of overlapping ones nothing.
+  /// Of disjoint bodies, where `length` is above 0, a direction from A towards B, of any length, along which their
+  /// supports are at least `length` apart; of overlapping ones nothing.
   double dir[3][PacketOverlap::kStride];
   /// Of overlapping bodies A - B has a ball of this radius about the origin. Not below 0.
   double length[PacketOverlap::kStride];

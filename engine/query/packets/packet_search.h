@@ -30,24 +30,25 @@ class PacketSearch {
 
   explicit PacketSearch(const PacketPairForms& forms) : pair_(forms) {}
 
-  /// PacketOverlap::decide.
+  /// PacketOverlap::decide; of clearances what is told in `kTells` searches.
+  template <bool kTells>
   __attribute__((flatten)) void decide(const double* poses, std::size_t stride, std::size_t n, PacketAnswer* answers,
                                        PacketClearances* clearances) {
     for (std::size_t k = 0; k < n; ++k) answers[k] = PacketAnswer::open;
     n_ended_ = n_portal_ = 0;
-    tells_clearance_ = clearances != nullptr;
-    first_point(poses, stride, n);
-    second_point();
-    for (int round = 0; round < kMostWedges && n_wedge_ > 0; ++round) third_point();
-    for (int round = 1; round <= kMostPortals && n_portal_ > 0; ++round) next_portal(round == kMostPortals);
+    first_point<kTells>(poses, stride, n);
+    second_point<kTells>();
+    for (int round = 0; round < kMostWedges && n_wedge_ > 0; ++round) third_point<kTells>();
+    for (int round = 1; round <= kMostPortals && n_portal_ > 0; ++round) next_portal<kTells>(round == kMostPortals);
     for (std::size_t k = 0; k < n_ended_; ++k) {
       std::uint64_t code;
       __builtin_memcpy(&code, &ended_[k], sizeof code);
       answers[code >> 2] = static_cast<PacketAnswer>(code & 3u);
-      if (!tells_clearance_) continue;
-      const std::uint64_t row = code >> 2;
-      for (std::size_t c = 0; c < 3; ++c) clearances->dir[c][row] = ended_clearance_[c][k];
-      clearances->length[row] = ended_clearance_[3][k] > 0.0 ? ended_clearance_[3][k] : 0.0;
+      if constexpr (kTells) {
+        const std::uint64_t row = code >> 2;
+        for (std::size_t c = 0; c < 3; ++c) clearances->dir[c][row] = ended_clearance_[c][k];
+        clearances->length[row] = ended_clearance_[3][k] > 0.0 ? ended_clearance_[3][k] : 0.0;
+      }
     }
   }
 
@@ -73,28 +74,27 @@ class PacketSearch {
   // processor sees at once. The first finds the support point of each trial along its direction, and whether that
   // separates the bodies (apart_); of the others onward_ has those whose direction was usual: whose point is to be
   // believed. clearance_ has the direction and the gap that it shows, where that is asked for.
+  template <bool kTells>
   void set_found(std::size_t k, const Vec& dir, const Vec& w, const L& gap, const Mask& apart, const Mask& usual) {
-    if (tells_clearance_) {
-      dir.x.store(clearance_[0] + k);
-      dir.y.store(clearance_[1] + k);
-      dir.z.store(clearance_[2] + k);
-      (gap / (L(1.0 + 0x1p-40) * norm(dir))).store(clearance_[3] + k);
-    }
+    if constexpr (kTells) tell_gap(k, dir, gap);
     w.x.store(w_[0] + k);
     w.y.store(w_[1] + k);
     w.z.store(w_[2] + k);
     from_bits(bits_of(apart)).store(apart_ + k);
     from_bits(bits_of(but_not(usual, apart))).store(onward_ + k);
   }
-  void set_clearance(std::size_t k, const Mask& inside, const L& clearance) {
-    select(inside, clearance, L::load(clearance_[3] + k)).store(clearance_[3] + k);
+  void tell_gap(std::size_t k, const Vec& dir, const L& gap) {
+    dir.x.store(clearance_[0] + k);
+    dir.y.store(clearance_[1] + k);
+    dir.z.store(clearance_[2] + k);
+    (gap / (L(1.0 + 0x1p-40) * norm(dir))).store(clearance_[3] + k);
   }
   // Of trials whose simplex has the origin, at least what no length of theirs is below; of others 0.
   L clearance_of(const Mask& inside, const Vec& v0, const Vec& v1, const Vec& v2, const Vec& v3, const L& d0,
                  const L& d23, const L& d31, const L& d12) const {
     return select(inside, larger(pair_.clearance(v0, v1, v2, v3, d0, d23, d31, d12), L(0x1p-1000)), L(0.0));
   }
-  template <class Direction, class Found>
+  template <bool kTells, class Direction, class Found>
   void find_points(const double (*columns)[kColumn], std::size_t n, const Direction& direction, const Found& found) {
     const Pair pair = pair_;
     for (std::size_t k = 0; k < n; k += W) {
@@ -104,7 +104,7 @@ class PacketSearch {
       const L height = dot(dir, w), length = norm_1(dir);
       const L slack = L(pair.error) * length;
       const Mask is_usual = both(length > L(kLeastLength), Mask::first(n - k));
-      set_found(k, dir, w, -(height + slack), both(is_usual, height < -slack), is_usual);
+      set_found<kTells>(k, dir, w, -(height + slack), both(is_usual, height < -slack), is_usual);
       found(k, dir, height, slack);
     }
   }
@@ -112,13 +112,14 @@ class PacketSearch {
 
   // The trials at k: a row, times four, and its answer, open till it ends; and the clearance that it leaves. Numbers
   // that a loop counts up are its own variables: a member would be read again after each store.
+  template <bool kTells>
   void end(std::size_t& n_ended, std::size_t k, const Bits& code, const Mask& ends, const Mask& apart,
            const Mask& inside) {
     const Compaction<W> move(ends);
     const Bits answer = (bits_of(apart) & Bits(static_cast<std::uint64_t>(PacketAnswer::disjoint))) |
                         (bits_of(inside) & Bits(static_cast<std::uint64_t>(PacketAnswer::overlap)));
     move.store(ended_ + n_ended, from_bits(code | answer));
-    if (tells_clearance_) {
+    if constexpr (kTells) {
       for (std::size_t c = 0; c < 4; ++c) move.store(ended_clearance_[c] + n_ended, L::load(clearance_[c] + k));
     }
     n_ended += static_cast<std::size_t>(move.n());
@@ -140,6 +141,7 @@ class PacketSearch {
     n += static_cast<std::size_t>(move.n());
   }
 
+  template <bool kTells>
   void first_point(const double* poses, std::size_t stride, std::size_t n) {
     const Pair pair = pair_;
     for (std::size_t k = 0; k < n; k += W) {
@@ -155,14 +157,14 @@ class PacketSearch {
           both(both(turn < L(8.0), reach < L(kLargestPacketReach)), both(length > L(kLeastLength), Mask::first(n - k)));
       const Vec w = pair.support(pose, dir);
       const L height = dot(dir, w);
-      set_found(k, dir, w, -(height + slack), both(is_usual, height < -slack),
-                both(is_usual, distance < L(pair.farthest)));
+      set_found<kTells>(k, dir, w, -(height + slack), both(is_usual, height < -slack),
+                        both(is_usual, distance < L(pair.farthest)));
     }
     std::size_t n_ended = 0, n_wedge = 0;
     for (std::size_t k = 0; k < n; k += W) {
       const Bits code = Bits::numbers_from(k) << 2;
       const Mask onward = load_mask(onward_ + k);
-      end(n_ended, k, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), Mask(false));
+      end<kTells>(n_ended, k, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), Mask(false));
       append(wedges_, n_wedge, Compaction<W>(onward), poses, stride, k, code, load(w_, 0, k));
     }
     n_ended_ = n_ended;
@@ -176,6 +178,7 @@ class PacketSearch {
 
   // Along B's own direction to A; where it shows none, or one that leads to the first point again, across the line from
   // the start through that point.
+  template <bool kTells>
   void second_point() {
     const auto across = [](const double(*columns)[kColumn]) {
       return [columns](const Pair& pair, const Transform<L>& pose, std::size_t k) {
@@ -185,7 +188,7 @@ class PacketSearch {
     const std::size_t n = n_wedge_;
     n_wedge_ = 0;
     if (!pair_.b.has_direction()) {
-      span_wedges(wedges_, n, across(wedges_));
+      span_wedges<kTells>(wedges_, n, across(wedges_));
       return;
     }
     const auto from_b = [](const Pair& pair, const Transform<L>& pose, std::size_t) -> Vec {
@@ -193,15 +196,15 @@ class PacketSearch {
       const Vec p = pair.b.direction_to(pose.direction_to_b(v0) + broadcast<L>(pair.centre_b));
       return usual({-dot(pose.row_x, p), -dot(pose.row_y, p), -dot(pose.row_z, p)}, -v0);
     };
-    span_wedges(wedges_, n, from_b);
+    span_wedges<kTells>(wedges_, n, from_b);
     const std::size_t n_again = n_portal_;
     n_portal_ = 0;
-    span_wedges(portals_, n_again, across(portals_));
+    span_wedges<kTells>(portals_, n_again, across(portals_));
   }
   // What spans no wedge with the start and the first point goes to portals_, where nothing else is yet.
-  template <class Direction>
+  template <bool kTells, class Direction>
   void span_wedges(const double (*columns)[kColumn], std::size_t n, const Direction& direction) {
-    find_points(columns, n, direction, kNothingMore);
+    find_points<kTells>(columns, n, direction, kNothingMore);
     const Pair pair = pair_;
     const bool is_last = columns == portals_ || !pair.b.has_direction();
     std::size_t n_ended = n_ended_, n_wedge = n_wedge_, n_again = 0;
@@ -214,7 +217,7 @@ class PacketSearch {
       const Mask onward = load_mask(onward_ + k);
       const Mask is_flat = is_last ? Mask(false) : absolute(side) < (L(0x1p-30) * norm_1(across)) * norm_1(w);
       const Bits code = bits_of(L::load(columns[kCode] + k));
-      end(n_ended, k, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), Mask(false));
+      end<kTells>(n_ended, k, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), Mask(false));
       if (!is_last) append(portals_, n_again, Compaction<W>(both(onward, is_flat)), columns[0], kColumn, k, code, v1);
       append(wedges_, n_wedge, Compaction<W>(but_not(onward, is_flat)), columns[0], kColumn, k, code,
              select<L>(flips, w, v1), select<L>(flips, v1, w));
@@ -224,13 +227,14 @@ class PacketSearch {
     if (!is_last) n_portal_ = n_again;
   }
 
+  template <bool kTells>
   void third_point() {
     const std::size_t n = n_wedge_;
     const auto direction = [this](const Pair& pair, const Transform<L>& pose, std::size_t k) {
       const Vec v0 = pair.start_point(pose);
       return cross(load(wedges_, kV1, k) - v0, load(wedges_, kV2, k) - v0);
     };
-    find_points(wedges_, n, direction, kNothingMore);
+    find_points<kTells>(wedges_, n, direction, kNothingMore);
     const Pair pair = pair_;
     std::size_t n_ended = n_ended_, n_wedge = 0, n_portal = n_portal_;
     for (std::size_t k = 0; k < n; k += W) {
@@ -244,11 +248,11 @@ class PacketSearch {
       const Mask may = load_mask(onward_ + k);
       const L d0 = dot(w, face), d12 = -dot(face, v0);
       const Mask inside = both(may, pair.encloses(d0, d23, d31, d12));
-      const Mask onward = tells_clearance_ ? may : but_not(may, inside);
+      const Mask onward = kTells ? may : but_not(may, inside);
       const Bits code = bits_of(L::load(wedges_[kCode] + k));
-      end(n_ended, k, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), inside);
+      end<kTells>(n_ended, k, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), inside);
       const Compaction<W> passed(but_not(onward, turns));
-      if (tells_clearance_)
+      if constexpr (kTells)
         passed.store(portal_clearance_ + n_portal, clearance_of(inside, v0, v1, v2, w, d0, d23, d31, d12));
       append(portals_, n_portal, passed, wedges_[0], kColumn, k, code, v1, v2, w);
       append(wedges_, n_wedge, Compaction<W>(both(onward, turns)), wedges_[0], kColumn, k, code,
@@ -261,6 +265,7 @@ class PacketSearch {
 
   // Of trials whose clearance is asked for, those whose simplex has the origin go on with it (portal_clearance_ is
   // above 0 then), until the portal is as near to the surface as it pays, or to the last round.
+  template <bool kTells>
   void next_portal(bool is_last) {
     const std::size_t n = n_portal_;
     const auto direction = [this](const Pair&, const Transform<L>&, std::size_t k) {
@@ -268,10 +273,10 @@ class PacketSearch {
       return cross(load(portals_, kV2, k) - v1, load(portals_, kV3, k) - v1);
     };
     // Where the height is not beyond the portal's own the search is at its end.
-    find_points(portals_, n, direction, [this](std::size_t k, const Vec& dir, const L& height, const L& slack) {
+    find_points<kTells>(portals_, n, direction, [this](std::size_t k, const Vec& dir, const L& height, const L& slack) {
       const L own = dot(dir, load(portals_, kV1, k));
       from_bits(bits_of(height - own > slack)).store(advances_ + k);
-      if (tells_clearance_) from_bits(bits_of(own < L(kNearSurface) * height)).store(is_far_ + k);
+      if constexpr (kTells) from_bits(bits_of(own < L(kNearSurface) * height)).store(is_far_ + k);
     });
     const Pair pair = pair_;
     std::size_t n_ended = n_ended_, n_portal = 0;
@@ -287,17 +292,17 @@ class PacketSearch {
       Mask inside = both(usual, pair.encloses(d0, d23, d31, d12));
       Mask ends = inside;
       L clearance;
-      if (tells_clearance_) {
+      if constexpr (kTells) {
         clearance = larger(L::load(portal_clearance_ + k), clearance_of(inside, v0, left, right, w, d0, d23, d31, d12));
         inside = clearance > L(0.0);
         ends = is_last ? inside : but_not(inside, load_mask(is_far_ + k));
-        set_clearance(k, inside, clearance);
+        select(inside, clearance, L::load(clearance_[3] + k)).store(clearance_[3] + k);
       }
       const Mask onward = but_not(both(usual, load_mask(advances_ + k)), ends);
       const Bits code = bits_of(L::load(portals_[kCode] + k));
-      end(n_ended, k, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), inside);
+      end<kTells>(n_ended, k, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), inside);
       const Compaction<W> passed(onward);
-      if (tells_clearance_) passed.store(portal_clearance_ + n_portal, clearance);
+      if constexpr (kTells) passed.store(portal_clearance_ + n_portal, clearance);
       append(portals_, n_portal, passed, portals_[0], kColumn, k, code, left, right, w);
     }
     n_ended_ = n_ended;
@@ -305,7 +310,6 @@ class PacketSearch {
   }
 
   Pair pair_;
-  bool tells_clearance_ = false;
   std::size_t n_ended_ = 0, n_wedge_ = 0, n_portal_ = 0;
   // Pose, code, points. A step reads a packet before it writes one, and writes no farther than it has read.
   alignas(64) double wedges_[19][kColumn] = {};
