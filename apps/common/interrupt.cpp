@@ -16,7 +16,11 @@ static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may only 
 char last_words[128];
 std::size_t n_last_words = 0;
 
-extern "C" void remember_signal(int signal) { arrived.store(signal); }
+extern "C" void remember_signal(int signal) {
+  if (arrived.exchange(signal) != 0) _exit(128 + signal);
+}
+
+extern "C" void end_silently(int signal) { _exit(128 + signal); }
 
 extern "C" void end_at_once(int signal) {
   static_cast<void>(write(STDERR_FILENO, last_words, n_last_words) == 0);
@@ -26,7 +30,7 @@ extern "C" void end_at_once(int signal) {
 void handle_with(void (*handler)(int)) {
   struct sigaction action = {};
   action.sa_handler = handler;
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
   for (const int signal : {SIGINT, SIGTERM}) {
     struct sigaction present = {};
@@ -47,7 +51,7 @@ void end_on_interrupts(const std::string& program) {
 
 void catch_interrupts() { handle_with(remember_signal); }
 
-void stop_catching_interrupts() { handle_with(SIG_DFL); }
+void stop_catching_interrupts() { handle_with(end_silently); }
 
 const std::atomic<int>& interrupting_signal() { return arrived; }
 

@@ -121,8 +121,16 @@ OutputFile::OutputFile(std::string path, std::span<const std::string> inputs, st
   if (access(folder.c_str(), W_OK) != 0) refuse("the output file's folder cannot be written", "choose another one");
 }
 
+bool OutputFile::may_wait_for_a_reader() const {
+  return is_standard_output() || has_no_name_to_replace(path_, target_);
+}
+
 void OutputFile::write(std::string_view text) const {
   stop_catching_interrupts();
+  write_catching_interrupts(text);
+}
+
+void OutputFile::write_catching_interrupts(std::string_view text) const {
   if (is_standard_output()) {
     std::cout << text << std::flush;
     if (!std::cout)

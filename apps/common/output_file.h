@@ -44,9 +44,14 @@ class OutputFile {
   /// Before it is written.
   const std::optional<FileIdentity>& identity() const { return identity_; }
 
-  /// Replaces the file as `replace_file` does; a device or a pipe is written to. Throws std::runtime_error where the
-  /// disk refuses.
+  /// Standard output, a device or a pipe: writing may wait for whoever reads.
+  bool may_wait_for_a_reader() const;
+
+  /// Replaces the file as `replace_file` does; a device or a pipe is written to. Interrupts are not caught any more.
+  /// Throws std::runtime_error where the disk refuses.
   void write(std::string_view text) const;
+  /// The same, for a program that has more to write: interrupts are caught as before.
+  void write_catching_interrupts(std::string_view text) const;
 
  private:
   std::string path_;

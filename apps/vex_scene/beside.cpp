@@ -32,7 +32,8 @@ std::thread without_signals(const std::function<void()>& work) {
 
 }  // namespace
 
-bool done_before_an_interrupt(const std::function<void()>& work, const std::function<void()>& meanwhile) {
+bool done_before_an_interrupt(const std::function<void()>& work, const std::function<void()>& meanwhile,
+                              std::chrono::milliseconds grace) {
   const auto state = std::make_shared<WorkState>();
   std::thread thread = without_signals([work, state] {
     std::exception_ptr fault;
@@ -49,6 +50,7 @@ bool done_before_an_interrupt(const std::function<void()>& work, const std::func
   std::unique_lock lock(state->mutex);
   while (!state->changed.wait_for(lock, std::chrono::milliseconds(50), [&] { return state->is_done; })) {
     if (interrupting_signal().load() != 0) {
+      state->changed.wait_for(lock, grace, [&] { return state->is_done; });
       thread.detach();
       return false;
     }

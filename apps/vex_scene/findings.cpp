@@ -52,7 +52,7 @@ void ask_within(Scene& scene, double distance, Findings& found) {
 void ask_any(Scene& scene, Findings& found) {
   found.answer = scene.any_overlap();
   if (found.answer.outcome != Outcome::disjoint) found.answer.pair = as_in_the_file(scene, found.answer.pair);
-  found.n_undecided = found.answer.outcome == Outcome::undecided ? 1 : 0;
+  found.n_undecided = found.answer.n_undecided;
   found.counts = found.answer.counts;
 }
 

@@ -30,12 +30,12 @@ struct Findings {
   bool is_complete = false;  // false: interrupted, and then nothing below is known
   std::vector<FoundPair>
       pairs;  // of pairs and within, sorted by a, b, image; of every query but `any` those that are undecided
-  std::uint64_t n_pairs = 0;           // proven
-  std::uint64_t n_undecided = 0;       // pairs
-  SceneAnswer answer;                  // of any; its pair as the file has it
-  std::vector<std::uint32_t> labels;   // of clusters: the cluster of each body
-  std::vector<FoundCluster> clusters;  // in the order of their labels
-  std::uint32_t largest_cluster = 0;   // the first of the largest, where there are bodies
+  std::uint64_t n_pairs = 0;                 // proven
+  std::optional<std::uint64_t> n_undecided;  // pairs; none where `any` ended at an overlap
+  SceneAnswer answer;                        // of any; its pair as the file has it
+  std::vector<std::uint32_t> labels;         // of clusters: the cluster of each body
+  std::vector<FoundCluster> clusters;        // in the order of their labels
+  std::uint32_t largest_cluster = 0;         // the first of the largest, where there are bodies
   SceneCounts counts;
   double build_seconds = 0.0, query_seconds = 0.0;
 

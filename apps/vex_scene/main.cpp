@@ -1,8 +1,13 @@
 // vex_scene FILE: which of many bodies overlap, how near they are, and which clusters they make; in open space or in a
 // periodic box, proven.
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <iostream>
 
 #include "apps/common/command_files.h"
@@ -45,65 +50,128 @@ Outputs output_files(const SceneOptions& options, std::vector<std::string> input
   return outputs;
 }
 
-// Whether the text went out; nothing to write is written.
+// What the program does, piece by piece, on a thread beside the one that looks for signals: wherever one arrives, the
+// program ends soon, with the document of --json.
+class Pieces {
+ public:
+  Pieces(SceneRun& run, Clock::time_point start, const Outputs& outputs)
+      : run_(run), start_(start), outputs_(outputs), status_(!run.options.quiet) {
+    catch_interrupts();
+  }
+
+  /// Does it while the status line says what is done. `undone`: what to say where a signal ends it. `grace`: as
+  /// of done_before_an_interrupt.
+  void work(const std::function<void()>& action, const std::function<std::string()>& doing, const std::string& undone,
+            std::chrono::milliseconds grace = {}) {
+    const bool is_done = done_before_an_interrupt(
+        action, [&] { status_.show("vex_scene: " + doing()); }, grace);
+    status_.erase();
+    if (!is_done || interrupting_signal().load() != 0) end(undone);
+  }
+
+  /// Makes the text of a file, and writes it. A file that is replaced is written whole before the program ends.
+  void write(const std::optional<OutputFile>& file, const std::function<std::string()>& text) {
+    if (!file) return;
+    const std::string undone = "interrupted before " + file->path() + " was written";
+    const bool may_wait = file->may_wait_for_a_reader();
+    std::string made;
+    work(
+        [&] {
+          made = text();
+          if (may_wait) file->write_catching_interrupts(made);
+        },
+        [&] { return "writing " + file->path(); }, undone);
+    if (!may_wait) file->write_catching_interrupts(made);
+  }
+
+ private:
+  // The work may go on beside this, and ends with the program.
+  [[noreturn]] void end(const std::string& undone) {
+    const int code = kSignalBase + interrupting_signal().load();
+    run_.is_interrupted = true;
+    run_.seconds = seconds_since(start_);
+    if (!run_.options.quiet && !outputs_.own_standard_output) std::fprintf(stderr, "vex_scene: %s\n", undone.c_str());
+    try {
+      if (outputs_.json) outputs_.json->write(report_json(run_));
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "vex_scene: %s\n", error.what());
+      std::_Exit(kFault);
+    }
+    std::_Exit(code);
+  }
+
+  SceneRun& run_;
+  Clock::time_point start_;
+  const Outputs& outputs_;
+  StatusLine status_;
+};
+
+// Whether the text went out, and more is wanted: after a signal there is none.
 bool write_out(std::string_view text) {
-  if (!text.empty()) std::cout << text << std::flush;
-  return static_cast<bool>(std::cout);
+  if (interrupting_signal().load() != 0) return false;
+  while (!text.empty()) {
+    const ssize_t n = ::write(STDOUT_FILENO, text.data(), text.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) {
+      std::cout.setstate(std::ios::badbit);  // as whoever looks at the end of the program finds it
+      return false;
+    }
+    text.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return true;
 }
 
-SceneInput input_of(const SceneOptions& options) {
-  if (!options.random) return read_scene_file(options.file, options.named_bodies, !options.quiet);
+SceneInput input_of(const SceneOptions& options, std::atomic<std::uint64_t>& n_lines) {
+  if (!options.random) return read_scene_file(options.file, options.named_bodies, &n_lines);
   SceneInput scene("--random", false);
   for (const std::string& text : options.bodies_of_command_line()) scene.shape_of_text(text, 0);
   return scene;
 }
 
+struct Loaded {
+  std::vector<LoadedBody> bodies;
+  std::optional<PeriodicBox> box;
+};
+
 // The bodies are loaded, and a random scene is made of them.
-void complete(SceneInput& input, const BodyOptions& body_options, SceneRun& run) {
-  const SceneOptions& options = run.options;
-  run.bodies = load_bodies(input, options, body_options);
-  run.box = options.box;
+Loaded complete(SceneInput& input, const SceneOptions& options, const BodyOptions& body_options) {
+  Loaded loaded{load_bodies(input, options, body_options), options.box};
   if (options.random) {
     const std::uint32_t shape = input.shape_of_text(options.random->body, 0);
-    run.box = box_of_random_scene(*options.random, run.bodies[shape]);
-    place_at_random(input, *options.random, shape, *run.box, options.seed);
+    loaded.box = box_of_random_scene(*options.random, loaded.bodies[shape]);
+    place_at_random(input, *options.random, shape, *loaded.box, options.seed);
   }
+  if (options.dump_vertices) require_vertices_to_list(loaded.bodies);
+  return loaded;
+}
+
+void take(SceneRun& run, Loaded&& loaded, const SceneInput& input) {
+  run.bodies = std::move(loaded.bodies);
+  run.box = loaded.box;
   for (const SceneInput::Shape& shape : input.shapes()) run.n_copies.push_back(shape.n_bodies);
   run.n_bodies = input.n_bodies();
+  run.is_loaded = true;
 }
 
-void write_files(const SceneRun& run, const SceneInput& input, const Scene& scene, const Outputs& outputs) {
-  if (outputs.save) outputs.save->write(scene_file_text(input));
-  if (outputs.gltf) outputs.gltf->write(scene_gltf(run, scene));
-  if (outputs.svg) outputs.svg->write(stage_picture(run));
-  if (outputs.json) outputs.json->write(report_json(run));
-}
-
-void print(const SceneRun& run, const Outputs& outputs) {
+void print(const SceneRun& run) {
   const SceneOptions& options = run.options;
-  if (outputs.own_standard_output) return;
-  if (!options.has_rows()) {
-    if (!options.quiet) write_out(summary_text(run));
-    return;
+  if (options.has_rows()) {
+    write_rows(options.query, options.rows, run.found, write_out);
+  } else if (!options.quiet) {
+    write_out(summary_text(run));
   }
-  write_rows(options.query, options.rows, run.found, write_out);
-  if (!options.quiet && std::cout) std::fprintf(stderr, "vex_scene: %s", summary_text(run).c_str());
 }
 
-// The work goes on beside this, and ends with the program.
-[[noreturn]] void end_interrupted(SceneRun& run, const Outputs& outputs, Clock::time_point start) {
-  const int code = kSignalBase + interrupting_signal().load();
-  run.seconds = seconds_since(start);
-  if (!run.options.quiet && !outputs.own_standard_output) {
-    std::fprintf(stderr, "vex_scene: interrupted before there was an answer\n");
+// Looked at before the scene's file is read, which may take long. What is there already under the document's name may
+// be a body that the file names: until that is known, an interrupt leaves it as it is.
+Outputs outputs_before_reading(const SceneOptions& options, std::string& undone) {
+  Outputs outputs = output_files(options, files_of_bodies(options.bodies_of_command_line(), {}));
+  if (options.random || !outputs.json || outputs.json->may_wait_for_a_reader()) return outputs;
+  if (outputs.json->identity() && outputs.json->identity()->is_regular()) {
+    undone += "; " + outputs.json->path() + " is left as it was, because the scene may name it";
+    outputs.json.reset();
   }
-  try {
-    if (outputs.json) outputs.json->write(report_json(run));
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "vex_scene: %s\n", error.what());
-    std::_Exit(kFault);
-  }
-  std::_Exit(code);
+  return outputs;
 }
 
 int run_vex_scene(const SceneCommandLine& words, const std::string& command) {
@@ -112,40 +180,52 @@ int run_vex_scene(const SceneCommandLine& words, const std::string& command) {
   run.command = command;
   run.options = interpret(words);
   const SceneOptions& options = run.options;
-  // Before the file is read, which may take long; and again when the files that it names are known.
-  output_files(options, files_of_bodies(options.bodies_of_command_line(), {}));
-  SceneInput input = input_of(options);
-  const BodyOptions body_options = body_options_of(options, input);
-  const Outputs outputs = output_files(options, files_of_bodies(input.texts(), body_options));
-  complete(input, body_options, run);
-  if (options.dump_vertices) require_vertices_to_list(run.bodies);
+  std::string unread = "interrupted before the scene was read";
+  Outputs outputs = outputs_before_reading(options, unread);
+  Pieces pieces(run, start, outputs);
+
+  std::optional<SceneInput> input;
+  std::atomic<std::uint64_t> n_lines{0};
+  pieces.work([&] { input = input_of(options, n_lines); },
+              [&] { return std::to_string(n_lines.load()) + " lines read"; }, unread);
+  const BodyOptions body_options = body_options_of(options, *input);
+  outputs = output_files(options, files_of_bodies(input->texts(), body_options));
+  Loaded loaded;
+  pieces.work([&] { loaded = complete(*input, options, body_options); }, [] { return "loading bodies"; },
+              "interrupted before the bodies were loaded");
+  take(run, std::move(loaded), *input);
   run.read_seconds = seconds_since(start);
 
-  catch_interrupts();
   std::optional<Scene> scene;
   Findings found;
-  const auto work = [&] {
+  const auto answer = [&] {
     const Clock::time_point start_of_work = Clock::now();
-    scene = scene_of(input, run.bodies, run.box, options.settings);
-    if (!outputs.save) std::vector<Transformd>().swap(input.poses);
+    scene = scene_of(*input, run.bodies, run.box, options.settings);
+    if (!outputs.save) std::vector<Transformd>().swap(input->poses);
     const double build_seconds = seconds_since(start_of_work);
     found = ask(*scene, options.query, options.distance);
     found.build_seconds = build_seconds;
   };
-  StatusLine status(!options.quiet);
-  const std::string doing =
-      "vex_scene: " + std::to_string(run.n_bodies) + " bodies, " + std::string(name_of(options.query));
-  if (!done_before_an_interrupt(work, [&] { status.show(doing); })) {
-    status.erase();
-    end_interrupted(run, outputs, start);
-  }
-  status.erase();
-  stop_catching_interrupts();
+  const std::string doing = std::to_string(run.n_bodies) + " bodies, " + std::string(name_of(options.query));
+  pieces.work(
+      answer, [&] { return doing; }, "interrupted before there was an answer");
   run.found = std::move(found);
   run.seconds = seconds_since(start);
-  print(run, outputs);
-  write_files(run, input, *scene, outputs);
-  return kSuccess;
+
+  if (!outputs.own_standard_output) {
+    // A row that is begun is written to its end.
+    constexpr std::chrono::milliseconds kForARow{200};
+    pieces.work([&] { print(run); }, [] { return "writing"; }, "interrupted while rows were written", kForARow);
+    if (options.has_rows() && !options.quiet && std::cout) {
+      std::fprintf(stderr, "vex_scene: %s", summary_text(run).c_str());
+    }
+  }
+  pieces.write(outputs.save, [&] { return scene_file_text(*input); });
+  pieces.write(outputs.gltf, [&] { return scene_gltf(run, *scene); });
+  pieces.write(outputs.svg, [&] { return stage_picture(run); });
+  if (outputs.json) outputs.json->write(report_json(run));
+  const int signal = interrupting_signal().load();
+  return signal == 0 ? kSuccess : kSignalBase + signal;
 }
 
 }  // namespace

@@ -50,13 +50,16 @@ std::string clusters_text(const SceneRun& run) {
   return text + ": cluster " + std::to_string(first->label) + " along " + vectors_text(first->wraps);
 }
 
+// Where no pair overlaps all were looked at, and the number of the undecided ones is known.
 std::string any_text(const SceneAnswer& answer) {
   switch (answer.outcome) {
     case Outcome::overlap: return "two bodies OVERLAP: " + pair_text(answer.pair);
     case Outcome::disjoint: return "no two bodies overlap";
     case Outcome::undecided: break;
   }
-  return "UNDECIDED: whether two bodies overlap is not proven, of " + pair_text(answer.pair) + " among others";
+  const std::uint64_t n_undecided = answer.n_undecided.value_or(1);
+  return "UNDECIDED: whether two bodies overlap is not proven, of " + pair_text(answer.pair) +
+         (n_undecided == 1 ? "" : " and " + plural(n_undecided - 1, "other pair", "other pairs"));
 }
 
 std::string answer_text(const SceneRun& run) {
@@ -78,7 +81,7 @@ std::string answer_text(const SceneRun& run) {
       }
       break;
   }
-  return text + "; " + plural(found.n_undecided, "pair is UNDECIDED", "pairs are undecided");
+  return text + "; " + plural(found.n_undecided.value_or(0), "pair is UNDECIDED", "pairs are undecided");
 }
 
 std::string stages_text(const SceneCounts& counts) {

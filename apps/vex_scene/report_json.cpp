@@ -35,6 +35,8 @@ void add_list(Json& json, const std::string& key, std::size_t n, const std::stri
 }
 
 void add_shapes(Json& json, const SceneRun& run) {
+  json["shapes"] = nullptr;
+  if (!run.is_loaded) return;
   add_list(json, "shapes", run.bodies.size(), "they stand in the scene's file", [&](std::size_t k) {
     Json shape = body_json(run.bodies[k], run.options.dump_vertices);
     shape["copies"] = run.n_copies[k];
@@ -73,7 +75,7 @@ void add_answer(Json& json, const SceneRun& run) {
   if (!found.is_complete) return;
   if (has_pairs) json["pairs"] = found.n_pairs;
   if (query == SceneQuery::clusters) json["clusters"] = found.clusters.size();
-  json["undecided"] = found.n_undecided;
+  if (found.n_undecided) json["undecided"] = *found.n_undecided;
   if (has_pairs) {
     json["mean_neighbours"] = nullptr;
     if (run.n_bodies > 0) {
@@ -112,15 +114,17 @@ void add_results(Json& json, const SceneRun& run) {
 }  // namespace
 
 std::string report_json(const SceneRun& run) {
-  Json json = document_head(run.command, run.options, run.found.is_complete, run.seconds);
-  json["bodies"] = run.n_bodies;
+  Json json = document_head(run.command, run.options, run.found.is_complete && !run.is_interrupted, run.seconds);
+  json["bodies"] = nullptr;
+  if (run.is_loaded) json["bodies"] = run.n_bodies;
   json["box"] = box_json(run.box);
   json["query"] = name_of(run.options.query);
   if (run.options.query == SceneQuery::within) json["distance"] = run.options.distance;
   json["broad_phase"] = name_of(run.options.settings.broad_phase);
   json["isa"] = name_of(run.options.settings.instruction_set);
   add_answer(json, run);
-  json["read_seconds"] = run.read_seconds;
+  json["read_seconds"] = nullptr;
+  if (run.is_loaded) json["read_seconds"] = run.read_seconds;
   json["build_seconds"] = nullptr;
   json["query_seconds"] = nullptr;
   if (run.found.is_complete) {

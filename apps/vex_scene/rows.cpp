@@ -5,7 +5,7 @@
 namespace vex {
 namespace {
 
-bool has_verdicts(const Findings& found) { return found.n_undecided > 0; }
+bool has_verdicts(const Findings& found) { return found.n_undecided.value_or(0) > 0; }
 
 std::string_view verdict_of(SceneQuery query, const FoundPair& found) {
   if (found.is_undecided) return "undecided";
@@ -93,14 +93,16 @@ void append_row(std::string& text, SceneQuery query, RowFormat format, const Fin
 
 void write_rows(SceneQuery query, RowFormat format, const Findings& found,
                 const std::function<bool(std::string_view)>& write) {
-  constexpr std::size_t kBlock = 1 << 20;
-  std::string text = row_header(query, format, found);
+  std::string text = row_header(query, format, found), row;
   const std::size_t n = n_rows(query, found);
   for (std::size_t k = 0; k < n; ++k) {
-    append_row(text, query, format, found, k);
-    if (text.size() < kBlock) continue;
-    if (!write(text)) return;
-    text.clear();
+    row.clear();
+    append_row(row, query, format, found, k);
+    if (text.size() + row.size() > kMostBytesAtOnce) {
+      if (!write(text)) return;
+      text.clear();
+    }
+    text += row;
   }
   write(text);
 }

@@ -1,6 +1,7 @@
 // Answers as rows of text: CSV, or an object of JSON a line.
 #pragma once
 
+#include <climits>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -18,7 +19,10 @@ std::string row_header(SceneQuery query, RowFormat format, const Findings& found
 /// Row k, with its end of line. Numbers read back as the same doubles.
 void append_row(std::string& text, SceneQuery query, RowFormat format, const Findings& found, std::size_t k);
 
-/// Header and rows, in blocks, until `write` says that nobody listens.
+/// At most so many bytes are written at once: so many go into a pipe whole or not at all, whatever ends the program.
+inline constexpr std::size_t kMostBytesAtOnce = PIPE_BUF;
+
+/// Header and rows, in pieces of whole rows of at most kMostBytesAtOnce, until `write` says that it is to end.
 void write_rows(SceneQuery query, RowFormat format, const Findings& found,
                 const std::function<bool(std::string_view)>& write);
 

@@ -8,7 +8,6 @@
 #include "apps/common/pose_numbers.h"
 #include "apps/vex_scene/csv_cells.h"
 #include "apps/vex_scene/line_reader.h"
-#include "apps/vex_scene/status_line.h"
 #include "engine/numeric/errors.h"
 
 namespace vex {
@@ -103,7 +102,7 @@ class Rows {
 }  // namespace
 
 SceneInput read_scene_file(const std::string& path, const std::map<std::string, std::string, std::less<>>& named,
-                           bool shows_progress) {
+                           std::atomic<std::uint64_t>* n_lines) {
   LineReader file(path, "the scene");
   SceneInput scene(file.name());
   for (const auto& [name, text] : named) scene.shape_of_text(text, 0);
@@ -116,10 +115,8 @@ SceneInput read_scene_file(const std::string& path, const std::map<std::string, 
   std::uint64_t empty_line = 0;
   try {
     Rows rows(columns_of_header(line), named, scene);
-    StatusLine status(shows_progress);
-    constexpr std::uint64_t kOften = 1 << 14;
     while (file.next(line)) {
-      if (file.number() % kOften == 0) status.show("vex_scene: " + std::to_string(file.number()) + " lines read");
+      if (n_lines != nullptr) n_lines->store(file.number(), std::memory_order_relaxed);
       if (without_blanks(line).empty()) {
         if (empty_line == 0) empty_line = file.number();
       } else if (empty_line != 0) {

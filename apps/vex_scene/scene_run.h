@@ -12,6 +12,8 @@ namespace vex {
 struct SceneRun {
   std::string command;
   SceneOptions options;
+  bool is_loaded = false;               // false: of the scene nothing is known but the options
+  bool is_interrupted = false;          // while rows or files were written, where there is an answer
   std::vector<LoadedBody> bodies;       // a shape each
   std::vector<std::uint64_t> n_copies;  // of each
   std::uint64_t n_bodies = 0;

@@ -32,7 +32,7 @@ void BodyTree::build(const SceneBodies& bodies, double reach, double margin, boo
       n_images[k] = std::max(1, static_cast<int>(std::ceil(reach * (1.0 + 0x1p-20) / distances[k])));
     }
   }
-  shifts_ = ShiftTable(bodies.box(), n_images);
+  shifts_.assign(bodies.box(), n_images);
   moves_.clear();
   for (std::uint64_t number = shifts_.home(); number < shifts_.size(); ++number)
     moves_.push_back(shifts_.shift(number));

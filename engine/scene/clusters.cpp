@@ -1,8 +1,10 @@
 #include "engine/scene/clusters.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
+#include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
 
 namespace vex {
@@ -25,6 +27,13 @@ BodyId Clusters::add() {
   wraps_.push_back(0);
   ++n_clusters_;
   return parent_.back();
+}
+
+void Clusters::leave_out(BodyId body) {
+  VEX_EXPECT(find(body) == body && size_[body] <= 1);
+  if (size_[body] == 0) return;
+  size_[body] = 0;
+  --n_clusters_;
 }
 
 BodyId Clusters::find(BodyId body) {
@@ -52,6 +61,10 @@ ImageOffset Clusters::offset(BodyId body) {
 
 Clusters::Joined Clusters::join(BodyId a, BodyId b, const ImageOffset& image) {
   BodyId root_a = find(a), root_b = find(b);
+  if (size_[root_a] == 0 || size_[root_b] == 0) {
+    throw UsageError("clusters have no body " + std::to_string(size_[root_a] == 0 ? a : b) +
+                     ", which was left out - join bodies that are there");
+  }
   // Where b's root is in the component of a's root, if b is where the connection has it.
   const ImageOffset between = image_difference(image_sum(offset_[a], image), offset_[b]);
   if (root_a == root_b) {
@@ -92,22 +105,22 @@ void Clusters::root_at_lowest() {
   const std::size_t n = parent_.size();
   for (std::size_t k = 0; k < n; ++k) find(static_cast<BodyId>(k));
   // The lowest body of each root comes first.
-  std::vector<BodyId> lowest(n, kNoBody);
-  std::vector<ImageOffset> of_lowest(n);
-  const std::vector<BodyId> roots = parent_;
+  lowest_.assign(n, kNoBody);
+  offset_of_lowest_.resize(n);
+  roots_ = parent_;
   for (std::size_t k = 0; k < n; ++k) {
-    const BodyId root = roots[k];
-    if (lowest[root] == kNoBody) {
-      lowest[root] = static_cast<BodyId>(k);
-      of_lowest[root] = offset_[k];
+    const BodyId root = roots_[k];
+    if (lowest_[root] == kNoBody) {
+      lowest_[root] = static_cast<BodyId>(k);
+      offset_of_lowest_[root] = offset_[k];
     }
-    parent_[k] = lowest[root];
-    offset_[k] = image_difference(offset_[k], of_lowest[root]);
+    parent_[k] = lowest_[root];
+    offset_[k] = image_difference(offset_[k], offset_of_lowest_[root]);
   }
   for (std::size_t root = 0; root < n; ++root) {
-    if (lowest[root] == kNoBody || lowest[root] == root) continue;
-    size_[lowest[root]] = size_[root];
-    wraps_[lowest[root]] = wraps_[root];
+    if (lowest_[root] == kNoBody || lowest_[root] == root) continue;
+    size_[lowest_[root]] = size_[root];
+    wraps_[lowest_[root]] = wraps_[root];
   }
 }
 
@@ -120,12 +133,13 @@ std::uint32_t Clusters::largest() const {
 }
 
 std::vector<std::uint32_t> Clusters::labels() {
-  constexpr std::uint32_t kNone = ~std::uint32_t{0};
-  std::vector<std::uint32_t> labels(parent_.size()), of_root(parent_.size(), kNone);
+  std::vector<std::uint32_t> labels(parent_.size(), kNoCluster), of_root(parent_.size(), kNoCluster);
   std::uint32_t n = 0;
   for (std::size_t k = 0; k < parent_.size(); ++k) {
-    std::uint32_t& label = of_root[find(static_cast<BodyId>(k))];
-    if (label == kNone) label = n++;
+    const BodyId root = find(static_cast<BodyId>(k));
+    if (size_[root] == 0) continue;
+    std::uint32_t& label = of_root[root];
+    if (label == kNoCluster) label = n++;
     labels[k] = label;
   }
   return labels;

@@ -14,15 +14,24 @@
 
 namespace vex {
 
+/// The label of a number that no body has.
+inline constexpr std::uint32_t kNoCluster = ~std::uint32_t{0};
+
 /// A forest over the bodies 0 ... n - 1. Memory is kept from one `reset` to the next.
+///
+/// A scene that bodies were removed from has numbers that no body has. They are left out: `n_clusters` and `largest` do
+/// not count them, their label is kNoCluster, their number of bodies is 0, and they wrap along nothing.
 class Clusters {
  public:
   /// n bodies, each a cluster of its own.
   void reset(std::size_t n);
+  /// How many numbers there are, those that are left out among them.
   std::size_t size() const { return parent_.size(); }
 
   /// One more body.
   BodyId add();
+  /// No body has this number, nor has it been joined with any other one.
+  void leave_out(BodyId body);
 
   /// Body b's copy at `image` is connected with body a. What the connection changes:
   enum class Joined : std::uint8_t {
@@ -30,6 +39,7 @@ class Clusters {
     closed,
     wrapped
   };  // two clusters became one; no news; a loop around the box
+  /// Throws UsageError where one of them is left out.
   Joined join(BodyId a, BodyId b, const ImageOffset& image = {});
   /// Whether that connection would be no news: one cluster already, with this offset.
   bool knows(BodyId a, BodyId b, const ImageOffset& image);
@@ -49,7 +59,8 @@ class Clusters {
 
   std::size_t n_clusters() const { return n_clusters_; }
   std::uint32_t largest() const;
-  /// Numbers of clusters from 0 on, in the order of their lowest bodies.
+  /// Of each body the number of its cluster, from 0 on in the order of their lowest bodies; kNoCluster of what is left
+  /// out.
   std::vector<std::uint32_t> labels();
 
   /// Makes each cluster's lowest body its root, whatever the order of the connections was. Offsets are the same then
@@ -65,10 +76,11 @@ class Clusters {
   BodyId find(BodyId body);  // flattens the way; offset_ is from the root afterwards
 
   std::vector<BodyId> parent_;
-  std::vector<ImageOffset> offset_;  // from the parent's copy
-  std::vector<std::uint32_t> size_;
-  std::vector<std::uint8_t> wraps_;  // of roots: a bit for each lattice vector
-  std::vector<BodyId> path_;
+  std::vector<ImageOffset> offset_;            // from the parent's copy
+  std::vector<std::uint32_t> size_;            // of roots; 0 of numbers that are left out, each a root of its own
+  std::vector<std::uint8_t> wraps_;            // of roots: a bit for each lattice vector
+  std::vector<BodyId> path_, lowest_, roots_;  // of find; of root_at_lowest
+  std::vector<ImageOffset> offset_of_lowest_;
   std::size_t n_clusters_ = 0;
 };
 

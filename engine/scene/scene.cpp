@@ -71,14 +71,17 @@ void Scene::pairs_within(double distance, ScenePairs& out) {
 
 SceneAnswer Scene::any_overlap() {
   impl_->find_pairs(0.0, [](PairSearch& search) { return search.pairs.empty(); });
-  ScenePairs found;
+  ScenePairs& found = impl_->pairs_buffer();
   impl_->collect(found);
   SceneAnswer answer;
   answer.counts = found.counts;
   if (!found.pairs.empty()) {
     answer.outcome = Outcome::overlap;
     answer.pair = found.pairs.front();
-  } else if (!found.undecided.empty()) {
+    return answer;
+  }
+  answer.n_undecided = found.undecided.size();
+  if (!found.undecided.empty()) {
     answer.outcome = Outcome::undecided;
     answer.pair = found.undecided.front();
   }

@@ -6,7 +6,8 @@
 // Nothing is computed that was not asked for, and every stage counts what it saw and settled.
 //
 // The verdict of a pair is that of `overlap` for the pose `relative_pose` of b in a's frame: the two poses in the scene
-// are combined in double precision once, in a fixed order, and of the result the answer is proven. Every answer is the
+// are combined in double precision once, in a fixed order, and of the result the answer is proven. Of a user's own body
+// without an exact form a scene may prove more than `overlap`, which then says undecided. Every answer is the
 // same for any number of threads, any broad phase and any instruction set (but for SceneAnswer::pair).
 #pragma once
 
@@ -105,13 +106,14 @@ class Scene {
   SceneNeighbour nearest(const ConvexBody& visitor, const Pose& world_from_body);
 
   /// The first body on a ray, or that a moving visitor meets: the one that is proven to be met soonest; `undecided` lists
-  /// what may be met before it. In a periodic box `until` must be finite.
+  /// what may be met before it. In a periodic box `until` must be finite, and the time grows linearly with the boxes that
+  /// the way passes.
   SceneHit cast_ray(const Vec3d& origin, const Vec3d& dir, double until = HUGE_VAL);
   SceneHit linear_cast(const ConvexBody& visitor, const Pose& world_from_body, const Vec3d& motion,
                        double until = HUGE_VAL);
 
   /// Clusters of overlapping bodies, and which of them wrap around the box. Pairs that are in one cluster already are
-  /// not tested.
+  /// not tested. Numbers below `end` that no body has are left out: their label is kNoCluster.
   void clusters(Clusters& out);
 
  private:

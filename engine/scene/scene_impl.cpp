@@ -118,6 +118,12 @@ std::vector<Clusters>& Scene::Impl::cluster_parts(int n_threads) {
   return cluster_parts_;
 }
 
+std::vector<std::vector<ScenePair>>& Scene::Impl::cluster_news(int n_threads) {
+  cluster_news_.resize(static_cast<std::size_t>(n_threads));
+  for (std::vector<ScenePair>& pairs : cluster_news_) pairs.clear();
+  return cluster_news_;
+}
+
 PairQuestion Scene::Impl::question(double margin) {
   const SortedBodies& sorted = phases_.bodies();
   return {&bodies_,
@@ -139,7 +145,7 @@ void Scene::Impl::find_pairs(double margin, const OnBatch& on_batch, const OnBeg
   n_searches_ = std::min(settings_.n_threads, static_cast<int>(std::max<std::size_t>(phases_.n_parts(), 1)));
   std::atomic<std::size_t> next_part = 0;
   std::atomic<bool> is_over = false;
-  on_searches(asked, nullptr, [&](PairSearch& search, int thread) {
+  const auto work = [&](PairSearch& search, int thread) {
     if (on_begin) on_begin(search, thread);
     const auto tell = [&] {
       if (on_batch && !on_batch(search)) is_over = true;
@@ -154,7 +160,8 @@ void Scene::Impl::find_pairs(double margin, const OnBatch& on_batch, const OnBeg
     }
     search.finish();
     tell();
-  });
+  };
+  on_searches(asked, nullptr, std::ref(work));
 }
 
 void Scene::Impl::on_searches(const PairQuestion& asked, PairKeeper* keeper,
@@ -183,12 +190,13 @@ void Scene::Impl::find_remembered_pairs() {
   constexpr std::size_t kBlock = 4096;
   n_searches_ = std::min(settings_.n_threads, static_cast<int>(memory_.size() / kBlock + 1));
   std::atomic<std::size_t> next = 0;
-  on_searches(asked, &memory_, [&](PairSearch& search, int) {
+  const auto work = [&](PairSearch& search, int) {
     for (std::size_t first = next.fetch_add(kBlock); first < memory_.size(); first = next.fetch_add(kBlock)) {
       memory_.look(first, std::min(first + kBlock, memory_.size()), search);
     }
     search.finish();
-  });
+  };
+  on_searches(asked, &memory_, std::ref(work));
 }
 
 void Scene::Impl::collect(ScenePairs& out) {

@@ -55,7 +55,9 @@ class Scene::Impl {
 
   PairSearch& search(double margin, int thread) { return searches(margin)[static_cast<std::size_t>(thread)]; }
   ScenePairs& pairs_buffer() { return pairs_buffer_; }
+  // A thread each; they keep their memory.
   std::vector<Clusters>& cluster_parts(int n_threads);
+  std::vector<std::vector<ScenePair>>& cluster_news(int n_threads);
 
  private:
   // How far apart the centres of bodies may be that are this near each other. Throws InputError where it is too far.
@@ -85,6 +87,7 @@ class Scene::Impl {
 
   ScenePairs pairs_buffer_;
   std::vector<Clusters> cluster_parts_;
+  std::vector<std::vector<ScenePair>> cluster_news_;
 };
 
 }  // namespace vex

@@ -5,8 +5,8 @@ namespace vex {
 std::string_view name_of(SceneStage stage) {
   switch (stage) {
     case SceneStage::unmoved: return "unmoved";
-    case SceneStage::joined: return "joined";
     case SceneStage::balls: return "balls";
+    case SceneStage::joined: return "joined";
     case SceneStage::cylinders: return "cylinders";
     case SceneStage::bounds: return "bounds";
     case SceneStage::packets: return "packets";

@@ -4,6 +4,7 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -29,11 +30,12 @@ struct ScenePair {
   friend auto operator<=>(const ScenePair&, const ScenePair&) = default;
 };
 
-/// The stages that a pair goes through until one settles it, in their order.
+/// The stages in the order in which a pair comes to them, until one settles it. A pair comes to those alone that say
+/// something of its two shapes.
 enum class SceneStage : std::uint8_t {
   unmoved,    // what was proven of the pair still holds: the bodies cannot have used up the clearance that it showed
-  joined,     // only clusters are asked for, and the bodies are in one already, with the same offset
   balls,      // circumscribed balls apart
+  joined,     // only clusters are asked for, and the bodies are in one already, with the same offset
   cylinders,  // circumscribed cylinders of needles and plates apart
   bounds,     // a body's own box or ellipsoid against the other's balls, circumscribed and inscribed
   packets,    // the search in double precision, several pairs at a time
@@ -89,6 +91,8 @@ struct SceneManifolds {
 struct SceneAnswer {
   Outcome outcome = Outcome::disjoint;  // undecided: no pair is proven to overlap, and not all are proven apart
   ScenePair pair;                       // one that overlaps, or is undecided; which one may depend on the threads
+  /// How many pairs are undecided, the same for any number of threads; nothing where the search ended at an overlap.
+  std::optional<std::uint64_t> n_undecided;
   SceneCounts counts;
 };
 

@@ -1,5 +1,6 @@
 // Queries of all pairs that build on the verdicts: distances, contacts, clusters.
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <utility>
 
@@ -53,19 +54,21 @@ void Scene::clusters(Clusters& out) {
   // around the box, is all that the others need to know.
   const int n_threads = settings().n_threads;
   std::vector<Clusters>& parts = impl_->cluster_parts(n_threads);
-  std::vector<std::vector<ScenePair>> news(static_cast<std::size_t>(n_threads));
-  impl_->find_pairs(
-      0.0,
-      [&](PairSearch& search) {
-        const std::size_t thread = static_cast<std::size_t>(&search - &impl_->search(0.0, 0));
-        for (const ScenePair& pair : search.pairs) {
-          if (parts[thread].join(pair.a, pair.b, pair.image) != Clusters::Joined::closed) news[thread].push_back(pair);
-        }
-        search.pairs.clear();
-        return true;
-      },
-      [&](PairSearch& search, int thread) { search.joined = &parts[static_cast<std::size_t>(thread)]; });
+  std::vector<std::vector<ScenePair>>& news = impl_->cluster_news(n_threads);
+  const auto join = [&](PairSearch& search) {
+    const std::size_t thread = static_cast<std::size_t>(&search - &impl_->search(0.0, 0));
+    for (const ScenePair& pair : search.pairs) {
+      if (parts[thread].join(pair.a, pair.b, pair.image) != Clusters::Joined::closed) news[thread].push_back(pair);
+    }
+    search.pairs.clear();
+    return true;
+  };
+  const auto begin = [&](PairSearch& search, int thread) { search.joined = &parts[static_cast<std::size_t>(thread)]; };
+  impl_->find_pairs(0.0, std::ref(join), std::ref(begin));
   out.reset(end());
+  for (BodyId body = 0; body < end(); ++body) {
+    if (!has(body)) out.leave_out(body);
+  }
   for (const std::vector<ScenePair>& pairs : news) {
     for (const ScenePair& pair : pairs) out.join(pair.a, pair.b, pair.image);
   }

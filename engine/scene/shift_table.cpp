@@ -5,8 +5,10 @@
 
 namespace vex {
 
-ShiftTable::ShiftTable(const std::optional<PeriodicBox>& box, const std::array<int, 3>& n_images)
-    : n_(box ? n_images : std::array<int, 3>{}) {
+void ShiftTable::assign(const std::optional<PeriodicBox>& box, const std::array<int, 3>& n_images) {
+  n_ = box ? n_images : std::array<int, 3>{};
+  images_.clear();
+  rows_.clear();
   for (int z = -n_[2]; z <= n_[2]; ++z) {
     for (int y = -n_[1]; y <= n_[1]; ++y) {
       for (int x = -n_[0]; x <= n_[0]; ++x) {

@@ -14,7 +14,9 @@ namespace vex {
 class ShiftTable {
  public:
   ShiftTable() : ShiftTable(std::nullopt, {}) {}
-  ShiftTable(const std::optional<PeriodicBox>& box, const std::array<int, 3>& n_images);
+  ShiftTable(const std::optional<PeriodicBox>& box, const std::array<int, 3>& n_images) { assign(box, n_images); }
+  /// Other images, in the memory of those before.
+  void assign(const std::optional<PeriodicBox>& box, const std::array<int, 3>& n_images);
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(images_.size()); }
   std::uint32_t number(const ImageOffset& image) const {
@@ -36,7 +38,7 @@ class ShiftTable {
   double largest_shift() const;
 
  private:
-  std::array<int, 3> n_;
+  std::array<int, 3> n_{};
   std::vector<double> rows_;
   std::vector<ImageOffset> images_;
 };

@@ -54,15 +54,18 @@ void SortedBodies::widen(double distance) {
 Aabb bounds_of_centres(const SceneBodies& bodies, int n_threads) {
   constexpr Aabb kNothing{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
   if (bodies.size() == 0) return {};
-  std::vector<Aabb> parts(static_cast<std::size_t>(n_threads), kNothing);
-  on_threads(n_threads, [&](int thread) {
+  const auto bounds_of = [&](const Part& part) {
     Aabb bounds = kNothing;
-    const Part part = part_of(bodies.end(), thread, n_threads);
     for (std::size_t k = part.first; k < part.end; ++k) {
       const BodyId body = static_cast<BodyId>(k);
       if (bodies.has(body)) bounds = hull_of(bounds, {bodies.centre(body), bodies.centre(body)});
     }
-    parts[static_cast<std::size_t>(thread)] = bounds;
+    return bounds;
+  };
+  if (n_threads == 1) return bounds_of({0, bodies.end()});
+  std::vector<Aabb> parts(static_cast<std::size_t>(n_threads), kNothing);
+  on_threads(n_threads, [&](int thread) {
+    parts[static_cast<std::size_t>(thread)] = bounds_of(part_of(bodies.end(), thread, n_threads));
   });
   Aabb all = kNothing;
   for (const Aabb& part : parts) all = hull_of(all, part);

@@ -170,9 +170,39 @@ TEST_F(SceneTest, WhatIsUndecidedIsListedAndSaid) {
   const std::string touching = kSceneHeader + upright(body, 0, 0, 0) + upright(body, 2, 0, 0);
   EXPECT_EQ(rows_of(touching, {"--query", "any"}), "verdict\nundecided\n");
   EXPECT_NE(run_on(touching, {"--query", "any"}).err.find("UNDECIDED"), std::string::npos);
+  // Of `any` their number is known where no pair overlaps, and then all of it; not where the search ended before.
+  std::string row = kSceneHeader;
+  for (int k = 0; k < 5; ++k) row += upright(body, 2 * k, 0, 0);
+  for (const char* n_threads : {"1", "2", "8"}) {
+    const Words any = {"--query", "any", "--threads", n_threads, "--json", "result.json"};
+    EXPECT_NE(run_on(row, any).err.find("and 3 other pairs"), std::string::npos);
+    EXPECT_EQ(json::parse(read_file("result.json")).at("undecided"), 4);
+    run_on(row + upright(body, 9, 0, 0), any);
+    EXPECT_EQ(json::parse(read_file("result.json")).at("verdict"), "overlap");
+    EXPECT_TRUE(json::parse(read_file("result.json")).at("undecided").is_null());
+  }
   run_on(scene, {"--query", "clusters", "--json", "result.json"});
   EXPECT_EQ(json::parse(read_file("result.json")).at("undecided"), 1);
   EXPECT_EQ(json::parse(read_file("result.json")).at("clusters"), 2) << "joined is only what is proven";
+}
+
+// Of one kind of body each stage sees what the one before it in the list has left.
+TEST_F(SceneTest, StagesStandInTheOrderInWhichPairsComeToThem) {
+  for (const char* query : {"pairs", "clusters"}) {
+    const json stages =
+        json::parse(run({"--random", "2000,box:1,1,1,0.7", "--query", query, "--json", "-"}).out).at("stages");
+    EXPECT_EQ(stages.at(1).at("name"), "balls");
+    EXPECT_EQ(stages.at(2).at("name"), "joined");
+    EXPECT_EQ(stages.at(2).at("seen") > 0, std::string(query) == "clusters");
+    std::int64_t left = -1;
+    for (const json& stage : stages) {
+      const std::int64_t seen = stage.at("seen"), settled = stage.at("settled");
+      if (seen == 0) continue;
+      EXPECT_TRUE(left == -1 || seen == left) << stage;
+      left = seen - settled;
+    }
+    EXPECT_EQ(left, 0);
+  }
 }
 
 TEST_F(SceneTest, TheDocument) {

@@ -98,6 +98,9 @@ std::string fault_of_pairs(Scene& scene, const EveryPair& every) {
   if (std::string fault = difference("undecided pairs", found.undecided, every.undecided); !fault.empty()) return fault;
   const SceneAnswer any = scene.any_overlap();
   if (any.outcome != outcome_of(every.pairs, every.undecided)) return "any_overlap: another answer";
+  if (any.outcome == Outcome::overlap ? any.n_undecided.has_value() : any.n_undecided != every.undecided.size()) {
+    return "any_overlap: another number of undecided pairs";
+  }
   if (any.outcome == Outcome::overlap && !std::ranges::binary_search(every.pairs, any.pair)) {
     return "any_overlap: " + text_of(any.pair) + " does not overlap";
   }
@@ -199,6 +202,10 @@ std::string fault_of_clusters(Scene& scene, const EveryPair& every) {
   std::uint32_t n_clusters = 0;
   for (BodyId first = 0; first < scene.end(); ++first) {
     if (label[first] != kNone) continue;
+    if (!scene.has(first)) {
+      if (told[first] == kNoCluster && found.n_bodies(first) == 0) continue;
+      return "a number without a body, " + std::to_string(first) + ", has a cluster";
+    }
     std::vector<BodyId> members = {first};
     std::array<bool, 3> wraps{};
     label[first] = n_clusters;

@@ -3,6 +3,7 @@
 // ended.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -175,6 +176,46 @@ TEST(SceneReferee, PointsWithinADistanceWhoseSquareUnderflows) {
     ScenePairs found;
     scene.pairs_within(2.729e-162, found);
     EXPECT_EQ(found.pairs.size() + found.undecided.size(), 1u);
+  }
+}
+
+// Numbers that no body had were clusters.
+TEST(SceneReferee, RemovedBodiesAreInNoCluster) {
+  Scene scene;
+  for (const double x : {0.0, 5.0, 9.0}) scene.add(Sphere(0.5), Transformd{.translation = {x, 0, 0}});
+  scene.remove(1);
+  Clusters clusters;
+  scene.clusters(clusters);
+  EXPECT_EQ(clusters.n_clusters(), 2u);
+  EXPECT_EQ(clusters.labels(), (std::vector<std::uint32_t>{0, kNoCluster, 1}));
+  EXPECT_EQ(clusters.n_bodies(0), 1u);
+  EXPECT_EQ(clusters.n_bodies(1), 0u);
+  EXPECT_EQ(clusters.wraps(1), (std::array<bool, 3>{}));
+  EXPECT_EQ(clusters.largest(), 1u);
+  EXPECT_THROW(clusters.join(0, 1), UsageError);
+  EXPECT_THROW(clusters.join(1, 1, {1, 0, 0}), UsageError);
+  EXPECT_EQ(clusters.join(0, 2), Clusters::Joined::united);
+  clusters.root_at_lowest();
+  EXPECT_EQ(clusters.labels(), (std::vector<std::uint32_t>{0, kNoCluster, 0}));
+  scene.add(Sphere(0.5), Transformd{.translation = {0.5, 0, 0}});
+  scene.clusters(clusters);
+  EXPECT_EQ(clusters.labels(), (std::vector<std::uint32_t>{0, 0, 1}));
+}
+
+// Bounds tell apart what supports alone cannot: the scene's verdict was said to be that of `overlap`.
+TEST(SceneReferee, OfBodiesWithoutExactFormsASceneMayProveMoreAndNeverOtherwise) {
+  Scene scene;
+  scene.add(UserBall{0.5}, Transformd{});
+  for (const double x : {1.0, 1.0 + 0x1p-40, 1.0 - 0x1p-40, 1.5}) {
+    scene.add(UserBall{0.5}, Transformd{.translation = {0, x, 0}});
+    ScenePairs found;
+    scene.overlaps_of(0, found);
+    const Outcome alone = overlap(scene.shape(0), scene.shape(0), Pose(scene.relative_pose({0, 1, {}}))).outcome;
+    const Outcome in_scene = !found.pairs.empty()       ? Outcome::overlap
+                             : !found.undecided.empty() ? Outcome::undecided
+                                                        : Outcome::disjoint;
+    EXPECT_TRUE(in_scene == alone || alone == Outcome::undecided) << x;
+    scene.remove(1);
   }
 }
 
