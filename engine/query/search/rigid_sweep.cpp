@@ -37,15 +37,23 @@ Vec3d unit(const Vec3d& a) {
 }  // namespace
 
 // Rodrigues: exp([x]) = I + sin(angle) [k] + (1 - cos(angle)) [k]^2, x = angle * k.
-Transformd pose_at(const Transformd& a_from_b, const RigidMotion& motion, double time) {
-  Transformd pose = a_from_b;
-  pose.translation = a_from_b.translation + time * motion.velocity;
-  const Vec3d& w = motion.angular_velocity;
-  if (!(norm_1(w) > 0.0)) return pose;
-  const Vec3d k = unit(w);
+Spin::Spin(const Vec3d& w) {
+  if (!(norm_1(w) > 0.0)) return;
+  turns = true;
+  axis = unit(w);
   // The length of a subnormal vector has few digits.
-  const int exponent = std::ilogb(std::fmax(std::fabs(w.x), std::fmax(std::fabs(w.y), std::fabs(w.z))));
-  const double angle = std::ldexp(time, exponent) * norm(times_power_of_two(w, -exponent));
+  exponent = std::ilogb(std::fmax(std::fabs(w.x), std::fmax(std::fabs(w.y), std::fabs(w.z))));
+  speed = norm(times_power_of_two(w, -exponent));
+}
+
+namespace {
+
+Transformd pose_at(const Transformd& a_from_b, const Vec3d& velocity, const Spin& spin, double time) {
+  Transformd pose = a_from_b;
+  pose.translation = a_from_b.translation + time * velocity;
+  if (!spin.turns) return pose;
+  const Vec3d& k = spin.axis;
+  const double angle = times_power_of_two(Vec3d{time, 0.0, 0.0}, spin.exponent).x * spin.speed;
   const double sine = std::sin(angle), half = std::sin(0.5 * angle), versine = 2.0 * half * half;
   const auto turned = [&](const Vec3d& x) {
     const Vec3d across = cross(k, x);
@@ -58,6 +66,12 @@ Transformd pose_at(const Transformd& a_from_b, const RigidMotion& motion, double
   pose.row_y = {column_x.y, column_y.y, column_z.y};
   pose.row_z = {column_x.z, column_y.z, column_z.z};
   return pose;
+}
+
+}  // namespace
+
+Transformd pose_at(const Transformd& a_from_b, const RigidMotion& motion, double time) {
+  return pose_at(a_from_b, motion.velocity, Spin(motion.angular_velocity), time);
 }
 
 namespace {
@@ -85,10 +99,12 @@ RigidSweep::RigidSweep(const ConvexBody& a, const ConvexBody& b, const Transform
       b_(b),
       a_from_b_(a_from_b),
       motion_(motion),
+      turning_(motion.angular_velocity),
       spin_(safe_norm(motion.angular_velocity) * kUp),
       speed_1_(norm_1(motion.velocity) * kUp),
       velocity_error_(is_exact ? 0.0 : 2.0 * kUnitRoundoff),
       motion_of_a_{{}, spin_of_a},
+      turning_of_a_(spin_of_a),
       spin_of_a_(safe_norm(spin_of_a) * kUp) {
   Transformd turn = a_from_b;
   turn.translation = {};
@@ -101,6 +117,8 @@ RigidSweep::RigidSweep(const ConvexBody& a, const ConvexBody& b, const Transform
   from_axis_a_ = of_a.from_axis;
 }
 
+Transformd RigidSweep::turn_of_a(double time) const { return pose_at({}, {}, turning_of_a_, time); }
+
 Vec3d RigidSweep::turned_with_a(double time, const Vec3d& vector) const {
   return a_turns() ? turn_of_a(time)(vector) : vector;
 }
@@ -109,7 +127,7 @@ Vec3d RigidSweep::turned_back(double time, const Vec3d& vector) const {
 }
 
 Transformd RigidSweep::relative_pose(double time) const {
-  const Transformd of_b = pose_at(a_from_b_, motion_, time);
+  const Transformd of_b = pose_at(a_from_b_, motion_.velocity, turning_, time);
   if (!a_turns()) return of_b;
   const Transformd of_a = turn_of_a(time);
   const auto column = [&](double x, double y, double z) { return of_a.direction_to_b({x, y, z}); };
@@ -156,7 +174,7 @@ double RigidSweep::gap_during(const Vec3d& unit_normal, double from, double dura
   const double middle = from + 0.5 * duration;
   // The middle and the ends are rounded.
   const double half = 0.5 * duration + (duration > 0.0 ? 4.0 * kUnitRoundoff * until : 0.0);
-  Transformd turn = pose_at(a_from_b_, motion_, middle);
+  Transformd turn = pose_at(a_from_b_, motion_.velocity, turning_, middle);
   const Vec3d origin = turn.translation;
   turn.translation = {};
   if (!a_turns() && (n_support_calls_ == 0 || norm_1(last_normal_ - unit_normal) > 0.0)) {
