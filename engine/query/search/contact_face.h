@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/numeric/directions.h"
+#include "engine/query/search/contact_patches.h"
 #include "engine/query/search/planar_polygon.h"
 
 namespace vex {
@@ -131,32 +132,28 @@ class ContactFace {
       const double share = std::clamp(dot(along, place - from) / dot(along, along), 0.0, 1.0);
       return (1.0 - share) * outline_corners_[0].height + share * outline_corners_[1].height;
     }
-    Triangle best = triangle_at(place);
-    if (is_flat_) return best.plane_at(place);
-    // Corner by corner upwards, as portals go; each step is higher. Those that earlier places have come to, which are
-    // first, are tried before all others.
+    if (is_flat_) return triangle_at(place).plane_at(place);
+    // The last place's may have this one, too.
+    Triangle best;
+    if (has_last_) best.take_if_better(last_.corners, place);
+    if (!(best.inside > 0.0)) best = triangle_at(place);
+    // Corner by corner upwards, as portals go; each step is higher.
     for (std::size_t step = 0; step < corners_.size(); ++step) {
-      std::size_t above = farthest_above(best, 0, n_known_);
-      if (above == corners_.size()) above = farthest_above(best, n_known_, corners_.size());
-      if (above == corners_.size()) break;
-      if (above >= n_known_) {
-        std::swap(corners_[above], corners_[n_known_]);
-        above = n_known_++;
-      }
+      const Corner* const above = patches_.farthest_above(best.plane(), resolution_);
+      if (above == nullptr) break;
       Triangle next;
       for (std::size_t k = 0; k < 3; ++k) {
-        next.take_if_better({best.corners[k], best.corners[(k + 1) % 3], corners_[above]}, place);
+        next.take_if_better({best.corners[k], best.corners[(k + 1) % 3], *above}, place);
       }
       best = next;
     }
+    last_ = best;
+    has_last_ = true;
     return best.plane_at(place);
   }
 
  private:
-  struct Corner {
-    PlanarPoint at;
-    double height;
-  };
+  using Corner = ContactCorner;
   struct Triangle {
     std::array<Corner, 3> corners{};
     double inside = -HUGE_VAL;
@@ -180,27 +177,14 @@ class ContactFace {
       const std::array<double, 3> found = weights(place);
       return (found[0] * corners[0].height + found[1] * corners[1].height) + found[2] * corners[2].height;
     }
-  };
-
-  // Of the corners from `from` to `to` the one farthest above a triangle's plane, or none: the number of all corners.
-  std::size_t farthest_above(const Triangle& triangle, std::size_t from, std::size_t to) const {
-    const Corner& c = triangle.corners[0];
-    const PlanarPoint p = triangle.corners[1].at - c.at, q = triangle.corners[2].at - c.at;
-    const double whole = turn(p, q);
-    const double rise_p = (triangle.corners[1].height - c.height) / whole,
-                 rise_q = (triangle.corners[2].height - c.height) / whole;
-    std::size_t above = corners_.size();
-    double most = resolution_;
-    for (std::size_t k = from; k < to; ++k) {
-      const PlanarPoint off = corners_[k].at - c.at;
-      const double by = (corners_[k].height - c.height) - (turn(off, q) * rise_p + turn(p, off) * rise_q);
-      if (by > most) {
-        most = by;
-        above = k;
-      }
+    ContactPlane plane() const {
+      const Corner& c = corners[0];
+      const PlanarPoint p = corners[1].at - c.at, q = corners[2].at - c.at;
+      const double whole = turn(p, q);
+      const double rise_p = (corners[1].height - c.height) / whole, rise_q = (corners[2].height - c.height) / whole;
+      return {c, {q.y * rise_p - p.y * rise_q, p.x * rise_q - q.x * rise_p}};
     }
-    return above;
-  }
+  };
 
   // Each place of the outline is a corner's; of corners one above the other, as a prism's seen along its edge, the
   // highest counts.
@@ -232,6 +216,7 @@ class ContactFace {
     is_flat_ = most > 0.0 && std::ranges::all_of(corners_, [&](const Corner& corner) {
                  return std::fabs(corner.height - largest.plane_at(corner.at)) <= resolution_;
                });
+    if (!is_flat_) patches_ = ContactPatches(corners_);
   }
   Triangle of_fan(std::size_t k) const {
     return {{outline_corners_[0], outline_corners_[k], outline_corners_[k + 1]}, 0.0};
@@ -256,7 +241,9 @@ class ContactFace {
   bool is_flat_ = false;
   std::vector<PlanarPoint> outline_;
   double resolution_ = 0.0;
-  std::size_t n_known_ = 0;
+  ContactPatches patches_;
+  Triangle last_;
+  bool has_last_ = false;
 };
 
 }  // namespace vex

@@ -105,7 +105,11 @@ RigidSweep::RigidSweep(const ConvexBody& a, const ConvexBody& b, const Transform
       velocity_error_(is_exact ? 0.0 : 2.0 * kUnitRoundoff),
       motion_of_a_{{}, spin_of_a},
       turning_of_a_(spin_of_a),
-      spin_of_a_(safe_norm(spin_of_a) * kUp) {
+      spin_of_a_(safe_norm(spin_of_a) * kUp),
+      at_first_(norm_1(a_from_b.translation)),
+      reach_(a.reach() + 2.0 * b.reach() + at_first_),
+      own_error_(a.core_support_error() + 2.0 * b.core_support_error()),
+      balls_((a.ball_radius() + b.ball_radius()) * (1.0 + gamma(8))) {
   Transformd turn = a_from_b;
   turn.translation = {};
   const Reach of_b = reach_of(b, turn, motion.angular_velocity);
@@ -140,7 +144,7 @@ Transformd RigidSweep::relative_pose(double time) const {
 // E23: what pose_at may be off by, at a point of B's core.
 double RigidSweep::pose_error(double time) const {
   const double lost = time * kSubnormal * (1.0 + from_origin_ + from_origin_a_);
-  const double way = norm_1(a_from_b_.translation) + time * speed_1_;
+  const double way = at_first_ + time * speed_1_;
   double error = kUnitRoundoff * ((8.0 * time * spin_ + 48.0) * from_origin_ + 4.0 * way) + lost;
   // Turned back with A, and A's own points.
   if (a_turns()) {
@@ -152,8 +156,7 @@ double RigidSweep::pose_error(double time) const {
 
 // E1, for every place that B has until then.
 double RigidSweep::support_error(double time) const {
-  const double reach = a_.reach() + 2.0 * b_.reach() + norm_1(a_from_b_.translation) + time * speed_1_;
-  return a_.core_support_error() + 2.0 * b_.core_support_error() + 48.0 * kUnitRoundoff * reach;
+  return own_error_ + 48.0 * kUnitRoundoff * (reach_ + time * speed_1_);
 }
 
 double RigidSweep::rounding_at(double time) const { return 2.0 * support_error(time) + pose_error(time); }
@@ -169,6 +172,20 @@ double RigidSweep::most_speed(const Vec3d& unit_normal) const {
   return (straight + turning * from_axis_ + of_a) * kUp + kSubnormal * (1.0 + from_origin_ + from_origin_a_);
 }
 
+void RigidSweep::look_along(const Vec3d& unit_normal) {
+  last_normal_ = unit_normal;
+  last_turning_ = cross(unit_normal, motion_.angular_velocity);
+  // The part of n across the axis turns with it: |n x w| / |w|.
+  last_bend_ = (safe_norm(last_turning_) + 8.0 * kUnitRoundoff * spin_) * spin_ * from_axis_;
+  if (a_turns()) {
+    last_turning_of_a_ = cross(unit_normal, motion_of_a_.angular_velocity);
+    last_bend_ += (safe_norm(last_turning_of_a_) + 8.0 * kUnitRoundoff * spin_of_a_) * spin_of_a_ * from_axis_a_;
+  } else {
+    last_of_a_ = a_.core_support(unit_normal);
+    ++n_support_calls_;
+  }
+}
+
 double RigidSweep::gap_during(const Vec3d& unit_normal, double from, double duration) {
   const double until = (from + duration) * (1.0 + 4.0 * kUnitRoundoff);
   const double middle = from + 0.5 * duration;
@@ -177,16 +194,9 @@ double RigidSweep::gap_during(const Vec3d& unit_normal, double from, double dura
   Transformd turn = pose_at(a_from_b_, motion_.velocity, turning_, middle);
   const Vec3d origin = turn.translation;
   turn.translation = {};
-  if (!a_turns() && (n_support_calls_ == 0 || norm_1(last_normal_ - unit_normal) > 0.0)) {
-    last_normal_ = unit_normal;
-    last_of_a_ = a_.core_support(unit_normal);
-    ++n_support_calls_;
-  }
-  const Vec3d turning = cross(unit_normal, motion_.angular_velocity);
-  // The part of n across the axis turns with it: |n x w| / |w|.
-  const double across = (safe_norm(turning) + 8.0 * kUnitRoundoff * spin_) * spin_;
+  if (n_gaps_++ == 0 || norm_1(last_normal_ - unit_normal) > 0.0) look_along(unit_normal);
+  const Vec3d &turning = last_turning_, &turning_of_a = last_turning_of_a_;
   const Transformd turn_of_a = a_turns() ? this->turn_of_a(middle) : Transformd{};
-  const Vec3d turning_of_a = cross(unit_normal, motion_of_a_.angular_velocity);
   double least = HUGE_VAL, longest = 0.0;
   for (const double time : {-half, half}) {
     const Vec3d leaning = unit_normal + time * turning;
@@ -206,13 +216,8 @@ double RigidSweep::gap_during(const Vec3d& unit_normal, double from, double dura
     }
     if (half == 0.0) break;
   }
-  double bent = across * from_axis_;
-  if (a_turns()) {
-    bent += (safe_norm(turning_of_a) + 8.0 * kUnitRoundoff * spin_of_a_) * spin_of_a_ * from_axis_a_;
-  }
-  const double remainder = 0.5 * half * half * bent * kUp;
-  const double balls = (a_.ball_radius() + b_.ball_radius()) * (1.0 + gamma(8));
-  return least - balls - remainder - support_error(until) * longest - pose_error(until);
+  const double remainder = 0.5 * half * half * last_bend_ * kUp;
+  return least - balls_ - remainder - support_error(until) * longest - pose_error(until);
 }
 
 double RigidSweep::short_time() const { return std::fmin(0x1p256, 8.0 / std::fmax(spin_, spin_of_a_)); }

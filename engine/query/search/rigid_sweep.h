@@ -78,6 +78,7 @@ class RigidSweep {
   int n_support_calls() const { return n_support_calls_; }
 
  private:
+  void look_along(const Vec3d& unit_normal);
   bool a_turns() const { return spin_of_a_ > 0.0; }
   Transformd turn_of_a(double time) const;
   double pose_error(double time) const;
@@ -94,9 +95,14 @@ class RigidSweep {
   double from_axis_;       // nor from the axis through it
   RigidMotion motion_of_a_;
   Spin turning_of_a_;
-  double spin_of_a_, from_origin_a_ = 0.0, from_axis_a_ = 0.0;  // where A turns
-  Vec3d last_normal_, last_of_a_;
-  int n_support_calls_ = 0;
+  double spin_of_a_;
+  double from_origin_a_ = 0.0, from_axis_a_ = 0.0;  // where A turns
+  double at_first_, reach_, own_error_;             // of lengths that rounding is a part of, and of the supports' own
+  double balls_;
+  // What `gap_during` has of its last normal.
+  Vec3d last_normal_, last_turning_, last_turning_of_a_, last_of_a_;
+  double last_bend_ = 0.0;
+  int n_gaps_ = 0, n_support_calls_ = 0;
 };
 
 }  // namespace vex
