@@ -133,14 +133,24 @@ class ContactFace {
       return (1.0 - share) * outline_corners_[0].height + share * outline_corners_[1].height;
     }
     if (is_flat_) return triangle_at(place).plane_at(place);
-    // The last place's may have this one, too.
-    Triangle best;
-    if (has_last_) best.take_if_better(last_.corners, place);
-    if (!(best.inside > 0.0)) best = triangle_at(place);
-    // Corner by corner upwards, as portals go; each step is higher.
-    for (std::size_t step = 0; step < corners_.size(); ++step) {
-      const Corner* const above = patches_.farthest_above(best.plane(), resolution_);
-      if (above == nullptr) break;
+    // Above a corner of the outline there is nothing else.
+    const std::size_t side = side_of_fan(place);
+    for (const std::size_t k : {std::size_t{0}, side, side + 1}) {
+      if (outline_[k].x == place.x && outline_[k].y == place.y) return outline_corners_[k].height;
+    }
+    Triangle best = highest_known_at(place);
+    // Corner by corner upwards, as portals go; each step is higher. First by those near the place, which are nearly
+    // enough.
+    patches_.look_near(place);
+    bool are_near_ones_below = false;
+    for (std::size_t step = 0; step < 2 * corners_.size(); ++step) {
+      const Corner* const above = are_near_ones_below ? patches_.farthest_above(best.plane(), resolution_)
+                                                      : patches_.farthest_near(best.plane(), resolution_);
+      if (above == nullptr && are_near_ones_below) break;
+      if (above == nullptr) {
+        are_near_ones_below = true;
+        continue;
+      }
       Triangle next;
       for (std::size_t k = 0; k < 3; ++k) {
         next.take_if_better({best.corners[k], best.corners[(k + 1) % 3], *above}, place);
@@ -222,13 +232,54 @@ class ContactFace {
     return {{outline_corners_[0], outline_corners_[k], outline_corners_[k + 1]}, 0.0};
   }
 
+  // What is known to begin with: the outline's triangles, the last place's, for neighbours may share it, and those of
+  // its corners with a side of the outline.
+  Triangle highest_known_at(const PlanarPoint& place) const {
+    Triangle best = triangle_at(place);
+    if (!has_last_) return best;
+    double highest = best.plane_at(place);
+    const auto consider = [&](const std::array<Corner, 3>& corners) {
+      Triangle other;
+      other.take_if_better(corners, place);
+      if (!(other.inside > 0.0) || !(other.plane_at(place) > highest)) return;
+      highest = other.plane_at(place);
+      best = other;
+    };
+    consider(last_.corners);
+    for (const Corner& corner : last_.corners) {
+      const std::size_t side = side_beyond(corner.at, place);
+      consider({corner, outline_corners_[side], outline_corners_[(side + 1) % outline_corners_.size()]});
+    }
+    return best;
+  }
+
+  // The side of the outline through which a ray from a place within it through another one goes out.
+  std::size_t side_beyond(const PlanarPoint& from, const PlanarPoint& through) const {
+    const PlanarPoint first = outline_[0] - from, dir = through - from;
+    const bool is_beyond_half = turn(first, dir) < 0.0;
+    const auto is_before = [&](const PlanarPoint& corner) {
+      const bool is_in_half = turn(first, corner - from) >= 0.0, is_right = turn(corner - from, dir) >= 0.0;
+      return is_beyond_half ? is_in_half || is_right : is_in_half && is_right;
+    };
+    std::size_t side = 0, end = outline_.size();
+    while (end - side > 1) {
+      const std::size_t middle = side + (end - side) / 2;
+      (is_before(outline_[middle]) ? side : end) = middle;
+    }
+    return side;
+  }
+
   // Of the fan about the first corner: the last one whose first side has the place to its left, or one beside it.
-  Triangle triangle_at(const PlanarPoint& place) const {
+  std::size_t side_of_fan(const PlanarPoint& place) const {
     std::size_t first = 1, end = outline_.size() - 1;
     while (end - first > 1) {
       const std::size_t middle = first + (end - first) / 2;
       (turn(outline_[middle] - outline_[0], place - outline_[0]) >= 0.0 ? first : end) = middle;
     }
+    return first;
+  }
+  Triangle triangle_at(const PlanarPoint& place) const {
+    const std::size_t first = side_of_fan(place);
     Triangle best;
     const auto consider = [&](std::size_t k) { best.take_if_better(of_fan(k).corners, place); };
     for (std::size_t k = std::max<std::size_t>(first, 2) - 1; k <= first + 1 && k + 1 < outline_.size(); ++k)

@@ -27,6 +27,7 @@ ContactPatches::ContactPatches(std::vector<ContactCorner> corners) : corners_(st
       patches_.push_back(patch_of(from, std::min(from + kOfPatch, end)));
     }
   }
+  most_above_.resize(patches_.size());
 }
 
 ContactPatches::Patch ContactPatches::patch_of(std::size_t from, std::size_t to) const {
@@ -61,23 +62,63 @@ ContactPatches::Patch ContactPatches::patch_of(std::size_t from, std::size_t to)
   return patch;
 }
 
-const ContactCorner* ContactPatches::farthest_above(const ContactPlane& plane, double least) const {
-  const ContactCorner* farthest = nullptr;
-  for (const Patch& patch : patches_) {
-    const double in_the_middle = plane.height_of(patch.cover.through);
-    const PlanarPoint steeper = patch.cover.slope - plane.slope;
-    const double beside = std::fabs(steeper.x) * patch.half.x + std::fabs(steeper.y) * patch.half.y;
-    const double rounding = 0x1p-48 * (std::fabs(patch.cover.through.height) + std::fabs(plane.through.height) +
-                                       std::fabs(in_the_middle) + beside);
-    // Nor is it where a slope is no number, as of a triangle of no area.
-    if (in_the_middle + beside + rounding <= least) continue;
-    for (std::size_t k = patch.from; k < patch.to; ++k) {
-      const double by = plane.height_of(corners_[k]);
-      if (by > least) {
-        least = by;
-        farthest = &corners_[k];
-      }
+double ContactPatches::most_above(const Patch& patch, const ContactPlane& plane) {
+  const double in_the_middle = plane.height_of(patch.cover.through);
+  const PlanarPoint steeper = patch.cover.slope - plane.slope;
+  const double beside = std::fabs(steeper.x) * patch.half.x + std::fabs(steeper.y) * patch.half.y;
+  const double rounding = 0x1p-48 * (std::fabs(patch.cover.through.height) + std::fabs(plane.through.height) +
+                                     std::fabs(in_the_middle) + beside);
+  return in_the_middle + beside + rounding;
+}
+
+void ContactPatches::look_near(const PlanarPoint& place) {
+  std::array<double, kNear> distances;
+  distances.fill(HUGE_VAL);
+  n_near_ = std::min(kNear, patches_.size());
+  for (std::size_t k = 0; k < patches_.size(); ++k) {
+    const Patch& patch = patches_[k];
+    const PlanarPoint off = place - patch.middle;
+    const double distance = std::max(std::fabs(off.x) - patch.half.x, std::fabs(off.y) - patch.half.y);
+    if (!(distance < distances.back())) continue;
+    std::size_t at = kNear - 1;
+    for (; at > 0 && distance < distances[at - 1]; --at) {
+      distances[at] = distances[at - 1];
+      near_[at] = near_[at - 1];
     }
+    distances[at] = distance;
+    near_[at] = k;
+  }
+}
+
+const ContactCorner* ContactPatches::farthest_near(const ContactPlane& plane, double least) const {
+  const ContactCorner* farthest = nullptr;
+  for (std::size_t i = 0; i < n_near_; ++i) look_at(patches_[near_[i]], plane, least, farthest);
+  return farthest;
+}
+
+void ContactPatches::look_at(const Patch& patch, const ContactPlane& plane, double& least,
+                             const ContactCorner*& farthest) const {
+  for (std::size_t k = patch.from; k < patch.to; ++k) {
+    const double by = plane.height_of(corners_[k]);
+    if (by > least) {
+      least = by;
+      farthest = &corners_[k];
+    }
+  }
+}
+
+const ContactCorner* ContactPatches::farthest_above(const ContactPlane& plane, double least) {
+  const ContactCorner* farthest = nullptr;
+  // The one that may be the highest first: most of the others are below its corners then.
+  std::size_t first = 0;
+  for (std::size_t k = 0; k < patches_.size(); ++k) {
+    most_above_[k] = most_above(patches_[k], plane);
+    if (most_above_[k] > most_above_[first]) first = k;
+  }
+  if (patches_.empty() || !(most_above_[first] > least)) return nullptr;
+  look_at(patches_[first], plane, least, farthest);
+  for (std::size_t k = 0; k < patches_.size(); ++k) {
+    if (most_above_[k] > least && k != first) look_at(patches_[k], plane, least, farthest);
   }
   return farthest;
 }
