@@ -23,7 +23,7 @@ struct DoubleDouble {
 };
 
 /// a + b exactly, for any a and b (Knuth).
-constexpr DoubleDouble two_sum(double a, double b) {
+[[gnu::always_inline]] constexpr DoubleDouble two_sum(double a, double b) {
   const double sum = a + b;
   const double b_virtual = sum - a;
   const double a_virtual = sum - b_virtual;
@@ -31,13 +31,13 @@ constexpr DoubleDouble two_sum(double a, double b) {
 }
 
 /// a + b exactly, for |a| >= |b| (Dekker).
-constexpr DoubleDouble fast_two_sum(double a, double b) {
+[[gnu::always_inline]] constexpr DoubleDouble fast_two_sum(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};
 }
 
 /// a * b exactly (Dekker's product with Veltkamp's splitting).
-constexpr DoubleDouble two_product(double a, double b) {
+[[gnu::always_inline]] constexpr DoubleDouble two_product(double a, double b) {
   constexpr double kSplitter = 0x1p27 + 1.0;
   const double a_big = kSplitter * a;
   const double a_high = a_big - (a_big - a);
@@ -49,19 +49,21 @@ constexpr DoubleDouble two_product(double a, double b) {
   return {product, a_low * b_low - (((product - a_high * b_high) - a_low * b_high) - a_high * b_low)};
 }
 
-constexpr DoubleDouble operator-(const DoubleDouble& a) { return {-a.high, -a.low}; }
+[[gnu::always_inline]] constexpr DoubleDouble operator-(const DoubleDouble& a) { return {-a.high, -a.low}; }
 
 /// Relative error at most 3 u^2 + 13 u^3 (AccurateDWPlusDW).
-constexpr DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
+[[gnu::always_inline]] constexpr DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
   const DoubleDouble s = two_sum(a.high, b.high);
   const DoubleDouble t = two_sum(a.low, b.low);
   const DoubleDouble v = fast_two_sum(s.high, s.low + t.high);
   return fast_two_sum(v.high, t.low + v.low);
 }
-constexpr DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) { return a + (-b); }
+[[gnu::always_inline]] constexpr DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) {
+  return a + (-b);
+}
 
 /// Relative error at most 7 u^2 (DWTimesDW1).
-constexpr DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
+[[gnu::always_inline]] constexpr DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   const DoubleDouble p = two_product(a.high, b.high);
   return fast_two_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
 }

@@ -60,6 +60,8 @@ Vec3<L> scaled_to_unit_exponent(const Vec3<L>& a) {
 inline bool is_finite(const Vec3d& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 /// a * 2^exponent: exact but for under- and overflow, however large the exponent is.
 inline Vec3d times_power_of_two(const Vec3d& a, int exponent) {
+  // A product is rounded once, as ldexp is.
+  if (exponent > -1022 && exponent < 1023) return from_bits(static_cast<std::uint64_t>(1023 + exponent) << 52) * a;
   return {std::ldexp(a.x, exponent), std::ldexp(a.y, exponent), std::ldexp(a.z, exponent)};
 }
 /// The length of one vector whose square may over- or underflow; the bits of `norm` where it does not.

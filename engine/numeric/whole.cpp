@@ -20,13 +20,13 @@ struct Parts {
 Parts parts_of(double value) {
   VEX_EXPECT(std::isfinite(value));
   if (value == 0.0) return {};
-  int exponent = 0;
-  const double fraction = std::frexp(value, &exponent);
-  auto mantissa = static_cast<std::int64_t>(std::ldexp(fraction, 53));
-  exponent -= 53;
-  const int zeros = std::countr_zero(static_cast<std::uint64_t>(mantissa));
-  mantissa /= std::int64_t{1} << zeros;
-  return {mantissa, exponent + zeros};
+  const std::uint64_t bits = bits_of(value);
+  const int biased = static_cast<int>((bits >> 52) & 0x7ff);
+  std::uint64_t digits = bits & ((std::uint64_t{1} << 52) - 1);
+  if (biased != 0) digits |= std::uint64_t{1} << 52;
+  const int zeros = std::countr_zero(digits);
+  const auto mantissa = static_cast<std::int64_t>(digits >> zeros);
+  return {value < 0.0 ? -mantissa : mantissa, std::max(biased, 1) - 1075 + zeros};
 }
 
 Integer shifted_left(const Integer& value, int bits) {

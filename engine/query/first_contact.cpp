@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "engine/numeric/directions.h"
 #include "engine/numeric/errors.h"
@@ -10,7 +11,7 @@
 #include "engine/query/exact/exact_cast.h"
 #include "engine/query/overlap.h"
 #include "engine/query/search/ray_search.h"
-#include "engine/query/separation.h"
+#include "engine/query/separation_with_verdict.h"
 #include "engine/support/point_body.h"
 
 namespace vex {
@@ -18,9 +19,11 @@ namespace {
 
 FirstContact no_contact(Verdict verdict) { return {verdict, HUGE_VAL, HUGE_VAL, HUGE_VAL, {}, {}, {}, 0}; }
 
-FirstContact contact_at_start(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, Verdict verdict) {
-  const Separation found = penetration_depth(a, b, Pose::unchecked(a_from_b));
-  return {verdict,           0.0, 0.0, 0.0, found.normal, found.point_a, found.point_b, found.n_support_calls,
+FirstContact contact_at_start(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b,
+                              const OverlapAnswer& start) {
+  std::optional<OverlapAnswer> known = start;
+  const Separation found = penetration_depth(a, b, Pose::unchecked(a_from_b), known);
+  return {start.verdict,     0.0, 0.0, 0.0, found.normal, found.point_a, found.point_b, found.n_support_calls,
           found.point_b_in_b};
 }
 
@@ -35,9 +38,10 @@ void take_points(const Found& found, FirstContact& contact) {
 // Of bodies that touch at the start the search finds no plane between them: normal and points are those of the
 // distance there, or, where that has none either, along the motion through the points that the search has.
 void touch_at_start(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Vec3d& motion,
-                    const RaySearch::Touch& touch, FirstContact& contact) {
+                    const OverlapAnswer& start, const RaySearch::Touch& touch, FirstContact& contact) {
   contact.time = contact.lower;
-  const Separation found = signed_distance(a, b, Pose::unchecked(a_from_b));
+  std::optional<OverlapAnswer> known = start;
+  const Separation found = signed_distance(a, b, Pose::unchecked(a_from_b), known);
   contact.n_support_calls += found.n_support_calls;
   if (found.has_witnesses && norm_1(found.normal) > 0.0) {
     contact.normal = found.normal;
@@ -112,7 +116,7 @@ FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Pose& p
   const OverlapAnswer start = overlap_answer(a, b, pose);
   const Verdict at_start = start.verdict;
   if (at_start.outcome == Outcome::overlap) {
-    FirstContact contact = contact_at_start(a, b, a_from_b, at_start);
+    FirstContact contact = contact_at_start(a, b, a_from_b, start);
     if (!(norm_1(contact.normal) > 0.0)) contact.normal = unit_along(-motion);
     contact.n_support_calls += start.n_support_calls;
     return contact;
@@ -147,7 +151,7 @@ FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Pose& p
     take_points(touch, contact);
     contact.point_b = touch.point_b + contact.time * motion;
     touch_by_balls(a, b, a_from_b, motion, contact);
-    if (!(norm_1(contact.normal) > 0.0)) touch_at_start(a, b, a_from_b, motion, touch, contact);
+    if (!(norm_1(contact.normal) > 0.0)) touch_at_start(a, b, a_from_b, motion, start, touch, contact);
     return contact;
   }
   contact.verdict = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);

@@ -12,6 +12,7 @@
 #include "engine/query/search/core_search.h"
 #include "engine/query/search/way_out.h"
 #include "engine/query/search/zonotope.h"
+#include "engine/query/separation_with_verdict.h"
 #include "engine/support/combinators.h"
 
 namespace vex {
@@ -239,15 +240,17 @@ Separation nothing_but(const Verdict& verdict, int n_support_calls) {
 
 // With the verdict, and bounds that agree with it.
 Separation concluded(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, SeparationGoal goal,
-                     DecidedBy by, Separation found) {
+                     DecidedBy by, Separation found, std::optional<OverlapAnswer>& known) {
   if (found.lower > 0.0) {
     found.verdict = Verdict::disjoint(by);
   } else if (found.upper < 0.0) {
     found.verdict = Verdict::overlap(by);
   } else {
-    const OverlapAnswer answer = overlap_answer(a, b, Pose::unchecked(a_from_b));
-    found.verdict = answer.verdict;
-    found.n_support_calls += answer.n_support_calls;
+    if (!known) {
+      known = overlap_answer(a, b, Pose::unchecked(a_from_b));
+      found.n_support_calls += known->n_support_calls;
+    }
+    found.verdict = known->verdict;
     if (found.verdict.outcome == Outcome::disjoint) found.lower = std::max(found.lower, 0.0);
     if (found.verdict.outcome == Outcome::overlap) found.upper = std::min(found.upper, 0.0);
   }
@@ -288,7 +291,7 @@ Searched first_answer(const DoubleQuery& query, const ConvexBody& a, const Conve
 }
 
 Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, SeparationGoal goal,
-                      const SeparationSettings& settings, WarmStart* warm_start) {
+                      const SeparationSettings& settings, WarmStart* warm_start, std::optional<OverlapAnswer>& known) {
   if (!(settings.relative_gap >= 0.0)) {
     throw UsageError("the relative gap of a distance is negative or no number - give one from 0 up");
   }
@@ -307,17 +310,17 @@ Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd
     if (goal == SeparationGoal::distance && !in_double.has_witnesses) {
       // The cores seem to overlap. If they do, that is all that is asked.
       const Separation seen =
-          concluded(a, b, a_from_b, goal, DecidedBy::gjk, nothing_but({}, in_double.n_support_calls));
+          concluded(a, b, a_from_b, goal, DecidedBy::gjk, nothing_but({}, in_double.n_support_calls), known);
       if (seen.verdict.outcome == Outcome::overlap) return seen;
-      return separation(a, b, a_from_b, SeparationGoal::signed_distance, settings, warm_start);
+      return separation(a, b, a_from_b, SeparationGoal::signed_distance, settings, warm_start, known);
     }
     if (is_settled(found, goal, wanted(in_double), settings.max_distance, settings.relative_gap > kRoughGap,
                    query.is_coarse)) {
-      return concluded(a, b, a_from_b, goal, DecidedBy::gjk, in_double);
+      return concluded(a, b, a_from_b, goal, DecidedBy::gjk, in_double, known);
     }
   }
   const std::optional<PlacedForms> placed = placed_forms(a, b, a_from_b);
-  if (!placed) return concluded(a, b, a_from_b, goal, DecidedBy::gjk, in_double);
+  if (!placed) return concluded(a, b, a_from_b, goal, DecidedBy::gjk, in_double, known);
   const Vec3d dir = norm_1(in_double.normal) > 0.0 ? in_double.normal : Vec3d{0.6, 0.0, 0.8};
   const SeparationGoal both = goal == SeparationGoal::distance ? SeparationGoal::signed_distance : goal;
   // Of curved bodies that touch, bounds that are near enough leave nothing open but the sign: a search for nearer ones
@@ -340,7 +343,7 @@ Separation separation(const ConvexBody& a, const ConvexBody& b, const Transformd
   }
   extended.lower = std::max(extended.lower, in_double.lower);
   extended.upper = std::min(extended.upper, in_double.upper);
-  return concluded(a, b, a_from_b, goal, DecidedBy::double_double, extended);
+  return concluded(a, b, a_from_b, goal, DecidedBy::double_double, extended, known);
 }
 
 // Whether the bodies are as far apart along the normal as is said, and so are the points, to `accuracy`.
@@ -371,24 +374,44 @@ Separation trusted(const ConvexBody& a, const ConvexBody& b, const Transformd& a
   return nothing_but(Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding), found.n_support_calls);
 }
 
+Separation answer_of(const ConvexBody& a, const ConvexBody& b, const Pose& pose, SeparationGoal goal,
+                     const SeparationSettings& settings, WarmStart* warm_start, std::optional<OverlapAnswer>& known) {
+  const Transformd& a_from_b = pose.a_from_b();
+  return trusted(a, b, a_from_b, settings, separation(a, b, a_from_b, goal, settings, warm_start, known));
+}
+Separation answer_of(const ConvexBody& a, const ConvexBody& b, const Pose& pose, SeparationGoal goal,
+                     const SeparationSettings& settings, WarmStart* warm_start) {
+  std::optional<OverlapAnswer> none;
+  return answer_of(a, b, pose, goal, settings, warm_start, none);
+}
+
 }  // namespace
 
 Separation signed_distance(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
                            const SeparationSettings& settings, WarmStart* warm_start) {
-  return trusted(a, b, pose.a_from_b(), settings,
-                 separation(a, b, pose.a_from_b(), SeparationGoal::signed_distance, settings, warm_start));
+  return answer_of(a, b, pose, SeparationGoal::signed_distance, settings, warm_start);
+}
+Separation signed_distance(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
+                           std::optional<OverlapAnswer>& overlap) {
+  return answer_of(a, b, pose, SeparationGoal::signed_distance, {}, nullptr, overlap);
 }
 
 Separation distance(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const SeparationSettings& settings,
                     WarmStart* warm_start) {
-  return trusted(a, b, pose.a_from_b(), settings,
-                 separation(a, b, pose.a_from_b(), SeparationGoal::distance, settings, warm_start));
+  return answer_of(a, b, pose, SeparationGoal::distance, settings, warm_start);
+}
+Separation distance(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const SeparationSettings& settings,
+                    WarmStart* warm_start, std::optional<OverlapAnswer>& overlap) {
+  return answer_of(a, b, pose, SeparationGoal::distance, settings, warm_start, overlap);
 }
 
 Separation penetration_depth(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
                              const SeparationSettings& settings, WarmStart* warm_start) {
-  return trusted(a, b, pose.a_from_b(), settings,
-                 separation(a, b, pose.a_from_b(), SeparationGoal::depth, settings, warm_start));
+  return answer_of(a, b, pose, SeparationGoal::depth, settings, warm_start);
+}
+Separation penetration_depth(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
+                             std::optional<OverlapAnswer>& overlap) {
+  return answer_of(a, b, pose, SeparationGoal::depth, {}, nullptr, overlap);
 }
 
 ConvexBody with_margin(const ConvexBody& body, double margin) { return Inflated<ConvexBody>(body, margin); }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 
 #include "engine/numeric/double_double.h"
 #include "engine/numeric/errors.h"
@@ -11,7 +12,7 @@
 #include "engine/query/search/advancement.h"
 #include "engine/query/search/impact_record.h"
 #include "engine/query/search/ray_search.h"
-#include "engine/query/separation.h"
+#include "engine/query/separation_with_verdict.h"
 
 namespace vex {
 namespace {
@@ -78,7 +79,8 @@ FirstContact impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, 
   const OverlapAnswer start = overlap_answer(a, b, pose);
   const Verdict at_start = start.verdict;
   if (at_start.outcome == Outcome::overlap) {
-    const Separation found = penetration_depth(a, b, pose);
+    std::optional<OverlapAnswer> known = start;
+    const Separation found = penetration_depth(a, b, pose, known);
     return {at_start,          0.0,           0.0,           0.0,
             found.normal,      found.point_a, found.point_b, found.n_support_calls + start.n_support_calls,
             found.point_b_in_b};

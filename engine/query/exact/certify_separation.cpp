@@ -10,6 +10,7 @@
 #include "engine/query/checker/witness_proof.h"
 #include "engine/query/exact/exact_overlap.h"
 #include "engine/query/exact/exact_witness.h"
+#include "engine/query/exact/fine_core.h"
 #include "engine/query/exact/nearest_witnesses.h"
 #include "engine/query/exact/placed_forms.h"
 #include "engine/query/exact/recorded_core.h"
@@ -22,7 +23,9 @@ namespace {
 using checker::ExactPair;
 using whole::Dyadic;
 
-constexpr int kMostCallsOfBounds = 1 << 11, kMostCallsOfTies = 1 << 16;
+constexpr int kMostCallsOfBounds = 1 << 11, kMostCallsOfTies = 1 << 16, kMostFineCalls = 1 << 9;
+// In the unit of the forms: below the error that is counted for a point in twice the precision.
+constexpr double kFineGap = 0.25 * kExtendedError;
 
 void find_bounds(const ExactPair& pair, const PlacedForms& placed, const Separation& found,
                  SeparationCertificate& certificate) {
@@ -67,6 +70,16 @@ void find_bounds(const ExactPair& pair, const PlacedForms& placed, const Separat
     if (gap < 0x1p-90 || is_capped) break;
   }
   if (has_dir && has_hull) return;
+  // Where rounding stalls all of them, as of flat bodies that are next to nothing apart, in more digits. Nearer to the
+  // truth than a search in twice the precision says it has come.
+  for (const Vec3d& first_dir : {found.normal, Vec3d{}}) {
+    const FineCore core(pair, forms);
+    CoreProof proof = prove_nearness(core, first_dir, kFineGap, kMostFineCalls);
+    offer_dir(std::move(proof.dir));
+    offer_hull(std::move(proof.hull));
+    if (!proof.surface.faces.empty()) offer_hull(std::move(proof.surface));
+    if (has_dir && has_hull) return;
+  }
   // In ever so many directions, as of bodies of which ever so many are the shortest way out.
   const RecordedCore core(forms);
   CoreProof proof = prove_nearness(core, found.normal, first, kMostCallsOfTies);

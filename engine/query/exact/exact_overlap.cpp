@@ -13,9 +13,10 @@ using whole::Integer;
 using whole::Vector;
 
 // The vertex that is farthest along `dir`, among those that double precision leaves open.
-template <class PointOf>
-std::size_t farthest(const VertexSet& points, const Vector& dir, const PointOf& point_of) {
-  const std::vector<std::size_t>& open = points.farthest(whole::rounded_direction(dir));
+template <class Narrow, class PointOf>
+std::size_t farthest(const VertexSet& points, const Vector& dir, const Narrow& narrow, const PointOf& point_of) {
+  std::vector<std::size_t> open = points.farthest(whole::rounded_direction(dir));
+  narrow(dir, open);
   std::size_t best = open.front();
   if (open.size() == 1) return best;
   Integer largest = whole::dot(point_of(best), dir);
@@ -111,6 +112,8 @@ ExactOverlap descend(const PlacedForms& forms, Vector* nearest) {
   const WholePoints points(forms);
   const auto point_a = [&points](std::size_t i) { return points.a(i); };
   const auto point_b = [&points](std::size_t i) { return points.b(i); };
+  const auto narrow_a = [&points](const Vector& dir, std::vector<std::size_t>& open) { points.narrow_a(dir, open); };
+  const auto narrow_b = [&points](const Vector& dir, std::vector<std::size_t>& open) { points.narrow_b(dir, open); };
   const Integer radii = nearest == nullptr ? points.radii() : Integer(0);
   const Integer radii_sq = radii * radii;
 
@@ -126,7 +129,8 @@ ExactOverlap descend(const PlacedForms& forms, Vector* nearest) {
       result.overlap = true;
       break;
     }
-    const std::size_t a = farthest(forms.points_a, -v, point_a), b = farthest(forms.points_b, v, point_b);
+    const std::size_t a = farthest(forms.points_a, -v, narrow_a, point_a);
+    const std::size_t b = farthest(forms.points_b, v, narrow_b, point_b);
     ++result.n_support_calls;
     const Vector w = points.a(a) - points.b(b);
     // All of the hull is at least w . v / |v| away along v: disjoint where that exceeds the radii. Where w is no nearer

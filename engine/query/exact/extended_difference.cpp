@@ -38,10 +38,8 @@ Vec3e difference(const Vec3d& p, const Vec3d& q) {
 }
 
 Vec3e times_power_of_two(const Vec3e& v, int exponent) {
-  const auto times = [exponent](const Extended& x) {
-    return Extended{std::ldexp(x.high, exponent), std::ldexp(x.low, exponent)};
-  };
-  return {times(v.x), times(v.y), times(v.z)};
+  const Vec3d high = times_power_of_two(high_part(v), exponent), low = times_power_of_two(low_part(v), exponent);
+  return {{high.x, low.x}, {high.y, low.y}, {high.z, low.z}};
 }
 
 // One more than the exponent of the largest coordinate; a very small number where all are zero.
@@ -51,9 +49,15 @@ int exponent_of(const Vec3d& v) {
   return std::max({exponent_of(std::fabs(v.x)), exponent_of(std::fabs(v.y)), exponent_of(std::fabs(v.z))});
 }
 
+double largest_coordinate(const Vec3d& a) { return larger(std::fabs(a.x), larger(std::fabs(a.y), std::fabs(a.z))); }
+int exponent_of(const std::vector<Vec3d>& points, const Vec3d& middle) {
+  double largest = 0.0;
+  for (const Vec3d& p : points) largest = larger(largest_coordinate(p - middle), largest);
+  return exponent_of(largest);
+}
+
 int exponent_of(const ExactForm& form, const Vec3d& middle) {
-  int largest = exponent_of(form.ball_radius);
-  for (const Vec3d& p : form.points) largest = std::max(largest, exponent_of(p - middle));
+  int largest = std::max(exponent_of(form.ball_radius), exponent_of(form.points, middle));
   for (const ExactForm::Piece& piece : form.pieces) {
     largest = std::max({largest, exponent_of(piece.centre - middle), exponent_of(piece.semi_axes)});
   }
@@ -72,8 +76,7 @@ LocalForms::LocalForms(const PlacedForms& forms) : forms_(forms) {
   if (forms.is_b_rounded) {
     middle_of_placed_b_ = middle_of(forms.placed_b, {});
     between = whole::exactly(middle_of_placed_b_) - whole::exactly(middle_a_);
-    exponent_b = kNoExponent;
-    for (const Vec3d& p : forms.placed_b) exponent_b = std::max(exponent_b, exponent_of(p - middle_of_placed_b_));
+    exponent_b = exponent_of(forms.placed_b, middle_of_placed_b_);
   } else {
     between = whole::placed(forms.a_from_b, whole::exactly(middle_b_)) - whole::exactly(middle_a_);
     exponent_b = exponent_of(b, middle_b_);
@@ -133,16 +136,30 @@ LocalForms::Farthest LocalForms::farthest_piece(const std::vector<Piece>& pieces
 
 namespace {
 
+// Where more vertices than these tie, as those of a face that the direction is across, all are made once.
+constexpr std::size_t kMany = 8;
+
 // Directions are between 2^-100 and 2^100 long; a vertex set wants them near 1.
 Vec3d vertex_direction(const Vec3e& dir) { return scaled_to_unit_exponent(high_part(dir)); }
 
 }  // namespace
 
+Vec3e LocalForms::vertex_of_a(std::size_t i) const { return local(forms_.a.points[i], middle_a_); }
+
+Vec3e LocalForms::vertex_of_b(std::size_t i) const {
+  return forms_.is_b_rounded ? local(forms_.placed_b[i], middle_of_placed_b_)
+                             : turned(local(forms_.b.points[i], middle_b_));
+}
+
 LocalForms::Farthest LocalForms::farthest_of_a(const Vec3e& dir) const {
   Farthest best = farthest_piece(pieces_a_, dir);
   if (best.is_any) best.own = own(best.point, middle_a_);
-  for (const std::size_t i : forms_.points_a.farthest(vertex_direction(dir))) {
-    const Vec3e point = local(forms_.a.points[i], middle_a_);
+  const std::vector<std::size_t>& open = forms_.points_a.farthest(vertex_direction(dir));
+  for (std::size_t i = 0; open.size() > kMany && vertices_a_.size() < forms_.a.points.size(); ++i) {
+    vertices_a_.push_back(vertex_of_a(i));
+  }
+  for (const std::size_t i : open) {
+    const Vec3e point = open.size() > kMany ? vertices_a_[i] : vertex_of_a(i);
     const Extended height = dot(point, dir);
     if (!best.is_any || height > best.height) best = {point, forms_.a.points[i], height, true};
   }
@@ -156,9 +173,12 @@ LocalForms::Farthest LocalForms::farthest_of_b(const Vec3e& dir, const Vec3e& di
     best.point = turned(best.point);
     best.height = dot(best.point, dir);
   }
-  for (const std::size_t i : forms_.points_b.farthest(vertex_direction(dir))) {
-    const Vec3e point = forms_.is_b_rounded ? local(forms_.placed_b[i], middle_of_placed_b_)
-                                            : turned(local(forms_.b.points[i], middle_b_));
+  const std::vector<std::size_t>& open = forms_.points_b.farthest(vertex_direction(dir));
+  for (std::size_t i = 0; open.size() > kMany && vertices_b_.size() < forms_.b.points.size(); ++i) {
+    vertices_b_.push_back(vertex_of_b(i));
+  }
+  for (const std::size_t i : open) {
+    const Vec3e point = open.size() > kMany ? vertices_b_[i] : vertex_of_b(i);
     const Extended height = dot(point, dir);
     if (!best.is_any || height > best.height) best = {point, forms_.b.points[i], height, true};
   }

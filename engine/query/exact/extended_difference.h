@@ -52,6 +52,8 @@ class LocalForms {
   Vec3e local(const Vec3d& point, const Vec3d& middle) const;
   Vec3d own(const Vec3e& local, const Vec3d& middle) const;
   Vec3e turned(const Vec3e& point) const;  // from B's frame into A's directions
+  Vec3e vertex_of_a(std::size_t i) const;
+  Vec3e vertex_of_b(std::size_t i) const;
   Farthest farthest_piece(const std::vector<Piece>& pieces, const Vec3e& dir) const;
 
   const PlacedForms& forms_;
@@ -61,6 +63,7 @@ class LocalForms {
   std::vector<Piece> pieces_a_, pieces_b_;
   Transform<Extended> a_from_b_;
   Extended ball_radius_;
+  mutable std::vector<Vec3e> vertices_a_, vertices_b_;  // once many of them tie
 };
 
 /// The points of a difference that were looked at, as witnesses.

@@ -1,6 +1,7 @@
 #include "engine/query/exact/placed_forms.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace vex {
@@ -42,16 +43,32 @@ bool is_finite(const Transformd& pose) {
 
 }  // namespace
 
-const std::vector<std::size_t>& VertexSet::farthest(const Vec3d& dir) const {
-  found_.clear();
-  values_.resize(offsets_.size());
-  double largest = -HUGE_VAL;
-  for (std::size_t i = 0; i < offsets_.size(); ++i) {
-    values_[i] = dot(offsets_[i], dir);
-    largest = std::max(largest, values_[i]);
+VertexSet::VertexSet(const std::vector<Vec3d>& offsets) {
+  for (std::vector<double>* const of : {&x_, &y_, &z_}) of->reserve(offsets.size());
+  for (const Vec3d& p : offsets) {
+    x_.push_back(p.x);
+    y_.push_back(p.y);
+    z_.push_back(p.z);
   }
-  for (std::size_t i = 0; i < offsets_.size(); ++i) {
-    if (values_[i] >= largest - 0x1p-45) found_.push_back(i);
+}
+
+const std::vector<std::size_t>& VertexSet::farthest(const Vec3d& dir) const {
+  const std::size_t n = x_.size();
+  found_.clear();
+  values_.resize(n);
+  double* const values = values_.data();
+  for (std::size_t i = 0; i < n; ++i) values[i] = dot(Vec3d{x_[i], y_[i], z_[i]}, dir);
+  // Several maxima side by side: each waits for its last comparison.
+  std::array<double, 4> most;
+  most.fill(-HUGE_VAL);
+  std::size_t i = 0;
+  for (; i + most.size() <= n; i += most.size()) {
+    for (std::size_t k = 0; k < most.size(); ++k) most[k] = larger(values[i + k], most[k]);
+  }
+  for (; i < n; ++i) most[0] = larger(values[i], most[0]);
+  const double least = larger(larger(most[0], most[1]), larger(most[2], most[3])) - 0x1p-45;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (values[k] >= least) found_.push_back(k);
   }
   return found_;
 }
@@ -75,7 +92,7 @@ std::optional<PlacedForms> placed_forms(const ConvexBody& a, const ConvexBody& b
     turn.translation = {};
     for (Vec3d& p : offsets_b) p = turn(p);
   }
-  forms.points_b = VertexSet(std::move(offsets_b));
+  forms.points_b = VertexSet(offsets_b);
   return forms;
 }
 

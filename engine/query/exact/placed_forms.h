@@ -16,14 +16,14 @@ namespace vex {
 class VertexSet {
  public:
   /// `offsets`: from one of the points; coordinates up to 1.8, each within 16 u of what is meant.
-  explicit VertexSet(std::vector<Vec3d> offsets) : offsets_(std::move(offsets)) {}
+  explicit VertexSet(const std::vector<Vec3d>& offsets);
 
   /// Every index that may be the farthest one in a direction that is within 2^-52 of each coordinate of `dir`, whose
   /// largest coordinate is between 1/4 and 2: computed values within 2^-45 of the largest (E15).
   const std::vector<std::size_t>& farthest(const Vec3d& dir) const;
 
  private:
-  std::vector<Vec3d> offsets_;
+  std::vector<double> x_, y_, z_;  // of the offsets
   mutable std::vector<std::size_t> found_;
   mutable std::vector<double> values_;
 };

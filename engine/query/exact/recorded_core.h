@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "engine/query/exact/core_proof.h"
 #include "engine/query/exact/extended_difference.h"
 #include "engine/query/search/query_error.h"
 
@@ -39,15 +40,6 @@ class RecordedCore {
   mutable std::vector<Record> records_;
   mutable Extended best_gap_{-HUGE_VAL};
   mutable Vec3e best_dir_;
-};
-
-/// What may prove how near the cores are.
-struct CoreProof {
-  ExactVector dir;
-  WitnessHull hull, surface;             // the nearest points; and, of cores in each other, a surface around the origin
-  std::vector<bool> is_late;             // of each witness of the hull
-  std::vector<bool> is_late_of_surface;  // of each of the surface
-  bool is_capped = false;                // another one, for a smaller gap, would be no better
 };
 
 /// Bounds of the signed distance of the cores, `gap` of the forms' unit apart if they can be.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -39,10 +40,23 @@ class WholePoints {
     return whole::in_units(forms_.a.ball_radius, unit_) + whole::in_units(forms_.b.ball_radius, unit_);
   }
 
+  /// Of vertices that double precision leaves open as the farthest ones along a vector, those that twice the precision
+  /// does, in their order; of some that are as far for sure the first.
+  void narrow_a(const whole::Vector& dir, std::vector<std::size_t>& open) const {
+    narrow(forms_.a.points, {{dir.x, 0}, {dir.y, 0}, {dir.z, 0}}, open);
+  }
+  void narrow_b(const whole::Vector& dir, std::vector<std::size_t>& open) const {
+    const whole::DyadicVector of_a{{dir.x, 0}, {dir.y, 0}, {dir.z, 0}};
+    if (!is_placed_exactly_) return narrow(forms_.placed_b, of_a, open);
+    narrow(forms_.b.points, whole::direction_to_b(forms_.a_from_b, of_a), open);
+  }
+
   /// Coordinates are these numbers times 2 to this power.
   int unit() const { return unit_; }
 
  private:
+  static void narrow(const std::vector<Vec3d>& vertices, const whole::DyadicVector& exact_dir,
+                     std::vector<std::size_t>& open);
   static void lower(int& unit, const Vec3d& v) {
     unit = std::min({unit, whole::lowest_exponent(v.x), whole::lowest_exponent(v.y), whole::lowest_exponent(v.z)});
   }

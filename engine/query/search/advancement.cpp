@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "engine/query/search/parting_start.h"
 #include "engine/query/search/ray_search.h"
-#include "engine/query/separation.h"
+#include "engine/query/separation_with_verdict.h"
 
 namespace vex {
 namespace {
@@ -45,7 +46,8 @@ class Advancement {
         is_curved_(!a.is_rounded_polytope() || !b.is_rounded_polytope()),
         is_apart_at_start_(start.verdict.outcome == Outcome::disjoint),
         ends_(ends),
-        last_(last) {}
+        last_(last),
+        overlap_(start) {}
 
   FirstContact run() {
     const RigidSweep::Window window = sweep_.window();
@@ -95,7 +97,8 @@ class Advancement {
         // Bodies that are nearer than their pose is known may be in each other as it is rounded.
         if (!apart.has_witnesses) {
           const Pose pose = Pose::unchecked(sweep_.relative_pose(time_));
-          apart = counted_and_turned(time_, signed_distance(a_, b_, pose));
+          look_at(time_);
+          apart = counted_and_turned(time_, signed_distance(a_, b_, pose, overlap_));
         }
         contact_.lower = time_;
         contact_.normal = apart.normal;
@@ -113,8 +116,14 @@ class Advancement {
   Separation separation_at(double time, double relative_gap) {
     SeparationSettings settings;
     settings.relative_gap = relative_gap;
-    return counted_and_turned(time,
-                              distance(a_, b_, Pose::unchecked(sweep_.relative_pose(time)), settings, &warm_start_));
+    const Pose pose = Pose::unchecked(sweep_.relative_pose(time));
+    look_at(time);
+    return counted_and_turned(time, distance(a_, b_, pose, settings, &warm_start_, overlap_));
+  }
+  // What `overlap` says is asked once of each time.
+  void look_at(double time) {
+    if (time != time_of_overlap_) overlap_.reset();
+    time_of_overlap_ = time;
   }
   Separation counted_and_turned(double time, Separation found) {
     n_support_calls_ += found.n_support_calls;
@@ -302,6 +311,9 @@ class Advancement {
   bool touched_ = false;
   FirstContact contact_;
   WarmStart warm_start_;
+  // At the start the pose is the one that was asked about: a turn by nothing moves no coordinate.
+  std::optional<OverlapAnswer> overlap_;
+  double time_of_overlap_ = 0.0;
   int n_support_calls_ = 0, n_calls_before_touch_ = 0, n_short_advances_ = 0;
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/numeric/directions.h"
+#include "engine/query/search/contact_patches.h"
 #include "engine/query/search/planar_polygon.h"
 
 namespace vex {
@@ -131,32 +132,38 @@ class ContactFace {
       const double share = std::clamp(dot(along, place - from) / dot(along, along), 0.0, 1.0);
       return (1.0 - share) * outline_corners_[0].height + share * outline_corners_[1].height;
     }
-    Triangle best = triangle_at(place);
-    if (is_flat_) return best.plane_at(place);
-    // Corner by corner upwards, as portals go; each step is higher. Those that earlier places have come to, which are
-    // first, are tried before all others.
-    for (std::size_t step = 0; step < corners_.size(); ++step) {
-      std::size_t above = farthest_above(best, 0, n_known_);
-      if (above == corners_.size()) above = farthest_above(best, n_known_, corners_.size());
-      if (above == corners_.size()) break;
-      if (above >= n_known_) {
-        std::swap(corners_[above], corners_[n_known_]);
-        above = n_known_++;
+    if (is_flat_) return triangle_at(place).plane_at(place);
+    // Above a corner of the outline there is nothing else.
+    const std::size_t side = side_of_fan(place);
+    for (const std::size_t k : {std::size_t{0}, side, side + 1}) {
+      if (outline_[k].x == place.x && outline_[k].y == place.y) return outline_corners_[k].height;
+    }
+    Triangle best = highest_known_at(place);
+    // Corner by corner upwards, as portals go; each step is higher. First by those near the place, which are nearly
+    // enough.
+    patches_.look_near(place);
+    bool are_near_ones_below = false;
+    for (std::size_t step = 0; step < 2 * corners_.size(); ++step) {
+      const Corner* const above = are_near_ones_below ? patches_.farthest_above(best.plane(), resolution_)
+                                                      : patches_.farthest_near(best.plane(), resolution_);
+      if (above == nullptr && are_near_ones_below) break;
+      if (above == nullptr) {
+        are_near_ones_below = true;
+        continue;
       }
       Triangle next;
       for (std::size_t k = 0; k < 3; ++k) {
-        next.take_if_better({best.corners[k], best.corners[(k + 1) % 3], corners_[above]}, place);
+        next.take_if_better({best.corners[k], best.corners[(k + 1) % 3], *above}, place);
       }
       best = next;
     }
+    last_ = best;
+    has_last_ = true;
     return best.plane_at(place);
   }
 
  private:
-  struct Corner {
-    PlanarPoint at;
-    double height;
-  };
+  using Corner = ContactCorner;
   struct Triangle {
     std::array<Corner, 3> corners{};
     double inside = -HUGE_VAL;
@@ -180,27 +187,14 @@ class ContactFace {
       const std::array<double, 3> found = weights(place);
       return (found[0] * corners[0].height + found[1] * corners[1].height) + found[2] * corners[2].height;
     }
-  };
-
-  // Of the corners from `from` to `to` the one farthest above a triangle's plane, or none: the number of all corners.
-  std::size_t farthest_above(const Triangle& triangle, std::size_t from, std::size_t to) const {
-    const Corner& c = triangle.corners[0];
-    const PlanarPoint p = triangle.corners[1].at - c.at, q = triangle.corners[2].at - c.at;
-    const double whole = turn(p, q);
-    const double rise_p = (triangle.corners[1].height - c.height) / whole,
-                 rise_q = (triangle.corners[2].height - c.height) / whole;
-    std::size_t above = corners_.size();
-    double most = resolution_;
-    for (std::size_t k = from; k < to; ++k) {
-      const PlanarPoint off = corners_[k].at - c.at;
-      const double by = (corners_[k].height - c.height) - (turn(off, q) * rise_p + turn(p, off) * rise_q);
-      if (by > most) {
-        most = by;
-        above = k;
-      }
+    ContactPlane plane() const {
+      const Corner& c = corners[0];
+      const PlanarPoint p = corners[1].at - c.at, q = corners[2].at - c.at;
+      const double whole = turn(p, q);
+      const double rise_p = (corners[1].height - c.height) / whole, rise_q = (corners[2].height - c.height) / whole;
+      return {c, {q.y * rise_p - p.y * rise_q, p.x * rise_q - q.x * rise_p}};
     }
-    return above;
-  }
+  };
 
   // Each place of the outline is a corner's; of corners one above the other, as a prism's seen along its edge, the
   // highest counts.
@@ -232,18 +226,60 @@ class ContactFace {
     is_flat_ = most > 0.0 && std::ranges::all_of(corners_, [&](const Corner& corner) {
                  return std::fabs(corner.height - largest.plane_at(corner.at)) <= resolution_;
                });
+    if (!is_flat_) patches_ = ContactPatches(corners_);
   }
   Triangle of_fan(std::size_t k) const {
     return {{outline_corners_[0], outline_corners_[k], outline_corners_[k + 1]}, 0.0};
   }
 
+  // What is known to begin with: the outline's triangles, the last place's, for neighbours may share it, and those of
+  // its corners with a side of the outline.
+  Triangle highest_known_at(const PlanarPoint& place) const {
+    Triangle best = triangle_at(place);
+    if (!has_last_) return best;
+    double highest = best.plane_at(place);
+    const auto consider = [&](const std::array<Corner, 3>& corners) {
+      Triangle other;
+      other.take_if_better(corners, place);
+      if (!(other.inside > 0.0) || !(other.plane_at(place) > highest)) return;
+      highest = other.plane_at(place);
+      best = other;
+    };
+    consider(last_.corners);
+    for (const Corner& corner : last_.corners) {
+      const std::size_t side = side_beyond(corner.at, place);
+      consider({corner, outline_corners_[side], outline_corners_[(side + 1) % outline_corners_.size()]});
+    }
+    return best;
+  }
+
+  // The side of the outline through which a ray from a place within it through another one goes out.
+  std::size_t side_beyond(const PlanarPoint& from, const PlanarPoint& through) const {
+    const PlanarPoint first = outline_[0] - from, dir = through - from;
+    const bool is_beyond_half = turn(first, dir) < 0.0;
+    const auto is_before = [&](const PlanarPoint& corner) {
+      const bool is_in_half = turn(first, corner - from) >= 0.0, is_right = turn(corner - from, dir) >= 0.0;
+      return is_beyond_half ? is_in_half || is_right : is_in_half && is_right;
+    };
+    std::size_t side = 0, end = outline_.size();
+    while (end - side > 1) {
+      const std::size_t middle = side + (end - side) / 2;
+      (is_before(outline_[middle]) ? side : end) = middle;
+    }
+    return side;
+  }
+
   // Of the fan about the first corner: the last one whose first side has the place to its left, or one beside it.
-  Triangle triangle_at(const PlanarPoint& place) const {
+  std::size_t side_of_fan(const PlanarPoint& place) const {
     std::size_t first = 1, end = outline_.size() - 1;
     while (end - first > 1) {
       const std::size_t middle = first + (end - first) / 2;
       (turn(outline_[middle] - outline_[0], place - outline_[0]) >= 0.0 ? first : end) = middle;
     }
+    return first;
+  }
+  Triangle triangle_at(const PlanarPoint& place) const {
+    const std::size_t first = side_of_fan(place);
     Triangle best;
     const auto consider = [&](std::size_t k) { best.take_if_better(of_fan(k).corners, place); };
     for (std::size_t k = std::max<std::size_t>(first, 2) - 1; k <= first + 1 && k + 1 < outline_.size(); ++k)
@@ -256,7 +292,9 @@ class ContactFace {
   bool is_flat_ = false;
   std::vector<PlanarPoint> outline_;
   double resolution_ = 0.0;
-  std::size_t n_known_ = 0;
+  ContactPatches patches_;
+  Triangle last_;
+  bool has_last_ = false;
 };
 
 }  // namespace vex

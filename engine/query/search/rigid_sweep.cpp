@@ -37,15 +37,23 @@ Vec3d unit(const Vec3d& a) {
 }  // namespace
 
 // Rodrigues: exp([x]) = I + sin(angle) [k] + (1 - cos(angle)) [k]^2, x = angle * k.
-Transformd pose_at(const Transformd& a_from_b, const RigidMotion& motion, double time) {
-  Transformd pose = a_from_b;
-  pose.translation = a_from_b.translation + time * motion.velocity;
-  const Vec3d& w = motion.angular_velocity;
-  if (!(norm_1(w) > 0.0)) return pose;
-  const Vec3d k = unit(w);
+Spin::Spin(const Vec3d& w) {
+  if (!(norm_1(w) > 0.0)) return;
+  turns = true;
+  axis = unit(w);
   // The length of a subnormal vector has few digits.
-  const int exponent = std::ilogb(std::fmax(std::fabs(w.x), std::fmax(std::fabs(w.y), std::fabs(w.z))));
-  const double angle = std::ldexp(time, exponent) * norm(times_power_of_two(w, -exponent));
+  exponent = std::ilogb(std::fmax(std::fabs(w.x), std::fmax(std::fabs(w.y), std::fabs(w.z))));
+  speed = norm(times_power_of_two(w, -exponent));
+}
+
+namespace {
+
+Transformd pose_at(const Transformd& a_from_b, const Vec3d& velocity, const Spin& spin, double time) {
+  Transformd pose = a_from_b;
+  pose.translation = a_from_b.translation + time * velocity;
+  if (!spin.turns) return pose;
+  const Vec3d& k = spin.axis;
+  const double angle = times_power_of_two(Vec3d{time, 0.0, 0.0}, spin.exponent).x * spin.speed;
   const double sine = std::sin(angle), half = std::sin(0.5 * angle), versine = 2.0 * half * half;
   const auto turned = [&](const Vec3d& x) {
     const Vec3d across = cross(k, x);
@@ -58,6 +66,12 @@ Transformd pose_at(const Transformd& a_from_b, const RigidMotion& motion, double
   pose.row_y = {column_x.y, column_y.y, column_z.y};
   pose.row_z = {column_x.z, column_y.z, column_z.z};
   return pose;
+}
+
+}  // namespace
+
+Transformd pose_at(const Transformd& a_from_b, const RigidMotion& motion, double time) {
+  return pose_at(a_from_b, motion.velocity, Spin(motion.angular_velocity), time);
 }
 
 namespace {
@@ -85,11 +99,17 @@ RigidSweep::RigidSweep(const ConvexBody& a, const ConvexBody& b, const Transform
       b_(b),
       a_from_b_(a_from_b),
       motion_(motion),
+      turning_(motion.angular_velocity),
       spin_(safe_norm(motion.angular_velocity) * kUp),
       speed_1_(norm_1(motion.velocity) * kUp),
       velocity_error_(is_exact ? 0.0 : 2.0 * kUnitRoundoff),
       motion_of_a_{{}, spin_of_a},
-      spin_of_a_(safe_norm(spin_of_a) * kUp) {
+      turning_of_a_(spin_of_a),
+      spin_of_a_(safe_norm(spin_of_a) * kUp),
+      at_first_(norm_1(a_from_b.translation)),
+      reach_(a.reach() + 2.0 * b.reach() + at_first_),
+      own_error_(a.core_support_error() + 2.0 * b.core_support_error()),
+      balls_((a.ball_radius() + b.ball_radius()) * (1.0 + gamma(8))) {
   Transformd turn = a_from_b;
   turn.translation = {};
   const Reach of_b = reach_of(b, turn, motion.angular_velocity);
@@ -101,6 +121,8 @@ RigidSweep::RigidSweep(const ConvexBody& a, const ConvexBody& b, const Transform
   from_axis_a_ = of_a.from_axis;
 }
 
+Transformd RigidSweep::turn_of_a(double time) const { return pose_at({}, {}, turning_of_a_, time); }
+
 Vec3d RigidSweep::turned_with_a(double time, const Vec3d& vector) const {
   return a_turns() ? turn_of_a(time)(vector) : vector;
 }
@@ -109,7 +131,7 @@ Vec3d RigidSweep::turned_back(double time, const Vec3d& vector) const {
 }
 
 Transformd RigidSweep::relative_pose(double time) const {
-  const Transformd of_b = pose_at(a_from_b_, motion_, time);
+  const Transformd of_b = pose_at(a_from_b_, motion_.velocity, turning_, time);
   if (!a_turns()) return of_b;
   const Transformd of_a = turn_of_a(time);
   const auto column = [&](double x, double y, double z) { return of_a.direction_to_b({x, y, z}); };
@@ -122,7 +144,7 @@ Transformd RigidSweep::relative_pose(double time) const {
 // E23: what pose_at may be off by, at a point of B's core.
 double RigidSweep::pose_error(double time) const {
   const double lost = time * kSubnormal * (1.0 + from_origin_ + from_origin_a_);
-  const double way = norm_1(a_from_b_.translation) + time * speed_1_;
+  const double way = at_first_ + time * speed_1_;
   double error = kUnitRoundoff * ((8.0 * time * spin_ + 48.0) * from_origin_ + 4.0 * way) + lost;
   // Turned back with A, and A's own points.
   if (a_turns()) {
@@ -134,8 +156,7 @@ double RigidSweep::pose_error(double time) const {
 
 // E1, for every place that B has until then.
 double RigidSweep::support_error(double time) const {
-  const double reach = a_.reach() + 2.0 * b_.reach() + norm_1(a_from_b_.translation) + time * speed_1_;
-  return a_.core_support_error() + 2.0 * b_.core_support_error() + 48.0 * kUnitRoundoff * reach;
+  return own_error_ + 48.0 * kUnitRoundoff * (reach_ + time * speed_1_);
 }
 
 double RigidSweep::rounding_at(double time) const { return 2.0 * support_error(time) + pose_error(time); }
@@ -151,24 +172,31 @@ double RigidSweep::most_speed(const Vec3d& unit_normal) const {
   return (straight + turning * from_axis_ + of_a) * kUp + kSubnormal * (1.0 + from_origin_ + from_origin_a_);
 }
 
+void RigidSweep::look_along(const Vec3d& unit_normal) {
+  last_normal_ = unit_normal;
+  last_turning_ = cross(unit_normal, motion_.angular_velocity);
+  // The part of n across the axis turns with it: |n x w| / |w|.
+  last_bend_ = (safe_norm(last_turning_) + 8.0 * kUnitRoundoff * spin_) * spin_ * from_axis_;
+  if (a_turns()) {
+    last_turning_of_a_ = cross(unit_normal, motion_of_a_.angular_velocity);
+    last_bend_ += (safe_norm(last_turning_of_a_) + 8.0 * kUnitRoundoff * spin_of_a_) * spin_of_a_ * from_axis_a_;
+  } else {
+    last_of_a_ = a_.core_support(unit_normal);
+    ++n_support_calls_;
+  }
+}
+
 double RigidSweep::gap_during(const Vec3d& unit_normal, double from, double duration) {
   const double until = (from + duration) * (1.0 + 4.0 * kUnitRoundoff);
   const double middle = from + 0.5 * duration;
   // The middle and the ends are rounded.
   const double half = 0.5 * duration + (duration > 0.0 ? 4.0 * kUnitRoundoff * until : 0.0);
-  Transformd turn = pose_at(a_from_b_, motion_, middle);
+  Transformd turn = pose_at(a_from_b_, motion_.velocity, turning_, middle);
   const Vec3d origin = turn.translation;
   turn.translation = {};
-  if (!a_turns() && (n_support_calls_ == 0 || norm_1(last_normal_ - unit_normal) > 0.0)) {
-    last_normal_ = unit_normal;
-    last_of_a_ = a_.core_support(unit_normal);
-    ++n_support_calls_;
-  }
-  const Vec3d turning = cross(unit_normal, motion_.angular_velocity);
-  // The part of n across the axis turns with it: |n x w| / |w|.
-  const double across = (safe_norm(turning) + 8.0 * kUnitRoundoff * spin_) * spin_;
+  if (n_gaps_++ == 0 || norm_1(last_normal_ - unit_normal) > 0.0) look_along(unit_normal);
+  const Vec3d &turning = last_turning_, &turning_of_a = last_turning_of_a_;
   const Transformd turn_of_a = a_turns() ? this->turn_of_a(middle) : Transformd{};
-  const Vec3d turning_of_a = cross(unit_normal, motion_of_a_.angular_velocity);
   double least = HUGE_VAL, longest = 0.0;
   for (const double time : {-half, half}) {
     const Vec3d leaning = unit_normal + time * turning;
@@ -188,13 +216,8 @@ double RigidSweep::gap_during(const Vec3d& unit_normal, double from, double dura
     }
     if (half == 0.0) break;
   }
-  double bent = across * from_axis_;
-  if (a_turns()) {
-    bent += (safe_norm(turning_of_a) + 8.0 * kUnitRoundoff * spin_of_a_) * spin_of_a_ * from_axis_a_;
-  }
-  const double remainder = 0.5 * half * half * bent * kUp;
-  const double balls = (a_.ball_radius() + b_.ball_radius()) * (1.0 + gamma(8));
-  return least - balls - remainder - support_error(until) * longest - pose_error(until);
+  const double remainder = 0.5 * half * half * last_bend_ * kUp;
+  return least - balls_ - remainder - support_error(until) * longest - pose_error(until);
 }
 
 double RigidSweep::short_time() const { return std::fmin(0x1p256, 8.0 / std::fmax(spin_, spin_of_a_)); }

@@ -25,6 +25,16 @@ struct RelativeMotion {
   bool turns;  // either body, if too slowly for its unit of time: else B is its vertices as they are rounded at first
 };
 
+/// An angular velocity as `pose_at` takes it: about a unit vector, speed * 2^exponent radians in a unit of time.
+struct Spin {
+  bool turns = false;
+  Vec3d axis;
+  int exponent = 0;
+  double speed = 0.0;
+
+  explicit Spin(const Vec3d& angular_velocity);
+};
+
 class RigidSweep {
  public:
   /// `spin_of_a`, `is_exact`: as of a `RelativeMotion`. All vectors below are in A's frame as it is at first, but for
@@ -68,8 +78,9 @@ class RigidSweep {
   int n_support_calls() const { return n_support_calls_; }
 
  private:
+  void look_along(const Vec3d& unit_normal);
   bool a_turns() const { return spin_of_a_ > 0.0; }
-  Transformd turn_of_a(double time) const { return pose_at({}, motion_of_a_, time); }
+  Transformd turn_of_a(double time) const;
   double pose_error(double time) const;
   double support_error(double time) const;
 
@@ -77,14 +88,21 @@ class RigidSweep {
   const ConvexBody& b_;
   Transformd a_from_b_;
   RigidMotion motion_;
+  Spin turning_;
   double spin_, speed_1_;  // at least |w|; at least |v|
   double velocity_error_;  // of each coordinate, relative
   double from_origin_;     // no point of B's core is farther from the origin of its frame
   double from_axis_;       // nor from the axis through it
   RigidMotion motion_of_a_;
-  double spin_of_a_, from_origin_a_ = 0.0, from_axis_a_ = 0.0;  // where A turns
-  Vec3d last_normal_, last_of_a_;
-  int n_support_calls_ = 0;
+  Spin turning_of_a_;
+  double spin_of_a_;
+  double from_origin_a_ = 0.0, from_axis_a_ = 0.0;  // where A turns
+  double at_first_, reach_, own_error_;             // of lengths that rounding is a part of, and of the supports' own
+  double balls_;
+  // What `gap_during` has of its last normal.
+  Vec3d last_normal_, last_turning_, last_turning_of_a_, last_of_a_;
+  double last_bend_ = 0.0;
+  int n_gaps_ = 0, n_support_calls_ = 0;
 };
 
 }  // namespace vex
