@@ -61,7 +61,8 @@ struct SceneCounts {
 /// A caller's buffer: it is overwritten by each query that takes it, and keeps its memory. Sorted by a, b, image.
 struct ScenePairs {
   std::vector<ScenePair> pairs;      // proven to overlap, or to be within the distance
-  std::vector<ScenePair> undecided;  // curved bodies that touch to within rounding: neither is proven
+  std::vector<ScenePair> undecided;  // neither is proven: curved bodies that touch to within rounding, or bodies within
+                                     // a last place of the distance
   SceneCounts counts;
 };
 
