@@ -71,9 +71,7 @@ struct EllipsoidCore {
 /// The direction that an ellipsoid in the place of the core's bounding box would have: for cores whose own is not
 /// known.
 struct BoundsDirection {
-  // Inlined by order: a constructor has two symbols, which no test could tell from one that two kernels share.
-  inline __attribute__((always_inline)) explicit BoundsDirection(const CoreForm& form)
-      : middle(0.5 * (form.lower + form.upper)) {
+  explicit BoundsDirection(const CoreForm& form) : middle(0.5 * (form.lower + form.upper)) {
     const Vec3d extent = form.upper - form.lower;
     double longest = extent.x > extent.y ? extent.x : extent.y;
     longest = longest > extent.z ? longest : extent.z;
