@@ -81,13 +81,13 @@ void PairMemory::list(bool keeps_old) {
   known_before_.swap(known_);
   if (!keeps_old) known_before_.clear();
   known_.clear();
-  const auto has_crossed = [this](BodyId body) { return bodies_->track_of(body).crossed != ImageOffset{}; };
   auto at = known_before_.begin();
   for (const Listed& pair : listed_) {
     while (at != known_before_.end() && Listed{at->a, at->b, at->shift} < pair) ++at;
     const bool is_known = at != known_before_.end() && Listed{at->a, at->b, at->shift} == pair;
-    // The image of a body that has crossed a face means another copy now.
-    if (is_known && !has_crossed(pair.a) && !has_crossed(pair.b)) {
+    // The shift of a body that has crossed a face leads to another copy now. What is known is about the way from centre
+    // to centre, whichever copy that leads to.
+    if (is_known) {
       known_.push_back(*at);
     } else {
       known_.push_back({pair.a, pair.b, pair.shift, Known::Kind::nothing, {}, 0.0});
