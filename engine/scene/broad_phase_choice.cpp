@@ -55,15 +55,11 @@ BroadPhase cheaper_broad_phase(const SceneBodies& bodies, double reach, double m
     const double radius = bodies.bounds(bodies.shape_of()[body]).radius + margin;
     for (std::size_t k = 0; k < asked.size(); ++k) {
       if (asked[k] == body) continue;
-      Vec3d shift{};
-      if (bodies.box()) {
-        const Vec3d f = bodies.box()->fractional(bodies.centre(asked[k]) - bodies.centre(body));
-        shift = bodies.box()->shift({-static_cast<int>(std::nearbyint(f.x)), -static_cast<int>(std::nearbyint(f.y)),
-                                     -static_cast<int>(std::nearbyint(f.z))});
-      }
+      const Vec3d way = bodies.centre(asked[k]) - bodies.centre(body);
+      const Vec3d shift = bodies.box() ? bodies.box()->shift(bodies.box()->towards_origin(way)) : Vec3d{};
       if (are_neighbours(layout, cell, cells[k])) in_cells += 1.0;
       const double met = radius + bodies.bounds(bodies.shape_of()[asked[k]]).radius;
-      if (norm(bodies.centre(asked[k]) - bodies.centre(body) + shift) <= met) in_balls += 1.0;
+      if (norm(way + shift) <= met) in_balls += 1.0;
       if (box.meets({boxes[k].lower + shift, boxes[k].upper + shift})) in_boxes += 1.0;
     }
   }

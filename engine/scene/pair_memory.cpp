@@ -126,7 +126,8 @@ bool PairMemory::holds(const Known& known, const Vec3d& way) const {
   return false;
 }
 
-bool PairMemory::keep_what_balls_tell(Known& known, std::uint64_t tag, const Vec3d& way) {
+bool PairMemory::keep_what_balls_tell(std::uint64_t tag, const Vec3d& way) {
+  const Known& known = known_[tag];
   const double distance = norm(way);
   const ShapeBounds& of_a = bodies_->bounds(bodies_->track_of(known.a).shape);
   const ShapeBounds& of_b = bodies_->bounds(bodies_->track_of(known.b).shape);
@@ -151,13 +152,13 @@ void PairMemory::look(std::size_t first, std::size_t end, PairSearch& search) {
       bodies_->prefetch_track(known_[k + kAhead].a);
       bodies_->prefetch_track(known_[k + kAhead].b);
     }
-    Known& known = known_[k];
+    const Known& known = known_[k];
     const Vec3d from_a_to_b = way(known);
     if (holds(known, from_a_to_b)) {
       ++unmoved.settled;
     } else {
       ++balls.seen;
-      if (!keep_what_balls_tell(known, k, from_a_to_b)) {
+      if (!keep_what_balls_tell(k, from_a_to_b)) {
         search.ask(known.a, known.b, shifts_.number(image(known)), k);
         continue;
       }

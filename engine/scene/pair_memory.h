@@ -67,7 +67,7 @@ class PairMemory final : public PairKeeper {
   double n_moves(const Known& known) const;
   ImageOffset image(const Known& known) const;
   bool holds(const Known& known, const Vec3d& way) const;
-  bool keep_what_balls_tell(Known& known, std::uint64_t tag, const Vec3d& way);
+  bool keep_what_balls_tell(std::uint64_t tag, const Vec3d& way);
 
   bool is_there_ = false;
   double skin_ = 0.0;

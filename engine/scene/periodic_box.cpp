@@ -47,6 +47,12 @@ Vec3d PeriodicBox::fractional(const Vec3d& point) const {
   return {a, b, c};
 }
 
+ImageOffset PeriodicBox::towards_origin(const Vec3d& point) const {
+  const Vec3d f = fractional(point);
+  return {-static_cast<int>(std::nearbyint(f.x)), -static_cast<int>(std::nearbyint(f.y)),
+          -static_cast<int>(std::nearbyint(f.z))};
+}
+
 Vec3d PeriodicBox::wrapped(const Vec3d& point, ImageOffset* image) const {
   constexpr int kMostSteps = 4;  // the first leaves a rounding of where the point was, the next one of where it is
   Vec3d at = point;

@@ -37,6 +37,8 @@ class PeriodicBox {
   Vec3d shift(const ImageOffset& image) const;
   /// Coordinates along a, b, c.
   Vec3d fractional(const Vec3d& point) const;
+  /// By which image a point is moved nearest to the origin, along a, b and c each.
+  ImageOffset towards_origin(const Vec3d& point) const;
   /// Whether the coordinates along a, b, c are surely within -part/2 ... part/2, without a division; `part` at most
   /// .999.
   bool surely_holds(const Vec3d& point, double part) const {

@@ -227,9 +227,7 @@ void SceneBodies::add_to_track(BodyId body, const Transformd& from, const Transf
   Vec3d step = centre - centre_from;
   // A body that has left through one face and come back through the opposite one has moved a little.
   if (box_ && !box_->surely_holds(step, kInside)) {
-    const Vec3d f = box_->fractional(step);
-    const ImageOffset image{-static_cast<int>(std::nearbyint(f.x)), -static_cast<int>(std::nearbyint(f.y)),
-                            -static_cast<int>(std::nearbyint(f.z))};
+    const ImageOffset image = box_->towards_origin(step);
     step = step + box_->shift(image);
     track.crossed = image_sum(track.crossed, image);
   }
