@@ -39,8 +39,8 @@ VolumeAndCentroid volume_and_centroid(const Triangles& triangles);
 /// Sum of the triangles' areas.
 double surface_area(const Triangles& triangles);
 
-/// M = 1/2 sum over edges of length times exterior angle, the angle between the outward normals (REFERENCE.md, section
-/// 3): 0 where two triangles are coplanar, negative where an edge is reflex. No triangle may be without area.
+/// M = 1/2 sum over edges of length times exterior angle, the angle between the outward normals: 0 where two triangles
+/// are coplanar, negative where an edge is reflex. No triangle may be without area.
 double integrated_mean_curvature(const Triangles& triangles);
 
 /// The surface area measure: an atom for each triangle that has an area, in the order of the triangles; those of one

@@ -1,6 +1,7 @@
 #include "apps/common/bodies.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -100,15 +101,6 @@ LoadedBody loaded_from(const std::string& text, const BodyOptions& options, cons
   return loaded;
 }
 
-// Numbers of millimetres and of metres side by side would give a result that is neither's.
-void require_one_unit(const LoadedBody& a, const LoadedBody& b, const BodyOptions& options) {
-  if (!a.mesh || !b.mesh || options.unit_volume || options.scale_a || options.scale_b) return;
-  const std::string &of_a = a.mesh->unit, &of_b = b.mesh->unit;
-  if (of_a.empty() || of_b.empty() || of_a == of_b) return;
-  throw InputError("two files of different units (" + a.source + " in " + of_a + ", " + b.source + " in " + of_b +
-                   ") - add --unit m (or cm, mm, um, nm, in), or --scale-b 1 where their numbers meet as they stand");
-}
-
 }  // namespace
 
 LoadedBody load_body(const std::string& text, const BodyOptions& options) {
@@ -129,8 +121,20 @@ std::pair<LoadedBody, LoadedBody> load_two_bodies(const std::string& a, const st
   LoadedBody loaded_a = load_body(a, of_a);
   if (a == b && of_a.scale == of_b.scale) return {loaded_a, loaded_a};
   LoadedBody loaded_b = load_body(b, of_b);
-  require_one_unit(loaded_a, loaded_b, options);
+  require_one_unit(std::array{loaded_a, loaded_b}, options, ", or --scale-b 1 where their numbers meet as they stand");
   return {std::move(loaded_a), std::move(loaded_b)};
+}
+
+void require_one_unit(std::span<const LoadedBody> bodies, const BodyOptions& options, const std::string& or_else) {
+  if (options.unit_volume || options.scale_a || options.scale_b) return;
+  const LoadedBody* first = nullptr;
+  for (const LoadedBody& body : bodies) {
+    if (!body.mesh || body.mesh->unit.empty()) continue;
+    if (first == nullptr) first = &body;
+    if (body.mesh->unit == first->mesh->unit) continue;
+    throw InputError("two files of different units (" + first->source + " in " + first->mesh->unit + ", " +
+                     body.source + " in " + body.mesh->unit + ") - add --unit m (or cm, mm, um, nm, in)" + or_else);
+  }
 }
 
 bool are_copies(const LoadedBody& a, const LoadedBody& b) { return a.source == b.source && a.scale == b.scale; }

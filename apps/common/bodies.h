@@ -39,7 +39,7 @@ struct BodyOptions {
 
 struct LoadedBody {
   std::string source;                // as the user wrote it
-  Body shape;                // rounded and scaled
+  Body shape;                        // rounded and scaled
   double scale = 1.0;                // what every length was multiplied by
   std::optional<MeshReport> mesh{};  // of a mesh file; what was rounded is its core
 
@@ -56,6 +56,10 @@ LoadedBody load_body(const std::string& text, const BodyOptions& options);
 /// --unit-volume, --scale-a or --scale-b.
 std::pair<LoadedBody, LoadedBody> load_two_bodies(const std::string& a, const std::string& b,
                                                   const BodyOptions& options);
+
+/// Numbers of millimetres and of metres side by side would give a result that is neither's. Throws InputError where the
+/// files of two meshes state unlike units and no option says how they are to meet; `or_else` is advice besides --unit.
+void require_one_unit(std::span<const LoadedBody> bodies, const BodyOptions& options, const std::string& or_else = "");
 
 /// Whether they are copies of one body: of the same text, in the same size.
 bool are_copies(const LoadedBody& a, const LoadedBody& b);

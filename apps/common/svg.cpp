@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "apps/common/text.h"
+
 namespace vex {
 namespace {
 
@@ -90,6 +92,12 @@ std::string svg_fine_path(const std::vector<Pixel>& points) {
     ++n_kept;
   }
   return n_kept < 3 ? "" : path + "z";
+}
+
+std::string in_xml(std::string_view text) {
+  std::string safe;
+  for (const char c : printable(text)) safe += c == '&' ? std::string("&amp;") : c == '<' ? "&lt;" : std::string(1, c);
+  return safe;
 }
 
 Svg::Svg(int width, int height, std::string_view title) {

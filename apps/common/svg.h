@@ -22,6 +22,9 @@ std::string svg_path(const std::vector<Pixel>& points, bool closed);
 /// The same for a closed path on the fine grid: a third of the characters.
 std::string svg_fine_path(const std::vector<Pixel>& points);
 
+/// Text of others, such as a file's name, as a label takes it.
+std::string in_xml(std::string_view text);
+
 class Svg {
  public:
   Svg(int width, int height, std::string_view title);

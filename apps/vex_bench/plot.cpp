@@ -10,7 +10,6 @@
 #include "apps/common/log_axis.h"
 #include "apps/common/numbers.h"
 #include "apps/common/processor.h"
-#include "apps/common/text.h"
 #include "apps/vex_bench/report.h"
 
 namespace vex {
@@ -36,13 +35,6 @@ Style style_of(const ErrorCurve& curve) {
   const auto place = static_cast<std::size_t>(std::ranges::find(estimators(), curve.estimator) - estimators().begin());
   const bool is_main_one = place == 0 && curve.sequence == curve.estimator->usual_sequence;
   return {kColours[place % kColours.size()], dashes, is_main_one ? 3.2 : 2.0};
-}
-
-// Of XML.
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : printable(text)) safe += c == '&' ? std::string("&amp;") : c == '<' ? "&lt;" : std::string(1, c);
-  return safe;
 }
 
 std::string stroke(const Style& style) {
@@ -98,7 +90,7 @@ void draw_slope(Svg& svg, const LogAxis& x, const LogAxis& y, const Slope& guide
 
 void draw_panel(Svg& svg, const BodyCurves& body, Curves which, const LogAxis& x, const LogAxis& y) {
   draw_log_axes(svg, x, y, 12);
-  svg.label({0.5 * (x.begin + x.end), y.end - 12.0}, escaped(std::filesystem::path(body.body.name).filename().string()),
+  svg.label({0.5 * (x.begin + x.end), y.end - 12.0}, in_xml(std::filesystem::path(body.body.name).filename().string()),
             "font-size=\"15\" font-weight=\"bold\" fill=\"#111\"");
   const double at_y = y.from + 0.45 * (y.to - y.from);
   for (const Slope& slope : kSlopes) draw_slope(svg, x, y, slope, x.from, at_y);

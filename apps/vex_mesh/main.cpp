@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "apps/common/backends.h"
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
 #include "apps/common/progress_bar.h"
@@ -14,26 +15,19 @@
 namespace vex {
 namespace {
 
-// Which of the two bodies the backend has no representation of, or that it has no test of the two; nothing where it
-// takes the pair.
-std::optional<std::string> why_left_out(const BackendKind& kind, const MeshRun& run) {
-  if (kind.takes(run.a.shape.body, run.b.shape.body)) return std::nullopt;
-  for (const LoadedBody* loaded : {&run.a, &run.b}) {
-    if (!kind.takes(loaded->shape.body, loaded->shape.body)) {
-      return kind.name + " has no shape for " + loaded->source + " (" + loaded->shape.kind + ")";
-    }
-  }
-  return kind.name + " has no test of " + run.a.shape.kind + " and " + run.b.shape.kind;
+std::string why_left_out(const BackendKind& kind, const MeshRun& run) {
+  return why_left_out(kind, {&run.a.shape.body, run.a.source, run.a.shape.kind},
+                      {&run.b.shape.body, run.b.source, run.b.shape.kind});
 }
 
 void choose_backends(MeshRun& run) {
-  if (const std::optional<std::string> reason = why_left_out(run.options.settings.backend, run)) {
-    throw UsageError(*reason + " - use another --backend");
+  if (const std::string reason = why_left_out(run.options.settings.backend, run); !reason.empty()) {
+    throw UsageError(reason + " - use another --backend");
   }
   std::erase_if(run.options.settings.cross_check, [&run](const BackendKind& kind) {
-    const std::optional<std::string> reason = why_left_out(kind, run);
-    if (reason) run.left_out.push_back(*reason);
-    return reason.has_value();
+    const std::string reason = why_left_out(kind, run);
+    if (!reason.empty()) run.left_out.push_back(reason);
+    return !reason.empty();
   });
 }
 

@@ -5,41 +5,16 @@
 #include <string>
 #include <utility>
 
+#include "apps/common/backends.h"
 #include "apps/common/choices.h"
 #include "apps/common/instruction_sets.h"
 #include "apps/common/numbers.h"
 #include "apps/common/orientations.h"
 #include "apps/common/run_program.h"
-#include "apps/peers/peers.h"
-#include "apps/referees/specialised_backend.h"
 #include "engine/numeric/errors.h"
 
 namespace vex {
 namespace {
-
-// The engine's own first, then the peers, and the tests made for one kind of pair.
-std::vector<BackendKind> every_backend() {
-  std::vector<BackendKind> kinds = all_backends();
-  kinds.push_back(specialised_backend());
-  return kinds;
-}
-
-// `ccd` means `ccd-mpr`. Throws UsageError where there is no such backend, or this build was made without it.
-BackendKind backend_named(const std::string& word) {
-  const std::string name = word == "ccd" ? "ccd-mpr" : word;
-  std::string choices;
-  for (BackendKind& kind : every_backend()) {
-    if (kind.name == name) return std::move(kind);
-    choices += (choices.empty() ? "" : ", ") + kind.name;
-  }
-  for (const PeerName& peer : kPeerNames) {
-    if (peer.name == name) {
-      throw UsageError("this build is without " + name + " (" + word + " for --backend) - build it with -D" +
-                       std::string(peer.build_option) + "=ON");
-    }
-  }
-  throw UsageError("not a choice (\"" + word + "\" for --backend) - there are " + choices);
-}
 
 std::string estimators_help() {
   std::string text;

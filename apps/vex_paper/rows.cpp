@@ -8,7 +8,7 @@
 #include "apps/common/orientations.h"
 #include "apps/referees/exact_referee.h"
 #include "apps/referees/specialised_backend.h"
-#include "apps/vex_paper/wrong_tests.h"
+#include "apps/referees/wrong_tests.h"
 #include "engine/sampling/poses/fitted_domain.h"
 #include "shapes/estimators/exact_average.h"
 #include "shapes/formula.h"

@@ -56,9 +56,9 @@ void ask_any(Scene& scene, Findings& found) {
   found.counts = found.answer.counts;
 }
 
-void ask_clusters(Scene& scene, Findings& found) {
+void ask_clusters(Scene& scene, double distance, Findings& found) {
   Clusters clusters;
-  scene.clusters(clusters);
+  scene.clusters(clusters, distance);
   merge_undecided(scene, clusters.undecided, found);
   found.counts = clusters.counts;
   found.labels = clusters.labels();
@@ -113,7 +113,7 @@ Findings ask(Scene& scene, SceneQuery query, double distance) {
     case SceneQuery::pairs: ask_pairs(scene, true, found); break;
     case SceneQuery::within: ask_within(scene, distance, found); break;
     case SceneQuery::any: ask_any(scene, found); break;
-    case SceneQuery::clusters: ask_clusters(scene, found); break;
+    case SceneQuery::clusters: ask_clusters(scene, distance, found); break;
     case SceneQuery::counts: ask_pairs(scene, false, found); break;
   }
   found.query_seconds = seconds_since(start);

@@ -61,6 +61,7 @@ std::vector<LoadedBody> load_bodies(const SceneInput& scene, const SceneOptions&
     bodies.push_back(naming_the_line(
         scene, shape, [&] { return load_body(shape.text, body_options); }, meant_name(shape.text, options)));
   }
+  require_one_unit(bodies, body_options);
   return bodies;
 }
 

@@ -13,14 +13,15 @@
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
 #include "apps/common/run_program.h"
+#include "apps/common/scene_gltf.h"
+#include "apps/common/status_line.h"
 #include "apps/vex_scene/beside.h"
+#include "apps/vex_scene/body_colours.h"
 #include "apps/vex_scene/random_scene.h"
 #include "apps/vex_scene/report.h"
 #include "apps/vex_scene/rows.h"
 #include "apps/vex_scene/scene_file.h"
-#include "apps/vex_scene/scene_gltf.h"
 #include "apps/vex_scene/stage_picture.h"
-#include "apps/vex_scene/status_line.h"
 #include "engine/numeric/errors.h"
 
 namespace vex {
@@ -174,6 +175,12 @@ Outputs outputs_before_reading(const SceneOptions& options, std::string& undone)
   return outputs;
 }
 
+std::string gltf_text(const SceneRun& run, const Scene& scene) {
+  std::vector<std::string> names;
+  for (const LoadedBody& body : run.bodies) names.push_back(body.source);
+  return scene_gltf(scene, names, body_colours(run.options.query, run.found, scene.end()));
+}
+
 int run_vex_scene(const SceneCommandLine& words, const std::string& command) {
   const Clock::time_point start = Clock::now();
   SceneRun run;
@@ -221,7 +228,7 @@ int run_vex_scene(const SceneCommandLine& words, const std::string& command) {
     }
   }
   pieces.write(outputs.save, [&] { return scene_file_text(*input); });
-  pieces.write(outputs.gltf, [&] { return scene_gltf(run, *scene); });
+  pieces.write(outputs.gltf, [&] { return gltf_text(run, *scene); });
   pieces.write(outputs.svg, [&] { return stage_picture(run); });
   if (outputs.json) outputs.json->write(report_json(run));
   const int signal = interrupting_signal().load();

@@ -7,6 +7,7 @@
 #include "apps/common/instruction_sets.h"
 #include "apps/common/numbers.h"
 #include "apps/common/pose_numbers.h"
+#include "apps/common/scene_gltf.h"
 #include "apps/vex_scene/scene_file.h"
 #include "engine/numeric/errors.h"
 
@@ -45,9 +46,9 @@ double distance_of(const SceneCommandLine& words, SceneQuery query) {
     throw UsageError("not given (--query within) - add --distance D");
   }
   if (words.distance.empty()) return 0.0;
-  if (query != SceneQuery::within) {
-    throw UsageError("a distance goes with --query within (--distance with --query " + std::string(name_of(query)) +
-                     ") - add --query within, or leave it out");
+  if (query != SceneQuery::within && query != SceneQuery::clusters) {
+    throw UsageError("a distance goes with --query within or clusters (--distance with --query " +
+                     std::string(name_of(query)) + ") - add --query within, or leave it out");
   }
   const double distance = pose_number(words.distance, "--distance");
   if (distance < 0.0) throw UsageError("a distance below 0 (" + words.distance + " for --distance) - give 0 or more");
@@ -112,13 +113,6 @@ void require_one_standard_output(const SceneCommandLine& words, SceneQuery query
   }
 }
 
-void require_glb(const std::string& path) {
-  std::string end = path.size() < 4 ? "" : path.substr(path.size() - 4);
-  std::ranges::transform(end, end.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
-  if (path.empty() || end == ".glb") return;
-  throw UsageError("not the name of a binary glTF file (" + path + " for --gltf) - let it end in .glb");
-}
-
 void declare_scene(OptionParser& options, SceneCommandLine& words) {
   options
       .add_option("FILE", words.file,
@@ -158,7 +152,11 @@ void declare_query(OptionParser& options, SceneCommandLine& words) {
                   "pairs overlap, without listing them)")
       .type_name("NAME")
       .group(query);
-  options.add_option("--distance", words.distance, "For --query within: the largest, 0 or more")
+  options
+      .add_option(
+          "--distance", words.distance,
+          "For --query within: the largest, 0 or more. For clusters: bodies are connected that are no farther apart "
+          "(default 0)")
       .type_name("D")
       .group(query);
   options
@@ -225,7 +223,7 @@ SceneOptions interpret(const SceneCommandLine& words) {
   static_cast<CommonOptions&>(options) = interpret_common(words);
   options.query = query_named(or_default(words.query, "pairs"));
   require_one_standard_output(words, options.query);
-  require_glb(words.gltf);
+  require_glb_name(words.gltf, "--gltf");
   options.file = words.file;
   options.named_bodies = named_bodies_of(words.named_bodies);
   if (!words.random.empty()) {

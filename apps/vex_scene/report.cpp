@@ -38,6 +38,7 @@ std::string pair_text(const ScenePair& pair) {
 std::string clusters_text(const SceneRun& run) {
   const Findings& found = run.found;
   std::string text = plural(found.clusters.size(), "cluster", "clusters");
+  if (run.options.distance > 0.0) text += " of bodies within " + shortest_number(run.options.distance);
   if (found.clusters.empty()) return text;
   const FoundCluster& largest = found.clusters[found.largest_cluster];
   text += "; the largest is cluster " + std::to_string(largest.label) + ", of " +

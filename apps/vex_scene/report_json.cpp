@@ -119,7 +119,8 @@ std::string report_json(const SceneRun& run) {
   if (run.is_loaded) json["bodies"] = run.n_bodies;
   json["box"] = box_json(run.box);
   json["query"] = name_of(run.options.query);
-  if (run.options.query == SceneQuery::within) json["distance"] = run.options.distance;
+  if (run.options.query == SceneQuery::within || run.options.query == SceneQuery::clusters)
+    json["distance"] = run.options.distance;
   json["broad_phase"] = name_of(run.options.settings.broad_phase);
   json["isa"] = name_of(run.options.settings.instruction_set);
   add_answer(json, run);

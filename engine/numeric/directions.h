@@ -5,6 +5,9 @@
 
 namespace vex {
 
+/// Where a search may begin in any direction.
+inline constexpr Vec3d kAnyUnitVector{0.6, 0.0, 0.8};
+
 /// dir / |dir|, of any length but 0, to within 4 u.
 template <class L>
 Vec3<L> unit_along(const Vec3<L>& dir) {

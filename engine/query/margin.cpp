@@ -1,17 +1,14 @@
 #include "engine/query/margin.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/numeric/double_double.h"
+#include "engine/numeric/interval.h"
 #include "engine/query/overlap.h"
 #include "engine/query/separation.h"
 
 namespace vex {
 namespace {
-
-double below(double value) { return std::nextafter(value, -HUGE_VAL); }
-double above(double value) { return std::nextafter(value, HUGE_VAL); }
 
 WidenedPair widened(const ConvexBody& a, const ConvexBody& b, bool is_a, double margin) {
   WidenedPair pair{a, b, margin, margin};
@@ -20,8 +17,8 @@ WidenedPair widened(const ConvexBody& a, const ConvexBody& b, bool is_a, double 
   wider = with_margin(wider, margin);
   if (low == 0.0) return pair;
   // A support mapping adds the margin to the ball's point, the exact stage to its radius, which then is off by -low.
-  pair.least = below(margin - std::max(0.0, low));
-  pair.most = above(margin - std::min(0.0, low));
+  pair.least = next_below(margin - std::max(0.0, low));
+  pair.most = next_above(margin - std::min(0.0, low));
   return pair;
 }
 
@@ -30,18 +27,18 @@ WidenedPair widened(const ConvexBody& a, const ConvexBody& b, bool is_a, double 
 double margin_rounded_down(double radius, double margin) {
   const DoubleDouble sum = two_sum(radius, margin);
   if (sum.low >= 0.0) return margin;
-  const double target = below(sum.high);
+  const double target = next_below(sum.high);
   double result = std::max(0.0, target - radius);
-  while (radius + result > target) result = below(result);
+  while (radius + result > target) result = next_below(result);
   return std::min(result, margin);
 }
 
 double margin_rounded_up(double radius, double margin) {
   const DoubleDouble sum = two_sum(radius, margin);
   if (sum.low <= 0.0) return margin;
-  const double target = above(sum.high);
+  const double target = next_above(sum.high);
   double result = target - radius;
-  while (radius + result < target) result = above(result);
+  while (radius + result < target) result = next_above(result);
   return std::max(result, margin);
 }
 

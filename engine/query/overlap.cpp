@@ -14,8 +14,7 @@ namespace {
 // What the filter leaves open goes to the exact forms. `witnesses`: null, or what receives those of an overlap, of one
 // that the filter has proven too.
 OverlapAnswer decide(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, int max_support_calls,
-                     OverlapCertificate* witnesses) {
-  const FilterResult filtered = filter_overlap(a, b, a_from_b, max_support_calls);
+                     const FilterResult& filtered, OverlapCertificate* witnesses) {
   OverlapAnswer answer{filtered.verdict, filtered.n_support_calls, filtered.separating_dir};
   const bool is_open = answer.verdict.outcome == Outcome::undecided;
   if (!is_open && !(answer.verdict.outcome == Outcome::overlap && witnesses != nullptr)) return answer;
@@ -50,9 +49,14 @@ OverlapAnswer decide(const ConvexBody& a, const ConvexBody& b, const Transformd&
 
 Verdict overlap(const ConvexBody& a, const ConvexBody& b, const Pose& pose, OverlapCertificate* certificate,
                 int max_support_calls) {
-  if (certificate == nullptr) return overlap_answer(a, b, pose, max_support_calls).verdict;
+  const FilterResult filtered = filter_overlap(a, b, pose.a_from_b(), max_support_calls);
+  if (certificate == nullptr) {
+    // Nearly all pairs end here, and nothing is made for them but the verdict.
+    if (filtered.verdict.outcome != Outcome::undecided) return filtered.verdict;
+    return decide(a, b, pose.a_from_b(), max_support_calls, filtered, nullptr).verdict;
+  }
   *certificate = {};
-  const OverlapAnswer answer = decide(a, b, pose.a_from_b(), max_support_calls, certificate);
+  const OverlapAnswer answer = decide(a, b, pose.a_from_b(), max_support_calls, filtered, certificate);
   certificate->separating_dir = answer.separating_dir;
   certificate->separating_dir_low = answer.separating_dir_low;
   certificate->gap_lower = answer.gap_lower;
@@ -62,7 +66,8 @@ Verdict overlap(const ConvexBody& a, const ConvexBody& b, const Pose& pose, Over
 }
 
 OverlapAnswer overlap_answer(const ConvexBody& a, const ConvexBody& b, const Pose& pose, int max_support_calls) {
-  return decide(a, b, pose.a_from_b(), max_support_calls, nullptr);
+  const FilterResult filtered = filter_overlap(a, b, pose.a_from_b(), max_support_calls);
+  return decide(a, b, pose.a_from_b(), max_support_calls, filtered, nullptr);
 }
 
 CertificateCheck prove_again(const ConvexBody& a, const ConvexBody& b, const Pose& pose, Outcome claimed) {

@@ -27,7 +27,8 @@ class GjkBackend final : public OverlapBackend {
     }
     for (std::size_t first = 0; first < a_from_b.size(); first += PacketOverlap::kMostTrials) {
       const std::size_t n = std::min(PacketOverlap::kMostTrials, a_from_b.size() - first);
-      for (std::size_t k = 0; k < n; ++k) set_pose(columns_[0], PacketOverlap::kStride, k, a_from_b[first + k].a_from_b());
+      for (std::size_t k = 0; k < n; ++k)
+        set_pose(columns_[0], PacketOverlap::kStride, k, a_from_b[first + k].a_from_b());
       decide_table({columns_[0], PacketOverlap::kStride, n}, verdicts.subspan(first, n));
     }
   }

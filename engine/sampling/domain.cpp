@@ -4,6 +4,7 @@
 #include <array>
 #include <numbers>
 
+#include "engine/numeric/interval.h"
 #include "engine/numeric/rounding.h"
 
 namespace vex {
@@ -13,15 +14,10 @@ namespace {
 // and their volume is computed after widening, so that the estimate stays what it says.
 constexpr double kWidening = 1.0 + 0x1p-40;
 
-// Half the width of A along one axis and the middle between its two support values.
-struct Interval {
-  double middle, half_width;
-};
-
-Interval extent_along(const ConvexBody& body, const Vec3d& unit_axis) {
+Interval<double> extent_along(const ConvexBody& body, const Vec3d& unit_axis) {
   const double upper = dot(unit_axis, body.support(unit_axis)) + body.support_error();
   const double lower = dot(unit_axis, body.support(-unit_axis)) - body.support_error();
-  return {0.5 * (upper + lower), 0.5 * (upper - lower)};
+  return {lower, upper};
 }
 
 }  // namespace
@@ -38,13 +34,13 @@ Domain ball_domain(const ConvexBody& a, const ConvexBody& b) {
 Domain box_domain(const ConvexBody& a, const ConvexBody& b) {
   Domain domain;
   domain.kind = Domain::Kind::box;
-  const Interval x = extent_along(a, {1.0, 0.0, 0.0});
-  const Interval y = extent_along(a, {0.0, 1.0, 0.0});
-  const Interval z = extent_along(a, {0.0, 0.0, 1.0});
+  const Interval<double> x = extent_along(a, {1.0, 0.0, 0.0});
+  const Interval<double> y = extent_along(a, {0.0, 1.0, 0.0});
+  const Interval<double> z = extent_along(a, {0.0, 0.0, 1.0});
   const double margin = b.circumradius() + 8.0 * kUnitRoundoff * a.reach();
-  domain.middle = {x.middle, y.middle, z.middle};
-  domain.half_extent = {(x.half_width + margin) * kWidening, (y.half_width + margin) * kWidening,
-                        (z.half_width + margin) * kWidening};
+  domain.middle = {x.middle(), y.middle(), z.middle()};
+  domain.half_extent = {(x.half_width() + margin) * kWidening, (y.half_width() + margin) * kWidening,
+                        (z.half_width() + margin) * kWidening};
   domain.volume = 8.0 * (domain.half_extent.x * domain.half_extent.y * domain.half_extent.z);
   return domain;
 }

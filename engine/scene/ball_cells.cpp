@@ -57,16 +57,28 @@ void BallCells::build(const SceneBodies& bodies, double reach, double farthest) 
   farthest_ = 2.0 * std::fmax(farthest_, farthest);
   layout_ = CellLayout::make(bodies.box(), bodies.box() ? bounds : bounds_of_most(bodies, bounds), farthest_, reach,
                              bodies.size());
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    stencils_[axis].clear();
+    for (int at = 0; at < layout_.n_cells[axis]; ++at) {
+      for (int by = -layout_.stencil[axis]; by <= layout_.stencil[axis]; ++by) {
+        stencils_[axis].push_back(layout_.moved(axis, at, by));
+      }
+    }
+  }
   shifts_ = ShiftTable(layout_.box, layout_.n_images);
   shift_error_ = 0x1p-46 * 3.0 * shifts_.largest_shift();
+  clear();
+  for (BodyId body = 0; body < bodies.end(); ++body) {
+    if (bodies.has(body)) add(bodies, body);
+  }
+}
+
+void BallCells::clear() {
   blocks_.assign(layout_.size(), empty_block());
   n_.assign(blocks_.size(), 0);
   after_.assign(blocks_.size(), kNone);
   free_.clear();
-  seats_.assign(bodies.end(), {});
-  for (BodyId body = 0; body < bodies.end(); ++body) {
-    if (bodies.has(body)) add(bodies, body);
-  }
+  seats_.clear();
 }
 
 bool BallCells::takes(const SceneBodies& bodies, BodyId body) const {
@@ -140,14 +152,6 @@ void BallCells::remove(BodyId body) {
   for (std::uint32_t lane = 0; lane < n_[first]; ++lane) seats_[blocks_[first].body[lane]] = {first, lane};
   n_[next] = 0;
   free_.push_back(next);
-}
-
-void BallCells::axis(std::size_t axis, int at, std::vector<CellLayout::Moved>& moved) const {
-  moved.clear();
-  for (int by = -layout_.stencil[axis]; by <= layout_.stencil[axis]; ++by) {
-    const CellLayout::Moved to = layout_.moved(axis, at, by);
-    if (to.is_any) moved.push_back(to);
-  }
 }
 
 }  // namespace vex

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/scene/cell_layout.h"
@@ -24,6 +25,8 @@ class BallCells {
   const ShiftTable& shifts() const { return shifts_; }
 
   void add(const SceneBodies& bodies, BodyId body);
+  /// There are no bodies; the cells stay.
+  void clear();
   void remove(BodyId body);
   /// Whether the cells are large enough for the body, and for what rounding does where it is. Else where it is does not
   /// matter: in open space the outermost cells hold what is beyond them, since no two points are farther apart there
@@ -42,11 +45,15 @@ class BallCells {
   struct Seat {
     std::uint32_t block = kNone, lane = 0;
   };
-  // Of one axis: the cells of the stencil about a cell, and their images.
-  void axis(std::size_t axis, int at, std::vector<CellLayout::Moved>& moved) const;
+  // Of one axis: the cells about a cell, and their images.
+  std::span<const CellLayout::Moved> stencil(std::size_t axis, int at) const {
+    const std::size_t width = 2 * static_cast<std::size_t>(layout_.stencil[axis]) + 1;
+    return std::span(stencils_[axis]).subspan(static_cast<std::size_t>(at) * width, width);
+  }
   void take_seat(std::uint32_t block, BodyId body, const Vec3d& centre, double radius);
 
   CellLayout layout_;
+  std::array<std::vector<CellLayout::Moved>, 3> stencils_;  // of all cells along an axis
   ShiftTable shifts_;
   double reach_ = 0.0, farthest_ = 0.0, shift_error_ = 0.0;
   std::vector<BallBlock> blocks_;         // the first of each cell, then others
@@ -58,11 +65,9 @@ class BallCells {
 template <class Take>
 void BallCells::near(const SceneKernel& kernel, std::uint64_t place, const Vec3d& centre, double radius,
                      NearPairs& near, Take&& take) const {
-  thread_local std::vector<CellLayout::Moved> xs, ys, zs;
   const std::array<int, 3> own = layout_.coordinates(centre);
-  axis(0, own[0], xs);
-  axis(1, own[1], ys);
-  axis(2, own[2], zs);
+  const std::span<const CellLayout::Moved> xs = stencil(0, own[0]), ys = stencil(1, own[1]), zs = stencil(2, own[2]);
+  const std::array<int, 3>& n_images = shifts_.n_images();
   std::array<BallBlockAt, kMostAtOnce> at;
   BallQuery query{at.data(), 0, place, centre, radius + 0x1p-46 * norm_1(centre)};
   const auto ask = [&] {
@@ -71,11 +76,16 @@ void BallCells::near(const SceneKernel& kernel, std::uint64_t place, const Vec3d
     if (near.n >= NearPairs::kMost) take();
   };
   for (const CellLayout::Moved& z : zs) {
+    if (!z.is_any) continue;
     for (const CellLayout::Moved& y : ys) {
+      if (!y.is_any) continue;
+      const std::uint32_t row = layout_.number({0, y.cell, z.cell});
+      const std::uint32_t shift_of_row = shifts_.number({-n_images[0], y.image, z.image});
       for (const CellLayout::Moved& x : xs) {
-        std::uint32_t block = layout_.number({x.cell, y.cell, z.cell});
+        if (!x.is_any) continue;
+        std::uint32_t block = row + static_cast<std::uint32_t>(x.cell);
         if (n_[block] == 0) continue;
-        const std::uint32_t shift = shifts_.number({x.image, y.image, z.image});
+        const std::uint32_t shift = shift_of_row + static_cast<std::uint32_t>(x.image + n_images[0]);
         for (; block != kNone; block = after_[block]) {
           near.n_seen += n_[block];
           at[query.n++] = {&blocks_[block], shift, shifts_.shift(shift)};

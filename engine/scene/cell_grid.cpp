@@ -1,6 +1,8 @@
 #include "engine/scene/cell_grid.h"
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
 #include "engine/scene/threads.h"
 
@@ -20,48 +22,64 @@ void CellGrid::build(const SceneBodies& bodies, double reach, int n_threads) {
   cut_into_parts();
 }
 
-// Counting sort; bodies of a cell in the order of their numbers.
+// Counting sort; bodies of a cell in the order of their numbers. First into buckets of neighbouring cells, then within
+// each: what is counted and written at once stays in a core's own cache, however many cells there are.
 void CellGrid::sort(const SceneBodies& bodies, int n_threads) {
   const std::size_t n_cells = layout_.size(), n = bodies.end();
+  const std::size_t n_buckets = (n_cells - 1) / kCellsABucket + 1;
   constexpr std::uint32_t kNone = ~std::uint32_t{0};
   cell_of_.resize(n);
-  counts_.assign(n_cells * static_cast<std::size_t>(n_threads), 0);
+  counts_.assign(n_buckets * static_cast<std::size_t>(n_threads), 0);
   on_threads(n_threads, [&](int thread) {
-    std::uint32_t* const counts = counts_.data() + n_cells * static_cast<std::size_t>(thread);
+    std::uint32_t* const counts = counts_.data() + n_buckets * static_cast<std::size_t>(thread);
+    const CellLayout layout = layout_;
     const Part part = part_of(n, thread, n_threads);
     for (std::size_t k = part.first; k < part.end; ++k) {
       const BodyId body = static_cast<BodyId>(k);
-      cell_of_[k] = bodies.has(body) ? layout_.number(layout_.coordinates(bodies.centre(body))) : kNone;
-      if (cell_of_[k] != kNone) ++counts[cell_of_[k]];
+      const bool is_there = bodies.has(body);
+      const std::uint32_t cell = is_there ? layout.number(layout.coordinates(bodies.centre(body))) : kNone;
+      cell_of_[k] = cell;
+      if (is_there) ++counts[cell / kCellsABucket];
     }
   });
-  starts_.resize(n_cells + 1);
+  bucket_ends_.resize(n_buckets);
   std::uint32_t sum = 0;
-  for (std::size_t cell = 0; cell < n_cells; ++cell) {
-    starts_[cell] = sum;
+  for (std::size_t bucket = 0; bucket < n_buckets; ++bucket) {
     for (int thread = 0; thread < n_threads; ++thread) {
-      std::uint32_t& count = counts_[n_cells * static_cast<std::size_t>(thread) + cell];
+      std::uint32_t& count = counts_[n_buckets * static_cast<std::size_t>(thread) + bucket];
       const std::uint32_t here = count;
       count = sum;  // from now on the next place of this thread's bodies
       sum += here;
     }
+    bucket_ends_[bucket] = sum;
   }
-  starts_[n_cells] = sum;
-  order_.resize(sum);
+  in_buckets_.resize(sum);
   on_threads(n_threads, [&](int thread) {
-    std::uint32_t* const next = counts_.data() + n_cells * static_cast<std::size_t>(thread);
+    std::uint32_t* const next = counts_.data() + n_buckets * static_cast<std::size_t>(thread);
     const Part part = part_of(n, thread, n_threads);
     for (std::size_t k = part.first; k < part.end; ++k) {
-      // Cells are read long before they are needed, and so are the places that they tell.
-      if (k + 2 * kAhead < part.end && cell_of_[k + 2 * kAhead] != kNone) {
-        __builtin_prefetch(next + cell_of_[k + 2 * kAhead], 1);
-      }
-      if (k + kAhead < part.end && cell_of_[k + kAhead] != kNone) {
-        __builtin_prefetch(order_.data() + next[cell_of_[k + kAhead]], 1);
-      }
-      if (cell_of_[k] != kNone) order_[next[cell_of_[k]]++] = static_cast<BodyId>(k);
+      const std::uint32_t cell = cell_of_[k];
+      if (cell != kNone) in_buckets_[next[cell / kCellsABucket]++] = {cell, static_cast<BodyId>(k)};
     }
   });
+  starts_.resize(n_cells + 1);
+  starts_[n_cells] = sum;
+  order_.resize(sum);
+  share_parts(n_threads, n_buckets, [&](std::size_t bucket) { sort_bucket(bucket); });
+}
+
+void CellGrid::sort_bucket(std::size_t bucket) {
+  const std::size_t first_cell = bucket * kCellsABucket, n = std::min(kCellsABucket, layout_.size() - first_cell);
+  const std::uint32_t first = bucket == 0 ? 0 : bucket_ends_[bucket - 1];
+  const std::span<const BodyInCell> here(in_buckets_.data() + first, bucket_ends_[bucket] - first);
+  std::uint32_t next[kCellsABucket] = {};
+  for (const BodyInCell& one : here) ++next[one.cell - first_cell];
+  std::uint32_t sum = first;
+  for (std::size_t k = 0; k < n; ++k) {
+    starts_[first_cell + k] = sum;
+    sum += std::exchange(next[k], sum);
+  }
+  for (const BodyInCell& one : here) order_[next[one.cell - first_cell]++] = one.body;
 }
 
 void CellGrid::cut_into_parts() {
@@ -94,19 +112,18 @@ void CellGrid::rows_of(int y, int z, std::vector<Row>& rows) const {
   }
 }
 
+// The row's own cell and those behind it are one range: each body looks behind itself.
+void CellGrid::begin_inner_ranges(const std::vector<Row>& rows, std::vector<NearRange>& ranges) {
+  ranges.clear();
+  for (const Row& row : rows) ranges.push_back({0, 0, row.shift, row.by, row.is_own});
+}
+
 void CellGrid::ranges_of(int x, const std::vector<Row>& rows, std::vector<NearRange>& ranges) const {
   ranges.clear();
-  const int n_x = layout_.n_cells[0], m_x = layout_.stencil[0];
-  const bool is_inside = x - m_x >= 0 && x + m_x < n_x;
-  const std::size_t at = static_cast<std::size_t>(x), reach = static_cast<std::size_t>(m_x);
   for (const Row& row : rows) {
-    const std::size_t cell = row.start + at;
+    const std::size_t cell = row.start + static_cast<std::size_t>(x);
     if (row.is_own) ranges.push_back({starts_[cell], starts_[cell + 1], row.shift, {}, true});
-    if (is_inside) {
-      add_cells(row.is_own ? cell + 1 : cell - reach, cell + reach + 1, row.shift, row.by, ranges);
-    } else {
-      add_copies(x, row, ranges);
-    }
+    add_copies(x, row, ranges);
   }
 }
 

@@ -40,11 +40,28 @@ class CellGrid {
     bool is_own;
   };
 
+  struct BodyInCell {
+    std::uint32_t cell;
+    BodyId body;
+  };
+  static constexpr std::size_t kCellsABucket = 4096;
+
   void sort(const SceneBodies& bodies, int n_threads);
+  void sort_bucket(std::size_t bucket);
   void cut_into_parts();
   void rows_of(int y, int z, std::vector<Row>& rows) const;
-  // Ranges of bodies that the ones of a cell are to be compared with.
+  // Ranges of bodies that the ones of a cell are to be compared with: of any cell; and of one
+  // whose neighbours in the row are no copies, begun once a row.
   void ranges_of(int x, const std::vector<Row>& rows, std::vector<NearRange>& ranges) const;
+  static void begin_inner_ranges(const std::vector<Row>& rows, std::vector<NearRange>& ranges);
+  void move_inner_ranges(std::size_t x, const std::vector<Row>& rows, std::vector<NearRange>& ranges) const {
+    const std::size_t reach = static_cast<std::size_t>(layout_.stencil[0]);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const std::size_t cell = rows[k].start + x;
+      ranges[k].first = starts_[rows[k].is_own ? cell : cell - reach];
+      ranges[k].end = starts_[cell + reach + 1];
+    }
+  }
   void add_copies(int x, const Row& row, std::vector<NearRange>& ranges) const;
   void add_cells(std::size_t first_cell, std::size_t end_cell, std::uint32_t shift, const Vec3d& by,
                  std::vector<NearRange>& ranges) const {
@@ -56,9 +73,11 @@ class CellGrid {
   CellLayout layout_;
   SortedBodies sorted_;
   ShiftTable shifts_;
-  std::vector<std::uint32_t> starts_;  // of each cell, and the end
-  std::vector<std::uint32_t> cell_of_, counts_;
-  std::vector<BodyId> order_;
+  LargeVector<std::uint32_t> starts_;  // of each cell, and the end
+  LargeVector<std::uint32_t> cell_of_;
+  std::vector<std::uint32_t> counts_, bucket_ends_;
+  LargeVector<BodyInCell> in_buckets_;
+  LargeVector<BodyId> order_;
   std::vector<std::size_t> part_ends_;  // rows of cells
 };
 
@@ -66,17 +85,25 @@ template <class Take>
 bool CellGrid::find_near(std::size_t part, const SceneKernel& kernel, NearPairs& near, Take&& take) const {
   const std::size_t first_row = part == 0 ? 0 : part_ends_[part - 1];
   const std::size_t n_x = static_cast<std::size_t>(layout_.n_cells[0]),
-                    n_y = static_cast<std::size_t>(layout_.n_cells[1]);
+                    n_y = static_cast<std::size_t>(layout_.n_cells[1]),
+                    reach = static_cast<std::size_t>(layout_.stencil[0]);
   thread_local std::vector<Row> rows;  // memory that a thread keeps
-  thread_local std::vector<NearRange> ranges;
+  thread_local std::vector<NearRange> inner_ranges, outer_ranges;
   NearQuery query{sorted_.x.data(), sorted_.y.data(), sorted_.z.data(), sorted_.radius.data(), 0, 0, nullptr, 0};
   for (std::size_t row = first_row; row < part_ends_[part]; ++row) {
     if (starts_[row * n_x] == starts_[(row + 1) * n_x]) continue;
     rows_of(static_cast<int>(row % n_y), static_cast<int>(row / n_y), rows);
+    begin_inner_ranges(rows, inner_ranges);
     for (std::size_t cx = 0; cx < n_x; ++cx) {
       const std::uint64_t first = starts_[row * n_x + cx], end = starts_[row * n_x + cx + 1];
       if (first == end) continue;
-      ranges_of(static_cast<int>(cx), rows, ranges);
+      const bool is_inner = cx >= reach && cx + reach < n_x;
+      const std::vector<NearRange>& ranges = is_inner ? inner_ranges : outer_ranges;
+      if (is_inner) {
+        move_inner_ranges(cx, rows, inner_ranges);
+      } else {
+        ranges_of(static_cast<int>(cx), rows, outer_ranges);
+      }
       std::uint64_t n_against = 0;
       for (const NearRange& range : ranges) n_against += range.end - range.first;
       if ((end - first) * n_against <= NearPairs::kMost) {

@@ -47,4 +47,20 @@ struct CellLayout {
   Moved moved(std::size_t axis, int at, int by) const;
 };
 
+inline std::array<int, 3> CellLayout::coordinates(const Vec3d& centre) const {
+  Vec3d at;
+  if (box) {
+    // PeriodicBox::fractional, times the numbers of cells, without a division.
+    const double y = centre.y - centre.z * box->yz();
+    const double x = centre.x - y * box->xy() - centre.z * box->xz();
+    at = {x * cells_a_unit.x + 0.5 * n_cells[0], y * cells_a_unit.y + 0.5 * n_cells[1],
+          centre.z * cells_a_unit.z + 0.5 * n_cells[2]};
+  } else {
+    const Vec3d from = centre - origin;
+    at = {from.x * cells_a_unit.x, from.y * cells_a_unit.y, from.z * cells_a_unit.z};
+  }
+  const auto cell = [](double x, int n) { return x > 0.0 ? (x < n ? static_cast<int>(x) : n - 1) : 0; };
+  return {cell(at.x, n_cells[0]), cell(at.y, n_cells[1]), cell(at.z, n_cells[2])};
+}
+
 }  // namespace vex

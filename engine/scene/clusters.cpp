@@ -16,6 +16,7 @@ void Clusters::reset(std::size_t n) {
   size_.assign(n, 1);
   wraps_.assign(n, 0);
   n_clusters_ = n;
+  any_wraps_ = false;
   undecided.clear();
   counts = {};
 }
@@ -72,6 +73,7 @@ Clusters::Joined Clusters::join(BodyId a, BodyId b, const ImageOffset& image) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (between[k] != 0) wraps_[root_a] = static_cast<std::uint8_t>(wraps_[root_a] | (1u << k));
     }
+    any_wraps_ = true;
     return Joined::wrapped;
   }
   --n_clusters_;

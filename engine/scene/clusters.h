@@ -57,6 +57,9 @@ class Clusters {
   /// it.
   std::array<bool, 3> wraps(BodyId body);
 
+  /// Whether any cluster does.
+  bool any_wraps() const { return any_wraps_; }
+
   std::size_t n_clusters() const { return n_clusters_; }
   std::uint32_t largest() const;
   /// Of each body the number of its cluster, from 0 on in the order of their lowest bodies; kNoCluster of what is left
@@ -82,6 +85,7 @@ class Clusters {
   std::vector<BodyId> path_, lowest_, roots_;  // of find; of root_at_lowest
   std::vector<ImageOffset> offset_of_lowest_;
   std::size_t n_clusters_ = 0;
+  bool any_wraps_ = false;
 };
 
 }  // namespace vex

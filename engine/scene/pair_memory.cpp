@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/numeric/interval.h"
 #include "engine/scene/threads.h"
 
 namespace vex {
@@ -27,8 +28,8 @@ void PairMemory::build(SceneBodies& bodies, const BroadPhases& phases, const Sce
   const bool is_like_before = is_there_ && skin == skin_ && n_images == shifts_.n_images() && bodies.is_tracked();
   if (!is_like_before) shifts_ = ShiftTable(bodies.box(), n_images);
   const double coordinates = 2.0 * bodies.largest_distance() + 3.0 * shifts_.largest_shift();
-  const double rounding =
-      0x1p-45 * (coordinates + 2.0 * bodies.largest_radius() + skin) + 0x1p-17 * bodies.largest_offset();
+  const double rounding = 0x1p-45 * (coordinates + 2.0 * bodies.largest_radius() + skin) +
+                          0x1p-17 * bodies.largest_offset() + 0x1p-19 * bodies.largest_ball();
   // Of what was kept with much less rounding in mind nothing is true for sure any more.
   const bool keeps_old = is_like_before && rounding <= 2.0 * rounding_;
   if (!keeps_old) rounding_ = rounding;
@@ -85,13 +86,27 @@ void PairMemory::list(bool keeps_old) {
   for (const Listed& pair : listed_) {
     while (at != known_before_.end() && Listed{at->a, at->b, at->shift} < pair) ++at;
     const bool is_known = at != known_before_.end() && Listed{at->a, at->b, at->shift} == pair;
-    // The shift of a body that has crossed a face leads to another copy now. What is known is about the way from centre
-    // to centre, whichever copy that leads to.
     if (is_known) {
       known_.push_back(*at);
+      carry_over(known_.back());
     } else {
       known_.push_back({pair.a, pair.b, pair.shift, Known::Kind::nothing, {}, 0.0});
     }
+  }
+}
+
+// Into the tracks that begin now, where nothing has turned and nothing has crossed a face yet. The shift of a body that
+// had crossed one leads to another copy there. A clearance is about the way from centre to centre, whichever copy that
+// leads to; what is known of a pair at rest is about one copy. Limits are rounded to the safe side, however often.
+void PairMemory::carry_over(Known& known) const {
+  switch (known.kind) {
+    case Known::Kind::apart: known.limit = next_above(known.limit + turned(known)); break;
+    case Known::Kind::overlap: known.limit = next_below(known.limit - turned(known)); break;
+    case Known::Kind::apart_at_rest:
+    case Known::Kind::overlap_at_rest:
+      if (bodies_->track_of(known.a).crossed != bodies_->track_of(known.b).crossed) known.kind = Known::Kind::nothing;
+      break;
+    case Known::Kind::nothing: break;
   }
 }
 

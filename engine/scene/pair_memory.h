@@ -61,6 +61,7 @@ class PairMemory final : public PairKeeper {
   };
   void find_pairs_within_skin(const BroadPhases& phases, const SceneKernel& kernel, int n_threads);
   void list(bool keeps_old);
+  void carry_over(Known& known) const;
   // From a's centre to that of b's copy.
   Vec3d way(const Known& known) const;
   double turned(const Known& known) const;

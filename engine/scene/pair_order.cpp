@@ -1,6 +1,7 @@
 #include "engine/scene/pair_order.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/scene/threads.h"
 
@@ -9,10 +10,44 @@ namespace {
 
 // Below this many pairs a comparison sort is as fast.
 constexpr std::size_t kFew = 4096;
+constexpr std::size_t kBodiesABucket = 4096;
+
+// Pairs of one body.
+void sort_run(std::span<ScenePair> pairs) {
+  if (pairs.size() > 16) {
+    std::sort(pairs.begin(), pairs.end());
+    return;
+  }
+  for (std::size_t k = 1; k < pairs.size(); ++k) {
+    const ScenePair pair = pairs[k];
+    std::size_t to = k;
+    for (; to > 0 && pair < pairs[to - 1]; --to) pairs[to] = pairs[to - 1];
+    pairs[to] = pair;
+  }
+}
+
+// Pairs whose first bodies are `first` and the next kBodiesABucket - 1.
+void sort_bucket(std::span<ScenePair> pairs, BodyId first) {
+  if (pairs.size() >> 32 != 0) return sort_run(pairs);  // more than is counted here
+  static thread_local std::vector<ScenePair> unsorted;  // memory that a thread keeps
+  unsorted.assign(pairs.begin(), pairs.end());
+  std::uint32_t next[kBodiesABucket] = {};
+  for (const ScenePair& pair : unsorted) ++next[pair.a - first];
+  std::uint32_t sum = 0;
+  for (std::uint32_t& place : next) sum += std::exchange(place, sum);
+  for (const ScenePair& pair : unsorted) pairs[next[pair.a - first]++] = pair;
+  // What was the next place of a body's pairs is now the end of them.
+  std::size_t begin = 0;
+  for (const std::size_t end : next) {
+    if (end - begin > 1) sort_run(pairs.subspan(begin, end - begin));
+    begin = end;
+  }
+}
 
 }  // namespace
 
-// Counting sort by the first body, then the few pairs of each by comparison: a body has some neighbours only.
+// Counting sort by the first body: first into buckets of bodies with neighbouring numbers, then within each, so that
+// what is counted and written at once stays in a core's own cache. Then the few pairs of each body by comparison.
 void sort_pairs(std::span<PairSearch> searches, std::vector<ScenePair> PairSearch::*list, BodyId end, int n_threads,
                 std::vector<ScenePair>& out) {
   std::size_t n = 0;
@@ -24,60 +59,32 @@ void sort_pairs(std::span<PairSearch> searches, std::vector<ScenePair> PairSearc
     std::sort(out.begin(), out.end());
     return;
   }
-  // Each thread has a part of the bodies.
-  n_threads = static_cast<int>(std::min(static_cast<std::size_t>(n_threads), std::size_t{end}));
-  static thread_local std::vector<std::uint32_t> next;
-  next.assign(std::size_t{end} + 1, 0);
-  std::uint32_t* const at = next.data();
-  const auto each_of = [&](const Part& bodies, const auto& what) {
-    for (const PairSearch& search : searches) {
-      const std::vector<ScenePair>& pairs = search.*list;
-      const auto is_here = [&](std::size_t k) {
-        return k < pairs.size() && pairs[k].a >= bodies.first && pairs[k].a < bodies.end;
-      };
-      for (std::size_t k = 0; k < pairs.size(); ++k) {
-        if (k + 2 * kAhead < pairs.size()) __builtin_prefetch(at + pairs[k + 2 * kAhead].a, 1);
-        if (is_here(k + kAhead)) __builtin_prefetch(out.data() + at[pairs[k + kAhead].a], 1);
-        if (is_here(k)) what(pairs[k]);
-      }
-    }
-  };
-  const auto sort_run = [&out](std::size_t first, std::size_t end_of_run) {
-    if (end_of_run - first > 16) {
-      std::sort(out.data() + first, out.data() + end_of_run);
-      return;
-    }
-    for (std::size_t k = first + 1; k < end_of_run; ++k) {
-      const ScenePair pair = out[k];
-      std::size_t to = k;
-      for (; to > first && pair < out[to - 1]; --to) out[to] = out[to - 1];
-      out[to] = pair;
-    }
-  };
-  on_threads(n_threads, [&](int thread) {
-    each_of(part_of(end, thread, n_threads), [&](const ScenePair& pair) { ++at[pair.a]; });
+  const std::size_t n_buckets = (std::size_t{end} - 1) / kBodiesABucket + 1;
+  static thread_local std::vector<std::size_t> places, ends;
+  places.assign(n_buckets * searches.size(), 0);
+  ends.resize(n_buckets);
+  // Of the calling thread, for all.
+  std::size_t* const place_of = places.data();
+  share_parts(n_threads, searches.size(), [&](std::size_t which) {
+    std::size_t* const count = place_of + n_buckets * which;
+    for (const ScenePair& pair : searches[which].*list) ++count[pair.a / kBodiesABucket];
   });
-  std::uint32_t sum = 0;
-  for (std::size_t k = 0; k <= end; ++k) {
-    const std::uint32_t here = at[k];
-    at[k] = sum;
-    sum += here;
-  }
-  on_threads(n_threads, [&](int thread) {
-    const Part bodies = part_of(end, thread, n_threads);
-    each_of(bodies, [&](const ScenePair& pair) { out[at[pair.a]++] = pair; });
-    // What was the next place of a body's pairs is now the end of them.
-    for (std::size_t k = bodies.first; k < bodies.end; ++k) {
-      const std::uint32_t first = k == bodies.first ? (k == 0 ? 0 : std::uint32_t(-1)) : at[k - 1];
-      if (first == std::uint32_t(-1)) continue;
-      if (at[k] - first > 1) sort_run(first, at[k]);
+  std::size_t sum = 0;
+  for (std::size_t bucket = 0; bucket < n_buckets; ++bucket) {
+    for (std::size_t which = 0; which < searches.size(); ++which) {
+      sum += std::exchange(places[n_buckets * which + bucket], sum);
     }
-  });
-  // The first body of each thread's part: where its pairs begin is what the part before has left.
-  for (int thread = 1; thread < n_threads; ++thread) {
-    const Part bodies = part_of(end, thread, n_threads);
-    if (bodies.first < bodies.end) sort_run(at[bodies.first - 1], at[bodies.first]);
+    ends[bucket] = sum;
   }
+  share_parts(n_threads, searches.size(), [&](std::size_t which) {
+    std::size_t* const next = place_of + n_buckets * which;
+    for (const ScenePair& pair : searches[which].*list) out[next[pair.a / kBodiesABucket]++] = pair;
+  });
+  const std::size_t* const end_of = ends.data();
+  share_parts(n_threads, n_buckets, [&](std::size_t bucket) {
+    const std::size_t first = bucket == 0 ? 0 : end_of[bucket - 1];
+    sort_bucket({out.data() + first, end_of[bucket] - first}, static_cast<BodyId>(bucket * kBodiesABucket));
+  });
 }
 
 }  // namespace vex

@@ -51,6 +51,8 @@ void PairSearch::begin(const PairQuestion& question, PairKeeper* keeper) {
   if (question.set != question_.set || question.margin != question_.margin) kinds_.clear();
   question_ = question;
   keeper_ = keeper;
+  joined = nullptr;
+  judge = nullptr;
   near.n = 0;
   near.n_seen = 0;
   // Nothing that a query which ended by an exception has left is true.
@@ -65,8 +67,12 @@ void PairSearch::begin(const PairQuestion& question, PairKeeper* keeper) {
   if (keeper_ != nullptr && !clearances_) clearances_ = std::make_unique<PacketClearances>();
 }
 
-ScenePair PairSearch::pair_of(const Pairs& asked, std::size_t row) const {
-  return {body_at(asked.a[row]), body_at(asked.b[row]), question_.shifts->image(asked.shift[row])};
+// The pair is written where it stays: made elsewhere, it would be copied before its parts have arrived there.
+void PairSearch::add_pair(std::vector<ScenePair>& list, const Pairs& asked, std::size_t row) const {
+  ScenePair& pair = list.emplace_back();
+  pair.a = body_at(asked.a[row]);
+  pair.b = body_at(asked.b[row]);
+  pair.image = question_.shifts->image(asked.shift[row]);
 }
 
 // The body with the lower number comes first; of a body and its own copy the image is positive.
@@ -76,7 +82,11 @@ void PairSearch::orient() {
   const ShiftTable& shifts = *question_.shifts;
   std::size_t n = waiting_.size();
   for (std::vector<std::uint64_t>* column : {&waiting_.a, &waiting_.b, &waiting_.shift}) column->resize(n + near.n);
-  for (std::size_t k = 0; k < near.n; ++k) {
+  // What is stored may be what these belong to: they would be read again each time.
+  std::uint64_t *const to_a = waiting_.a.data(), *const to_b = waiting_.b.data(),
+                       *const to_shift = waiting_.shift.data();
+  const std::size_t n_near = near.n;
+  for (std::size_t k = 0; k < n_near; ++k) {
     std::uint64_t a = near.places[k] & 0xffffffffu, b = near.places[k] >> 32, shift = near.shift[k];
     const BodyId id_a = body_at(a), id_b = body_at(b);
     const bool swaps = id_a > id_b || (id_a == id_b && !is_positive(shifts.image(shift)));
@@ -85,18 +95,14 @@ void PairSearch::orient() {
     a = first;
     shift = swaps ? shifts.opposite(shift) : shift;
     if (joined != nullptr) {
-      SceneCounts::Stage& stage = counts[SceneStage::joined];
-      ++stage.seen;
-      if (joined->knows(std::min(id_a, id_b), std::max(id_a, id_b), shifts.image(shift))) {
-        ++stage.settled;
-        continue;
-      }
+      ++counts[SceneStage::joined].seen;
+      if (is_joined({std::min(id_a, id_b), std::max(id_a, id_b), shifts.image(shift)})) continue;
     }
     prefetch_pose(question_.poses, a);
     prefetch_pose(question_.poses, b);
-    waiting_.a[n] = a;
-    waiting_.b[n] = b;
-    waiting_.shift[n++] = shift;
+    to_a[n] = a;
+    to_b[n] = b;
+    to_shift[n++] = shift;
   }
   for (std::vector<std::uint64_t>* column : {&waiting_.a, &waiting_.b, &waiting_.shift}) column->resize(n);
   near.n = 0;
@@ -116,7 +122,51 @@ void PairSearch::ask(std::uint64_t place_a, std::uint64_t place_b, std::uint64_t
   if (waiting_.size() % kBatch == 0) settle_waiting();
 }
 
+void PairSearch::settle_judged() {
+  const Pairs asked = waiting_.from(0, waiting_.size());
+  for (std::size_t row = 0; row < asked.n; ++row) {
+    if (joined != nullptr && is_joined(pair_of(asked, row))) continue;
+    const Transformd pose =
+        relative_pose(SceneBodies::pose_at(question_.poses, asked.a[row]),
+                      SceneBodies::pose_at(question_.poses, asked.b[row]), question_.shifts->shift(asked.shift[row]));
+    SceneCounts::Stage& stage = counts[SceneStage::scalar];
+    ++stage.seen;
+    const Outcome outcome = (*judge)(question_.shape[asked.a[row]], question_.shape[asked.b[row]], pose);
+    if (outcome != Outcome::undecided) ++stage.settled;
+    if (outcome == Outcome::overlap) add_overlap(asked, row);
+    if (outcome == Outcome::undecided) add_pair(undecided, asked, row);
+  }
+  waiting_.clear();
+}
+
+void PairSearch::add_overlap(const Pairs& asked, std::size_t row) {
+  add_pair(pairs, asked, row);
+  if (joined == nullptr) return;
+  const ScenePair& pair = pairs.back();
+  if (joined->join(pair.a, pair.b, pair.image) == Clusters::Joined::closed) pairs.pop_back();
+}
+
+bool PairSearch::is_joined(const ScenePair& pair) {
+  if (!joined->knows(pair.a, pair.b, pair.image)) return false;
+  ++counts[SceneStage::joined].settled;
+  return true;
+}
+
+// Of the pairs that the bounds left open: those that have proven others to overlap may have joined them.
+void PairSearch::leave_out_joined(const Pairs& asked) {
+  PlacedPairs& placed = *placed_;
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < placed.n_open; ++k) {
+    if (is_joined(pair_of(asked, placed.row[k]))) continue;
+    placed.row[n] = placed.row[k];
+    for (auto& column : placed.poses) column[n] = column[k];
+    ++n;
+  }
+  placed.n_open = n;
+}
+
 void PairSearch::settle_waiting() {
+  if (judge != nullptr) return settle_judged();
   const bool is_one_kind = question_.bodies->shapes().size() == 1;
   if (is_one_kind) {
     settle_all(kBatch);
@@ -127,7 +177,9 @@ void PairSearch::settle_waiting() {
 
 void PairSearch::finish() {
   orient();
-  if (question_.bodies->shapes().size() == 1) {
+  if (judge != nullptr) {
+    settle_judged();
+  } else if (question_.bodies->shapes().size() == 1) {
     settle_all(1);
   } else {
     settle_by_kinds();
@@ -229,9 +281,10 @@ void PairSearch::settle_batch(Kind& kind, const Pairs& asked) {
   }
   for (std::size_t k = 0; k < placed.n_overlapping; ++k) {
     const std::uint64_t row = placed.overlapping[k];
-    pairs.push_back(pair_of(asked, row));
+    add_overlap(asked, row);
     if (keeper_ != nullptr) keeper_->keep_as_it_stands(asked.tag[row], Outcome::overlap);
   }
+  if (joined != nullptr) leave_out_joined(asked);
   const PoseTable poses{placed.poses[0], PlacedPairs::kStride, placed.n_open};
   if (kind.packets) {
     kind.packets->decide(poses, answers_.data(), keeper_ != nullptr ? clearances_.get() : nullptr);
@@ -245,7 +298,7 @@ void PairSearch::settle_batch(Kind& kind, const Pairs& asked) {
       continue;
     }
     ++counts[SceneStage::packets].settled;
-    if (found == PacketAnswer::overlap) pairs.push_back(pair_of(asked, row));
+    if (found == PacketAnswer::overlap) add_overlap(asked, row);
     if (keeper_ != nullptr) keep_clearance(asked, row, k);
   }
 }
@@ -283,8 +336,8 @@ void PairSearch::answer(const Verdict& verdict, const Pairs& asked, std::size_t 
     ++counts[later].seen;
     if (is_decided) ++counts[later].settled;
   }
-  if (verdict.outcome == Outcome::overlap) pairs.push_back(pair_of(asked, row));
-  if (verdict.outcome == Outcome::undecided) undecided.push_back(pair_of(asked, row));
+  if (verdict.outcome == Outcome::overlap) add_overlap(asked, row);
+  if (verdict.outcome == Outcome::undecided) add_pair(undecided, asked, row);
   if (keeper_ != nullptr) keeper_->keep_as_it_stands(asked.tag[row], verdict.outcome);
 }
 

@@ -56,11 +56,15 @@ class PairSearch {
   /// Settles all.
   void finish();
 
-  /// Of those proven and those undecided; a caller may empty them between.
+  /// Of those proven and those undecided; a caller may empty them between. Where `joined` is, of those proven the ones
+  /// that changed it.
   std::vector<ScenePair> pairs, undecided;
   SceneCounts counts;
-  /// Not null: pairs that are in one cluster already are not tested.
+  /// Not null: pairs that are proven to overlap are joined here, and what is in one cluster already is not tested. To
+  /// be set after `begin`.
   Clusters* joined = nullptr;
+  /// Not null: what it says of a pair is the verdict. To be set after `begin`.
+  const PairJudge* judge = nullptr;
 
  private:
   static constexpr std::size_t kBatch = PacketOverlap::kMostTrials;
@@ -97,10 +101,14 @@ class PairSearch {
 
   void orient();
   void settle_waiting();
+  void settle_judged();
   void settle_all(std::size_t keep_below);
   void settle_by_kinds();
   void settle_batch(Kind& kind, const Pairs& asked);
   void settle_one(const Pairs& asked, std::size_t row);
+  void add_overlap(const Pairs& asked, std::size_t row);
+  bool is_joined(const ScenePair& pair);
+  void leave_out_joined(const Pairs& asked);
   void answer(const Verdict& verdict, const Pairs& asked, std::size_t row);
   void keep_clearance(const Pairs& asked, std::size_t row, std::size_t k);
   Kind* kind_of(std::uint64_t key, std::size_t n_waiting);
@@ -108,7 +116,10 @@ class PairSearch {
     if (question_.id != nullptr) return question_.id[place];
     return place == question_.visitor ? question_.visitor_id : static_cast<BodyId>(place);
   }
-  ScenePair pair_of(const Pairs& asked, std::size_t row) const;
+  ScenePair pair_of(const Pairs& asked, std::size_t row) const {
+    return {body_at(asked.a[row]), body_at(asked.b[row]), question_.shifts->image(asked.shift[row])};
+  }
+  void add_pair(std::vector<ScenePair>& list, const Pairs& asked, std::size_t row) const;
 
   PairQuestion question_;
   PairKeeper* keeper_ = nullptr;

@@ -68,6 +68,8 @@ class Scene {
   BodyId add(ShapeId shape, const Pose& world_from_body);
   BodyId add(const ConvexBody& body, const Pose& world_from_body);
   void remove(BodyId body);
+  /// Removes all bodies; shapes stay, and memory is kept for the next ones.
+  void clear();
   void move(BodyId body, const Pose& world_from_body);
   /// Of all bodies, poses[k] of body k; throws UsageError where bodies are missing between.
   void move_all(std::span<const Pose> world_from_body);
@@ -97,6 +99,12 @@ class Scene {
 
   /// The pairs of one body: it is `a` or `b`, as in overlapping_pairs.
   void overlaps_of(BodyId body, ScenePairs& out);
+  /// What bodies that were added one after another met: the pairs of each body from `first` on with those before it,
+  /// and with its own copies. One thread does it. `joined`, where there is one, knows all bodies and what those before
+  /// `first` are joined by; it is told of each pair, does not have those tested that it joins already, with this image,
+  /// and the results are the pairs that changed it. `judge`, where there is one, decides all pairs
+  /// whose circumscribed balls may meet instead of the engine; they count as `scalar`.
+  void overlaps_of_added(BodyId first, ScenePairs& out, Clusters* joined = nullptr, const PairJudge* judge = nullptr);
   /// The bodies that a visitor overlaps, which are `b`; `a` is kNoBody.
   void overlaps_of(const ConvexBody& visitor, const Pose& world_from_body, ScenePairs& out);
   /// Whether this body would overlap any other one if it were at that pose: a trial move. Nothing is moved.
@@ -105,16 +113,17 @@ class Scene {
   SceneNeighbour nearest(BodyId body);
   SceneNeighbour nearest(const ConvexBody& visitor, const Pose& world_from_body);
 
-  /// The first body on a ray, or that a moving visitor meets: the one that is proven to be met soonest; `undecided` lists
-  /// what may be met before it. In a periodic box `until` must be finite, and the time grows linearly with the boxes that
-  /// the way passes.
+  /// The first body on a ray, or that a moving visitor meets: the one that is proven to be met soonest; `undecided`
+  /// lists what may be met before it. In a periodic box `until` must be finite, and the time grows linearly with the
+  /// boxes that the way passes.
   SceneHit cast_ray(const Vec3d& origin, const Vec3d& dir, double until = HUGE_VAL);
   SceneHit linear_cast(const ConvexBody& visitor, const Pose& world_from_body, const Vec3d& motion,
                        double until = HUGE_VAL);
 
-  /// Clusters of overlapping bodies, and which of them wrap around the box. Pairs that are in one cluster already are
+  /// Clusters of bodies that overlap, or are within a distance (as hard cores with a soft shell), and which of them wrap
+  /// around the box. Pairs that are in one cluster already are
   /// not tested. Numbers below `end` that no body has are left out: their label is kNoCluster.
-  void clusters(Clusters& out);
+  void clusters(Clusters& out, double distance = 0.0);
 
  private:
   class Impl;

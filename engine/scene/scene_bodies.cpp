@@ -210,6 +210,7 @@ void SceneBodies::track() {
     track.crossed = {};
     track.shape = shape_of_[body];
     track.travel = 0.0;
+    track.turned = 0.0;
   }
 }
 
@@ -249,6 +250,14 @@ double SceneBodies::largest_offset() const {
   return largest;
 }
 
+double SceneBodies::largest_ball() const {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < shapes_.size(); ++k) {
+    if (n_of_shape_[k] > 0) largest = std::fmax(largest, shapes_[k].ball_radius());
+  }
+  return largest;
+}
+
 double SceneBodies::largest_distance() const {
   double largest = 0.0;
   for (BodyId body = 0; body < end(); ++body) {
@@ -273,6 +282,17 @@ void SceneBodies::remove(BodyId body) {
   --n_;
 }
 
+void SceneBodies::clear() {
+  n_of_shape_.assign(n_of_shape_.size(), 0);
+  shape_of_.assign(1, kNoShape);
+  poses_.resize(kNumbersABody);
+  centres_.clear();
+  image_.clear();
+  tracks_.clear();
+  free_.clear();
+  n_ = 0;
+}
+
 void SceneBodies::set_pose(BodyId body, const Pose& pose) {
   ImageOffset image;
   const Transformd kept = checked(shape_of_[body], pose, &image);
@@ -285,23 +305,6 @@ void SceneBodies::set_pose(BodyId body, const Pose& pose) {
     if (differ(kept, from)) add_to_track(body, from, kept, centre_from);
   }
   image_[body] = image;
-}
-
-Transformd SceneBodies::pose_at(const double* poses, std::size_t place) {
-  const double* p = poses + kNumbersABody * place;
-  return {{p[0], p[1], p[2]}, {p[4], p[5], p[6]}, {p[8], p[9], p[10]}, {p[3], p[7], p[11]}};
-}
-
-void SceneBodies::write_pose(double* poses, std::size_t place, const Transformd& pose) {
-  double* p = poses + kNumbersABody * place;
-  const Vec3d* const rows[] = {&pose.row_x, &pose.row_y, &pose.row_z};
-  const double t[] = {pose.translation.x, pose.translation.y, pose.translation.z};
-  for (int k = 0; k < 3; ++k) {
-    p[4 * k] = rows[k]->x;
-    p[4 * k + 1] = rows[k]->y;
-    p[4 * k + 2] = rows[k]->z;
-    p[4 * k + 3] = t[k];
-  }
 }
 
 }  // namespace vex

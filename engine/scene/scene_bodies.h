@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/numeric/pose.h"
+#include "engine/scene/large_vector.h"
 #include "engine/scene/periodic_box.h"
 #include "engine/scene/scene_kernel.h"
 #include "engine/scene/scene_pair.h"
@@ -54,6 +55,8 @@ class SceneBodies {
   static void check_rotation(const Transformd& pose);
   BodyId add(ShapeId shape, const Pose& pose);
   void remove(BodyId body);
+  /// All of them. The shapes stay, and memory is kept.
+  void clear();
   void set_pose(BodyId body, const Pose& pose);
 
   const std::optional<PeriodicBox>& box() const { return box_; }
@@ -64,9 +67,9 @@ class SceneBodies {
   bool has(BodyId body) const { return body < end() && shape_of_[body] != kNoShape; }
   /// Behind the last body there is a place for a visitor, in the table of poses too.
   void set_visitor(ShapeId shape, const Transformd& pose);
-  const std::vector<ShapeId>& shape_of() const { return shape_of_; }
+  const LargeVector<ShapeId>& shape_of() const { return shape_of_; }
   /// Rows of four doubles, kRowsABody a body.
-  const std::vector<double>& poses() const { return poses_; }
+  const LargeVector<double>& poses() const { return poses_; }
   Transformd pose(BodyId body) const { return pose_at(poses_.data(), body); }
   const ImageOffset& image(BodyId body) const { return image_[body]; }
   /// The middle of the body's ball, in the scene's frame, rounded.
@@ -75,6 +78,8 @@ class SceneBodies {
   /// their frames.
   double largest_radius() const;
   double largest_offset() const;
+  /// Of the balls about the points of their cores.
+  double largest_ball() const;
   /// Of the centres themselves (in the 1-norm).
   double largest_distance() const;
 
@@ -87,8 +92,7 @@ class SceneBodies {
     double turned = 0.0;        // nor this, seen from the centre
     std::uint64_t n_moves = 0;  // that changed any bit of the pose
   };
-  /// From now on moves are added up; `travel` and `crossed` begin anew, the rest goes on where there are tracks
-  /// already.
+  /// From now on moves are added up; of tracks that are there already only `n_moves` goes on.
   void track();
   bool is_tracked() const { return !tracks_.empty(); }
   const Track& track_of(BodyId body) const { return tracks_[body]; }
@@ -113,13 +117,30 @@ class SceneBodies {
   std::unordered_map<const void*, ShapeId> shape_by_identity_;  // the shapes hold what these point to
   std::vector<ShapeBounds> bounds_;
   std::vector<std::size_t> n_of_shape_;
-  std::vector<ShapeId> shape_of_;
-  std::vector<double> poses_;
-  std::vector<Vec3d> centres_;
-  std::vector<ImageOffset> image_;
-  std::vector<Track> tracks_;  // none before `track`
+  LargeVector<ShapeId> shape_of_;
+  LargeVector<double> poses_;
+  LargeVector<Vec3d> centres_;
+  LargeVector<ImageOffset> image_;
+  LargeVector<Track> tracks_;  // none before `track`
   std::vector<BodyId> free_;   // a heap, the lowest first
   std::size_t n_ = 0;
 };
+
+inline Transformd SceneBodies::pose_at(const double* poses, std::size_t place) {
+  const double* p = poses + kNumbersABody * place;
+  return {{p[0], p[1], p[2]}, {p[4], p[5], p[6]}, {p[8], p[9], p[10]}, {p[3], p[7], p[11]}};
+}
+
+inline void SceneBodies::write_pose(double* poses, std::size_t place, const Transformd& pose) {
+  double* p = poses + kNumbersABody * place;
+  const Vec3d* const rows[] = {&pose.row_x, &pose.row_y, &pose.row_z};
+  const double t[] = {pose.translation.x, pose.translation.y, pose.translation.z};
+  for (int k = 0; k < 3; ++k) {
+    p[4 * k] = rows[k]->x;
+    p[4 * k + 1] = rows[k]->y;
+    p[4 * k + 2] = rows[k]->z;
+    p[4 * k + 3] = t[k];
+  }
+}
 
 }  // namespace vex

@@ -132,7 +132,10 @@ SceneNeighbour Scene::Impl::nearest(const ConvexBody& visitor, const Pose& pose,
           std::tie(found.upper, found.signed_distance, body, told) <
               std::tie(best.separation.upper, best.separation.signed_distance, best.body, best.image)) {
         best = {body, told, found};
-        bound = widened(std::fmax(found.upper, 0.0));
+        // Of very large or small bodies a distance may have no upper bound; that of two of their points always is one.
+        const Vec3d way = (bodies_.centre(body) + visit.shift(image)) - visit.pose(visit.bounds.centre);
+        const double by_points = safe_norm(way) + visit.bounds.radius + bodies_.largest_radius();
+        bound = widened(std::fmax(std::fmin(found.upper, by_points), 0.0));
       }
       return bound;
     });

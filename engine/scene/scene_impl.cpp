@@ -60,6 +60,13 @@ void Scene::Impl::remove(BodyId body) {
   memory_.forget();
 }
 
+void Scene::Impl::clear() {
+  bodies_.clear();
+  phases_.bodies_changed();
+  memory_.forget();
+  if (are_cells_true_) cells_.clear();
+}
+
 void Scene::Impl::move(BodyId body, const Pose& pose) {
   require(body);
   bodies_.set_pose(body, pose);
@@ -137,8 +144,8 @@ PairQuestion Scene::Impl::question(double margin) {
 }
 
 void Scene::Impl::find_pairs(double margin, const OnBatch& on_batch, const OnBegin& on_begin) {
-  if (!(margin >= 0.0 && margin <= 1e100)) {
-    throw UsageError("the distance is " + shortest_number(margin) + " - give one from 0 to 1e100");
+  if (margin != 0.0 && !(margin >= 1e-300 && margin <= 1e100)) {
+    throw UsageError("the distance is " + shortest_number(margin) + " - give 0, or one from 1e-300 to 1e100");
   }
   phases_.prepare(bodies_, settings_, checked_reach(margin), margin);
   const PairQuestion asked = question(margin);
@@ -172,7 +179,6 @@ void Scene::Impl::on_searches(const PairQuestion& asked, PairKeeper* keeper,
   on_threads(n_searches_, [&](int thread) {
     PairSearch& search = all[static_cast<std::size_t>(thread)];
     search.begin(asked, keeper);
-    search.joined = nullptr;
     work(search, thread);
   });
 }

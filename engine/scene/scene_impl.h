@@ -23,6 +23,7 @@ class Scene::Impl {
   ShapeId add_shape(const ConvexBody& body);
   BodyId add(ShapeId shape, const Pose& pose);
   void remove(BodyId body);
+  void clear();
   void move(BodyId body, const Pose& pose);
   void move_all(std::span<const Pose> poses);
   /// Throws UsageError where there is no such body.
@@ -40,6 +41,9 @@ class Scene::Impl {
 
   /// The pairs of one body, as if it were at this pose; the search that has found them.
   PairSearch& find_pairs_of(BodyId body, const Transformd& pose);
+
+  /// The pairs of each body from `first` on with those before it; the search that has found them.
+  PairSearch& find_pairs_of_added(BodyId first, Clusters* joined, const PairJudge* judge);
 
   /// The tree of the bodies as they are.
   const BodyTree& tree();
@@ -69,6 +73,8 @@ class Scene::Impl {
   BallCells& ball_cells(double farthest);
   std::vector<PairSearch>& searches(double margin) { return searches_[margin > 0.0 ? 1 : 0]; }
   PairQuestion question(double margin);
+  // Of pairs whose places are numbers of bodies.
+  PairQuestion question_of_cells(const BallCells& cells);
 
   SceneBodies bodies_;
   SceneSettings settings_;

@@ -126,14 +126,9 @@ class Placing {
   Vec translation_of(const Bits& places) const {
     const RowOfEach<W> rows(query_.poses, places + (places << 1));
     Vec t;
-    for (std::size_t k = 0; k < kParts<W>; ++k) {
-      for (std::size_t j = 0; j < std::size_t{kRegisterLanes}; ++j) {
-        const double* const at = rows.at(k * std::size_t{kRegisterLanes} + j);
-        t.x.part[k][j] = at[3];
-        t.y.part[k][j] = at[7];
-        t.z.part[k][j] = at[11];
-      }
-    }
+    rows.read(0, &t.x);
+    rows.read(1, &t.y);
+    rows.read(2, &t.z);
     return t;
   }
 

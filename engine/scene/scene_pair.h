@@ -4,6 +4,7 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -35,7 +36,8 @@ struct ScenePair {
 enum class SceneStage : std::uint8_t {
   unmoved,    // what was proven of the pair still holds: the bodies cannot have used up the clearance that it showed
   balls,      // circumscribed balls apart
-  joined,     // only clusters are asked for, and the bodies are in one already, with the same offset
+  joined,     // only clusters are asked for, and the bodies are in one already, with the same offset; looked at once
+              // more where the bounds settle nothing
   cylinders,  // circumscribed cylinders of needles and plates apart
   bounds,     // a body's own box or ellipsoid against the other's balls, circumscribed and inscribed
   packets,    // the search in double precision, several pairs at a time
@@ -57,6 +59,9 @@ struct SceneCounts {
   const Stage& operator[](SceneStage stage) const { return stages[static_cast<std::size_t>(stage)]; }
   SceneCounts& operator+=(const SceneCounts& other);
 };
+
+/// A caller's own test of two shapes, b's at this pose in a's frame.
+using PairJudge = std::function<Outcome(ShapeId a, ShapeId b, const Transformd& a_from_b)>;
 
 /// A caller's buffer: it is overwritten by each query that takes it, and keeps its memory. Sorted by a, b, image.
 struct ScenePairs {

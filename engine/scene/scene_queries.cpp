@@ -49,22 +49,20 @@ void Scene::contact_manifolds(SceneManifolds& out, double margin) {
   });
 }
 
-void Scene::clusters(Clusters& out) {
+void Scene::clusters(Clusters& out, double distance) {
   // Each thread has clusters of its own, which tell it what it need not test; what joined two of them, or closed a loop
   // around the box, is all that the others need to know.
   const int n_threads = settings().n_threads;
   std::vector<Clusters>& parts = impl_->cluster_parts(n_threads);
   std::vector<std::vector<ScenePair>>& news = impl_->cluster_news(n_threads);
   const auto join = [&](PairSearch& search) {
-    const std::size_t thread = static_cast<std::size_t>(&search - &impl_->search(0.0, 0));
-    for (const ScenePair& pair : search.pairs) {
-      if (parts[thread].join(pair.a, pair.b, pair.image) != Clusters::Joined::closed) news[thread].push_back(pair);
-    }
+    const std::size_t thread = static_cast<std::size_t>(&search - &impl_->search(distance, 0));
+    news[thread].insert(news[thread].end(), search.pairs.begin(), search.pairs.end());
     search.pairs.clear();
     return true;
   };
   const auto begin = [&](PairSearch& search, int thread) { search.joined = &parts[static_cast<std::size_t>(thread)]; };
-  impl_->find_pairs(0.0, std::ref(join), std::ref(begin));
+  impl_->find_pairs(distance, std::ref(join), std::ref(begin));
   out.reset(end());
   for (BodyId body = 0; body < end(); ++body) {
     if (!has(body)) out.leave_out(body);

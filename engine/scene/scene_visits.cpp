@@ -1,9 +1,36 @@
 // Queries of one body.
 #include <algorithm>
+#include <string>
 
+#include "engine/numeric/errors.h"
 #include "engine/scene/scene_impl.h"
 
 namespace vex {
+namespace {
+
+// Of the ball that is looked for among the cells', widened as theirs are but for the shifts, which they allow for.
+double radius_among_cells(const ShapeBounds& bounds, const Vec3d& centre) {
+  return bounds.radius + 0x1p-46 * (norm_1(centre) + norm_1(bounds.centre)) + kTrifle;
+}
+
+void take_sorted(const PairSearch& search, ScenePairs& out) {
+  out.pairs = search.pairs;
+  out.undecided = search.undecided;
+  out.counts = search.counts;
+  std::sort(out.pairs.begin(), out.pairs.end());
+  std::sort(out.undecided.begin(), out.undecided.end());
+}
+
+}  // namespace
+
+PairQuestion Scene::Impl::question_of_cells(const BallCells& cells) {
+  PairQuestion asked = question(0.0);
+  asked.poses = bodies_.poses().data();
+  asked.id = nullptr;
+  asked.shape = bodies_.shape_of().data();
+  asked.shifts = &cells.shifts();
+  return asked;
+}
 
 // Sends what may be near a body, at a pose that need not be its own, through the stages.
 PairSearch& Scene::Impl::find_pairs_of(BodyId body, const Transformd& pose) {
@@ -14,15 +41,11 @@ PairSearch& Scene::Impl::find_pairs_of(BodyId body, const Transformd& pose) {
   bodies_.set_visitor(shape, pose);
   const std::uint64_t place = bodies_.end();
   PairSearch& search = single_;
-  PairQuestion asked = question(0.0);
-  asked.poses = bodies_.poses().data();
-  asked.id = nullptr;
-  asked.shape = bodies_.shape_of().data();
-  asked.shifts = &cells.shifts();
+  PairQuestion asked = question_of_cells(cells);
   asked.visitor = place;
   asked.visitor_id = body;
   search.begin(asked);
-  const double radius = bounds.radius + 0x1p-46 * (norm_1(centre) + norm_1(bounds.centre)) + kTrifle;
+  const double radius = radius_among_cells(bounds, centre);
   // Where it is in the scene it is not any more.
   const auto leave_out_itself = [&] {
     std::size_t n = 0;
@@ -52,14 +75,54 @@ PairSearch& Scene::Impl::find_pairs_of(BodyId body, const Transformd& pose) {
   return search;
 }
 
+PairSearch& Scene::Impl::find_pairs_of_added(BodyId first, Clusters* joined, const PairJudge* judge) {
+  const BallCells& cells = ball_cells(0.0);
+  PairSearch& search = single_;
+  const PairQuestion asked = question_of_cells(cells);
+  search.begin(asked);
+  search.joined = joined;
+  search.judge = judge;
+  NearPairs& near = search.near;
+  for (BodyId body = first; body < bodies_.end(); ++body) {
+    if (!bodies_.has(body)) continue;
+    const ShapeBounds& bounds = bodies_.bounds(bodies_.shape_of()[body]);
+    const Vec3d& centre = bodies_.centre(body);
+    const double radius = radius_among_cells(bounds, centre);
+    // The cells hold what was added later, and the body itself, too. Of its own copies one of two is kept.
+    std::size_t n = near.n;
+    const auto keep_earlier = [&] {
+      for (std::size_t k = n; k < near.n; ++k) {
+        const std::uint64_t other = near.places[k] >> 32;
+        near.places[n] = near.places[k];
+        near.shift[n] = near.shift[k];
+        if (other < body || (other == body && near.shift[k] > cells.shifts().home())) ++n;
+      }
+      near.n = n;
+    };
+    cells.near(asked.kernel, body, centre, radius, near, [&] {
+      keep_earlier();
+      search.take();
+      n = 0;
+    });
+    keep_earlier();
+    if (near.n >= NearPairs::kMost) search.take();
+  }
+  search.finish();
+  return search;
+}
+
 void Scene::overlaps_of(BodyId body, ScenePairs& out) {
   impl_->require(body);
-  PairSearch& search = impl_->find_pairs_of(body, pose(body));
-  out.pairs = search.pairs;
-  out.undecided = search.undecided;
-  out.counts = search.counts;
-  std::sort(out.pairs.begin(), out.pairs.end());
-  std::sort(out.undecided.begin(), out.undecided.end());
+  take_sorted(impl_->find_pairs_of(body, pose(body)), out);
+}
+
+void Scene::overlaps_of_added(BodyId first, ScenePairs& out, Clusters* joined, const PairJudge* judge) {
+  if (joined != nullptr && joined->size() < end()) {
+    throw UsageError("clusters know of " + std::to_string(joined->size()) +
+                     " bodies, and the scene has numbers up to " + std::to_string(end()) +
+                     " - add the missing ones to the clusters first");
+  }
+  take_sorted(impl_->find_pairs_of_added(first, joined, judge), out);
 }
 
 Outcome Scene::would_overlap(BodyId body, const Pose& world_from_body) {

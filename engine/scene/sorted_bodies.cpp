@@ -16,7 +16,7 @@ void SortedBodies::fill(const SceneBodies& bodies, std::span<const BodyId> order
   id.resize(n);
   shape.resize(n);
   poses.resize(kNumbersABody * n);
-  for (std::vector<double>* column : {&x, &y, &z, &radius}) column->resize(n + kRoom);
+  for (LargeVector<double>* column : {&x, &y, &z, &radius}) column->resize(n + kRoom);
   const double* const from = bodies.poses().data();
   const bool is_one_shape = bodies.shapes().size() == 1;
   on_threads(n_threads, [&](int thread) {

@@ -12,10 +12,10 @@ namespace vex {
 
 /// Places are 0 ... size - 1. Columns have room for a packet behind them.
 struct SortedBodies {
-  std::vector<BodyId> id;
-  std::vector<ShapeId> shape;
-  std::vector<double> poses;            // rows of four doubles, kRowsABody a body
-  std::vector<double> x, y, z, radius;  // of the circumscribed balls, widened (E26)
+  LargeVector<BodyId> id;
+  LargeVector<ShapeId> shape;
+  LargeVector<double> poses;            // rows of four doubles, kRowsABody a body
+  LargeVector<double> x, y, z, radius;  // of the circumscribed balls, widened (E26)
 
   std::size_t size() const { return id.size(); }
 

@@ -76,6 +76,18 @@ TEST(SceneExamples, InTheOrderOfTheGuide) {
   EXPECT_NE(next.body, vex::kNoBody);
   EXPECT_FALSE(found.pairs.empty());
 
+  // [added]
+  vex::Scene growing(vex::PeriodicBox::cube(12.0));
+  const vex::ShapeId stick = growing.add_shape(vex::Capsule(4.0, 0.5));
+  vex::Clusters joined;
+  joined.reset(0);  // of no bodies yet
+  for (const vex::Transformd& place : poses) growing.add(stick, place), joined.add();
+  growing.overlaps_of_added(0, found, &joined);  // joined knows the pairs now; found.pairs are those that changed it
+  growing.clear();                               // its bodies: shapes and memory stay
+  // [end]
+  EXPECT_FALSE(found.pairs.empty());
+  EXPECT_EQ(growing.size(), 0u);
+
   // [rays]
   const vex::SceneHit hit = scene.cast_ray({0.0, 0.0, 6.0}, {0.0, 0.0, -1.0}, 12.0);
   if (hit.body != vex::kNoBody) std::printf("body %u at t = %.17g\n", hit.body, hit.contact.time);
@@ -110,7 +122,7 @@ TEST(SceneExamples, InTheOrderOfTheGuide) {
 
 TEST(SceneGuide, HasOnlyExamplesThatAreCompiledAndAllOfThem) {
   const std::vector<std::string> compiled = vex::test::compiled_examples("tests/docs/scene_examples.cpp");
-  EXPECT_EQ(compiled.size(), 7u);
+  EXPECT_EQ(compiled.size(), 8u);
   EXPECT_EQ(vex::test::shown_examples("docs/scenes.md"), compiled);
 }
 

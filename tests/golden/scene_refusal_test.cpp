@@ -47,6 +47,16 @@ TEST_F(SceneRefusal, ARowThatIsNone) {
                  "line 2: ");
 }
 
+TEST_F(SceneRefusal, FilesOfDifferentUnits) {
+  write_file("metres.gltf", tetrahedron_gltf("body.bin"));
+  write_file("body.bin", tetrahedron_buffer());
+  write_file("centimetres.dae", tetrahedron_dae("centimeter", "0.01"));
+  write_file("scene.csv", kSceneHeader + upright("metres.gltf", 0, 0, 0) + upright("centimetres.dae", 0, 0, 0));
+  expect_refusal(run({"scene.csv"}), 3, "two files of different units (metres.gltf in m, centimetres.dae in cm)",
+                 "vex_scene");
+  EXPECT_EQ(run({"scene.csv", "--unit", "cm"}).exit_code, 0);
+}
+
 TEST_F(SceneRefusal, ABodyThatIsNone) {
   const auto refused = [this](const std::string& body, const Words& words, const std::string& part) {
     expect_refused(kSceneHeader + kGood + upright(body, 5, 0, 0) + upright(body, 0, 5, 0), words, 3,
@@ -71,7 +81,8 @@ TEST_F(SceneRefusal, WordsThatMeanNothing) {
   const std::string scene = kSceneHeader + kGood;
   expect_refused(scene, {"--query", "pair"}, 2, "not a choice (\"pair\" for --query) - there are pairs, within");
   expect_refused(scene, {"--query", "within"}, 2, "not given (--query within) - add --distance D");
-  expect_refused(scene, {"--distance", "1"}, 2, "a distance goes with --query within (--distance with --query pairs)");
+  expect_refused(scene, {"--distance", "1"}, 2,
+                 "a distance goes with --query within or clusters (--distance with --query pairs)");
   expect_refused(scene, {"--query", "within", "--distance", "-1"}, 2, "a distance below 0");
   expect_refused(scene, {"--query", "within", "--distance", "inf"}, 3, "not finite");
   expect_refused(scene, {"--box", "1,1"}, 2, "wrong number of numbers (2 for --box)");

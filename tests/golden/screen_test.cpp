@@ -30,7 +30,8 @@ WithError estimate_in(const std::string& report) {
   const std::string part = report.substr(std::min(report.find("Monte Carlo"), report.size()));
   std::smatch match;
   WithError found;
-  if (!std::regex_search(part, match, std::regex("<V_ex>, Monte Carlo +([0-9]+(\\.([0-9]+))?)\\(([0-9]+)\\)(e(-?[0-9]+))?"))) {
+  if (!std::regex_search(part, match,
+                         std::regex("<V_ex>, Monte Carlo +([0-9]+(\\.([0-9]+))?)\\(([0-9]+)\\)(e(-?[0-9]+))?"))) {
     return found;
   }
   const double scale = match[6].matched ? std::pow(10.0, std::stod(match[6])) : 1.0;
@@ -144,7 +145,8 @@ TEST_F(Screen, TheProgressBarIsDrawnOnATerminalAndErased) {
       EXPECT_LT(line.size(), columns == 0 ? 80u : columns) << "it would wrap: " << line;
       EXPECT_EQ(line.find('\n'), std::string::npos);
       if (columns >= 50) {
-        EXPECT_TRUE(std::regex_search(line, std::regex("[0-9]+ %  [0-9]+:[0-9][0-9] left  .* (trials|values)  [0-9.e]+/s")))
+        EXPECT_TRUE(
+            std::regex_search(line, std::regex("[0-9]+ %  [0-9]+:[0-9][0-9] left  .* (trials|values)  [0-9.e]+/s")))
             << line;
       }
       if (columns >= 80) {

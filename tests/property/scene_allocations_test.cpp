@@ -71,6 +71,19 @@ TEST(SceneAllocations, QueriesOfAllPairsAllocateNothingInSteadyState) {
       EXPECT_EQ(allocations_of([&] { scene.clusters(clusters); }), 0u);
       EXPECT_EQ(allocations_of([&] { scene.overlaps_of(7, found); }), 0u);
       EXPECT_EQ(allocations_of([&] { scene.would_overlap(7, poses[8]); }), 0u);
+      EXPECT_EQ(allocations_of([&] {
+                  scene.clear();
+                  clusters.reset(0);
+                  while (scene.end() < kBodies) {
+                    const BodyId first = scene.end();
+                    for (std::size_t k = first; k < std::min<std::size_t>(first + 100, kBodies); ++k) {
+                      scene.add(cube, poses[k]);
+                      clusters.add();
+                    }
+                    scene.overlaps_of_added(first, found, &clusters);
+                  }
+                }),
+                0u);
       settings.skin = 0.2;
       scene.set(settings);
       EXPECT_EQ(allocations_of([&] { scene.move_all(poses), scene.overlapping_pairs(found); }), 0u);

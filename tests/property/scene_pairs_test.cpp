@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "shapes/box.h"
 #include "tests/referees/random_poses.h"
 #include "tests/referees/scene_judge.h"
 
@@ -121,6 +123,40 @@ TEST(ScenePairs, OfBodiesAllInOnePlaceAreAllFound) {
       EXPECT_EQ(std::ranges::adjacent_find(found.pairs), found.pairs.end());
     }
   }
+}
+
+// So many that bodies and pairs are sorted in several buckets, and that poses lie in huge pages.
+TEST(ScenePairs, OfManyBodiesAreSortedWhateverTheThreads) {
+  constexpr std::size_t kBodies = 60000;
+  const double edge = std::cbrt(kBodies / 0.2444);
+  std::mt19937_64 random(7);
+  Scene scene(PeriodicBox::cube(edge), {.broad_phase = BroadPhase::tree});
+  const ShapeId cube = scene.add_shape(Box(1.0, 1.0, 1.0));
+  for (std::size_t k = 0; k < kBodies; ++k) {
+    Transformd pose = random_rotation(random);
+    for (double* x : {&pose.translation.x, &pose.translation.y, &pose.translation.z}) {
+      *x = edge * (random_in_unit_interval(random) - 0.5);
+    }
+    scene.add(cube, pose);
+  }
+  for (BodyId body = 0; body < kBodies; body += 7) scene.remove(body);
+  ScenePairs by_tree, found;
+  scene.overlapping_pairs(by_tree);
+  EXPECT_GT(by_tree.pairs.size(), kBodies / 2);
+  EXPECT_TRUE(std::is_sorted(by_tree.pairs.begin(), by_tree.pairs.end()));
+  for (const int n_threads : {1, 2, 3}) {
+    scene.set({.broad_phase = BroadPhase::grid, .n_threads = n_threads});
+    scene.overlapping_pairs(found);
+    EXPECT_EQ(found.pairs, by_tree.pairs) << n_threads << " threads";
+  }
+  // What each body is told by itself, by another search and hardly sorted, is as much.
+  std::size_t n = 0;
+  for (BodyId body = 0; body < kBodies; ++body) {
+    if (!scene.has(body)) continue;
+    scene.overlaps_of(body, found);
+    n += found.pairs.size();
+  }
+  EXPECT_EQ(n, 2 * by_tree.pairs.size());
 }
 
 }  // namespace

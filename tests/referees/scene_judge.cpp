@@ -183,9 +183,9 @@ std::string fault_of_trial_move(Scene& scene, BodyId body, const Pose& pose) {
   return "";
 }
 
-std::string fault_of_clusters(Scene& scene, const EveryPair& every) {
+std::string fault_of_clusters(Scene& scene, const EveryPair& every, double distance) {
   Clusters found;
-  scene.clusters(found);
+  scene.clusters(found, distance);
   struct Edge {
     BodyId to;
     ImageOffset image;
@@ -250,12 +250,50 @@ std::string fault_of_clusters(Scene& scene, const EveryPair& every) {
   return "";
 }
 
+std::string fault_of_added(Scene& scene, const EveryPair& every, BodyId first) {
+  const auto of_added = [first](std::vector<ScenePair> pairs) {
+    std::erase_if(pairs, [first](const ScenePair& pair) { return pair.b < first; });
+    return pairs;
+  };
+  ScenePairs found;
+  scene.overlaps_of_added(first, found);
+  if (found.pairs != of_added(every.pairs)) return "bodies added from " + std::to_string(first) + " on: other pairs";
+  if (found.undecided != of_added(every.undecided)) return "bodies added: other undecided pairs";
+
+  // By a judge that knows nothing of stages; and clusters that grow are those of all pairs.
+  const PairJudge judge = [&](ShapeId a, ShapeId b, const Transformd& pose) {
+    return overlap(scene.shape(a), scene.shape(b), Pose::unchecked(pose)).outcome;
+  };
+  Clusters all;
+  scene.clusters(all);
+  for (const PairJudge* const one : {static_cast<const PairJudge*>(nullptr), &judge}) {
+    Clusters grown;
+    grown.reset(scene.end());
+    for (const ScenePair& pair : every.pairs) {
+      if (pair.b < first) grown.join(pair.a, pair.b, pair.image);
+    }
+    scene.overlaps_of_added(first, found, &grown, one);
+    if (found.counts[SceneStage::joined].settled > found.counts[SceneStage::joined].seen)
+      return "more joined than seen";
+    for (BodyId body = 0; body < scene.end(); ++body) {
+      if (scene.has(body) && grown.wraps(body) != all.wraps(body)) return "bodies added: clusters wrap otherwise";
+      if (scene.has(body) && grown.n_bodies(body) != all.n_bodies(body)) return "bodies added: other clusters";
+    }
+    for (const ScenePair& pair : found.pairs) {
+      if (!std::ranges::binary_search(every.pairs, pair)) return "bodies added: a pair that does not overlap";
+    }
+  }
+  return "";
+}
+
 std::string fault_of_scene(Scene& scene, const RandomScene& made, const EveryPair& every, std::mt19937_64& random) {
   std::string fault = fault_of_pairs(scene, every);
   if (fault.empty()) fault = fault_of_clusters(scene, every);
   if (fault.empty()) fault = fault_of_single_bodies(scene, every);
+  if (fault.empty()) fault = fault_of_added(scene, every, static_cast<BodyId>(random() % (scene.end() + 1)));
   const double margin = 0.1 * made.size * random_in_unit_interval(random);
   if (fault.empty()) fault = fault_within(scene, margin);
+  if (fault.empty()) fault = fault_of_clusters(scene, every_pair(scene, margin), margin);
   if (fault.empty()) fault = fault_of_distances(scene, margin);
   if (fault.empty()) fault = fault_of_manifolds(scene, random() % 2 == 0 ? 0.0 : 0.3 * margin);
   for (int k = 0; k < 2 && fault.empty() && scene.size() > 0; ++k) {

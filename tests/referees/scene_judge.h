@@ -37,7 +37,9 @@ std::string fault_of_single_bodies(Scene& scene, const EveryPair& every);
 /// would_overlap of a body at a pose: the same as moving it there and asking brute force. It is moved back.
 std::string fault_of_trial_move(Scene& scene, BodyId body, const Pose& pose);
 /// Clusters, by a search through the graph of brute force's pairs: labels, sizes, offsets, wrapping.
-std::string fault_of_clusters(Scene& scene, const EveryPair& every);
+std::string fault_of_clusters(Scene& scene, const EveryPair& every, double distance = 0.0);
+/// overlaps_of_added from this body on, of pairs and of clusters that grow by them.
+std::string fault_of_added(Scene& scene, const EveryPair& every, BodyId first);
 /// All of the above.
 std::string fault_of_scene(Scene& scene, const RandomScene& made, const EveryPair& every, std::mt19937_64& random);
 

@@ -1,5 +1,5 @@
 // What wrong overlap tests of boxes come to, and that the right ones come to the truth. Fixed seed, 4 standard errors.
-#include "apps/vex_paper/wrong_tests.h"
+#include "apps/referees/wrong_tests.h"
 
 #include <gtest/gtest.h>
 

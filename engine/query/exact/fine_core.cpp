@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engine/numeric/directions.h"
+
 namespace vex {
 namespace {
 
@@ -43,7 +45,7 @@ ExactVector FineCore::best_dir() const {
 
 CoreProof prove_nearness(const FineCore& core, const Vec3d& first_dir, double gap, int max_support_calls) {
   const bool has_dir = is_finite(first_dir) && norm_1(first_dir) > 0.0;
-  const Vec3f first = broadcast<Float256>(has_dir ? scaled_to_unit_exponent(first_dir) : Vec3d{0.6, 0.0, 0.8});
+  const Vec3f first = broadcast<Float256>(has_dir ? scaled_to_unit_exponent(first_dir) : kAnyUnitVector);
   return prove_nearness_in<Float256>(core, first, gap, max_support_calls);
 }
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engine/numeric/directions.h"
+
 namespace vex {
 RecordedCore::Point RecordedCore::support(const Vec3e& normal) const {
   const Vec3e dir_b = forms_.a_from_b().direction_to_b(-normal);
@@ -21,7 +23,7 @@ ExactVector RecordedCore::best_dir() const { return {{{high_part(best_dir_), 0},
 
 CoreProof prove_nearness(const RecordedCore& core, const Vec3d& first_dir, double gap, int max_support_calls) {
   const bool has_dir = is_finite(first_dir) && norm_1(first_dir) > 0.0;
-  const Vec3e first = broadcast<Extended>(has_dir ? scaled_to_unit_exponent(first_dir) : Vec3d{0.6, 0.0, 0.8});
+  const Vec3e first = broadcast<Extended>(has_dir ? scaled_to_unit_exponent(first_dir) : kAnyUnitVector);
   return prove_nearness_in<Extended>(core, first, gap, max_support_calls);
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "engine/numeric/interval.h"
 #include "engine/query/search/expanding_polytope.h"
 #include "engine/query/search/nearest_descent.h"
 
@@ -29,10 +30,10 @@ struct CoreSearchSettings {
 /// What was found of the cores. With the default values: that they overlap, and no more.
 template <class L, class Point>
 struct CoreSeparation {
-  Vec3<L> normal;  // unit
-  L distance;      // signed, along it
-  L lower, upper;  // of the signed distance of the cores, rounding included
-  L missing{0.0};  // of the distance, in what the normal alone shows
+  Vec3<L> normal;      // unit
+  L distance;          // signed, along it
+  Interval<L> bounds;  // of the signed distance of the cores, rounding included
+  L missing{0.0};      // of the distance, in what the normal alone shows
   int n_points = 0;
   std::array<Point, 4> points{};
   std::array<L, 4> weights{};
@@ -65,8 +66,7 @@ class CoreSearch {
             settings.goal == SeparationGoal::signed_distance ? DescentGoal::nearest : DescentGoal::separated,
             settings.max_support_calls)),
         n_support_calls_(descent_.n_support_calls) {
-    found_.lower = descent_.lower;
-    found_.upper = descent_.upper;
+    found_.bounds = {descent_.lower, descent_.upper};
     found_.is_capped = descent_.end == Descent::End::capped;
     // A descent that ends so near to the origin that no direction separates is one that touches.
     const bool meets = descent_.end == Descent::End::around_origin || descent_.end == Descent::End::touching ||
@@ -99,12 +99,12 @@ class CoreSearch {
     found_.has_normal = true;
     found_.distance = -polytope.height();
     // Of a K whose ways out tie the descent may have hit one, and the polytope none.
-    const bool is_of_descent = found_.lower + polytope.depth_upper() > L(4.0) * error_.support;
+    const bool is_of_descent = found_.bounds.lower + polytope.depth_upper() > L(4.0) * error_.support;
     if (is_of_descent) {
       found_.normal = descent_.normal_of_lower;
-      found_.distance = found_.lower;
+      found_.distance = found_.bounds.lower;
     }
-    found_.lower = larger(found_.lower, -polytope.depth_upper());
+    found_.bounds.lower = larger(found_.bounds.lower, -polytope.depth_upper());
     if (end == Polytope::End::separated) {
       found_.distance = square_root(descent_.simplex.square());
       found_.take_points(descent_.simplex);
@@ -113,7 +113,7 @@ class CoreSearch {
     Vec3<L> foot;
     if (end != Polytope::End::flat) {
       const L depth_lower = polytope.depth_lower();
-      if (-depth_lower < found_.upper) found_.upper = -depth_lower;
+      if (-depth_lower < found_.bounds.upper) found_.bounds.upper = -depth_lower;
       const auto add = [&](const L& weight, const Point& point) {
         found_.add(weight, point);
         foot = foot + weight * point.w;

@@ -113,12 +113,12 @@ std::optional<ZonotopeSeparation> nearest_of_segments(const DifferenceZonotope& 
   if (!(length > slack)) return std::nullopt;
   std::optional<ZonotopeSeparation> answer(std::in_place);
   ZonotopeSeparation& result = *answer;
-  result.lower = -HUGE_VAL;
+  result.bounds.lower = -HUGE_VAL;
   const auto take = [&](const Vec3d& normal) {
     double lower = -dot(normal, centre);
     for (int i = 0; i < k.n_vectors; ++i) lower -= std::fabs(dot(normal, k.vectors[index_of(i)]));
-    if (lower > result.lower) {
-      result.lower = lower;
+    if (lower > result.bounds.lower) {
+      result.bounds.lower = lower;
       result.normal = normal;
     }
   };
@@ -126,8 +126,7 @@ std::optional<ZonotopeSeparation> nearest_of_segments(const DifferenceZonotope& 
   // Of segments that nearly cross the nearest point is all rounding, and what is across them is not.
   if (is_inside) take(((dot(across, nearest) < 0.0 ? 1.0 : -1.0) / norm(across)) * across);
   result.distance = length;
-  result.lower -= slack;
-  result.upper = length + slack;
+  result.bounds = {result.bounds.lower - slack, length + slack};
   set_points(result, k, factors);
   return answer;
 }
@@ -187,10 +186,9 @@ std::optional<ZonotopeSeparation> deepest_of_faces(const DifferenceZonotope& k, 
   const double sign = aside[best] > 0.0 ? -1.0 : 1.0;
   result.normal = (sign / std::sqrt(square[best])) * Vec3d{x[best], y[best], z[best]};
   result.distance = -least;
-  result.lower = -least - slack;
-  result.upper = -(least_lower - slack - (leaves_out ? 6.0 * kParallel * error.reach : 0.0));
-  if (result.lower > 0.0) return answer;
-  if (!(result.upper < 0.0)) return std::nullopt;
+  result.bounds = {-least - slack, -(least_lower - slack - (leaves_out ? 6.0 * kParallel * error.reach : 0.0))};
+  if (result.bounds.lower > 0.0) return answer;
+  if (!(result.bounds.upper < 0.0)) return std::nullopt;
 
   Factors factors{};
   std::array<int, 6> members{};

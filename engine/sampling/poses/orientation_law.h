@@ -12,6 +12,7 @@
 #include <string>
 
 #include "engine/numeric/elementary.h"
+#include "engine/numeric/expect.h"
 #include "engine/numeric/transform.h"
 
 namespace vex {
@@ -36,6 +37,15 @@ Transform<L> uniform_rotation(const L& u, const SinCos<L>& first, const SinCos<L
 template <class L>
 Transform<L> uniform_rotation(const L& u, const L& v, const L& w) {
   return uniform_rotation(u, sincospi(v + v), sincospi(w + w));
+}
+
+/// Rz(phi) Ry(theta) Rz(psi): z goes to the polar angle theta and the azimuth phi = 2 pi v, psi = 2 pi w.
+template <class L>
+Transform<L> rotation_of_axis(const L& sin_theta, const L& cos_theta, const L& v, const L& w) {
+  const SinCos<L> phi = sincospi(v + v), psi = sincospi(w + w);
+  const Vec3<L> x{cos_theta * psi.cos, -(cos_theta * psi.sin), sin_theta}, y{psi.sin, psi.cos, L(0.0)};
+  const Vec3<L> z{-(sin_theta * psi.cos), sin_theta * psi.sin, cos_theta};
+  return {phi.cos * x - phi.sin * y, phi.sin * x + phi.cos * y, z, {}};
 }
 
 /// A value: cheap to copy, never changes.
@@ -83,6 +93,11 @@ class OrientationLaw {
   /// R for a point of the open unit cube (at least `dimension()` coordinates); no translation.
   template <class L>
   Transform<L> rotation(std::span<const L> point) const;
+
+  /// One body's own rotation in the frame of the common axis, for a point of the open unit cube of three coordinates:
+  /// of two bodies R_A^T R_B is distributed as `rotation` is. Not of `fixed`, which is about two bodies.
+  template <class L>
+  Transform<L> rotation_of_body(std::span<const L> point) const;
 
  private:
   template <class L>
@@ -144,6 +159,16 @@ Transform<L> OrientationLaw::rotation(std::span<const L> point) const {
     return {psi_b.cos * row.x + psi_b.sin * row.y, psi_b.cos * row.y - psi_b.sin * row.x, row.z};
   };
   return {turned(psi_a.cos * x + psi_a.sin * y), turned(psi_a.cos * y - psi_a.sin * x), turned(z), {}};
+}
+
+/// Of cone and onsager Rz(phi) Ry(theta) Rz(psi).
+template <class L>
+Transform<L> OrientationLaw::rotation_of_body(std::span<const L> point) const {
+  VEX_EXPECT(kind_ != Kind::fixed);
+  if (kind_ == Kind::isotropic) return uniform_rotation(point[0], point[1], point[2]);
+  if (kind_ == Kind::aligned) return {};
+  const Polar<L> theta = polar_angle(point[0]);
+  return rotation_of_axis(theta.sin, theta.cos, point[1], point[2]);
 }
 
 }  // namespace vex

@@ -35,7 +35,7 @@ void expect_measures(const Measures& measures, const Measures& expected, double 
   expect_near_relative(measures.integrated_mean_curvature, expected.integrated_mean_curvature, relative_error, "M");
 }
 
-/// <V_ex> / V of a body with itself (REFERENCE.md, section 5).
+/// <V_ex> / V of a body with itself: docs/guide.md.
 double reduced_excluded_volume(const Measures& m) {
   return 2.0 * (1.0 + m.integrated_mean_curvature * m.surface_area / (4.0 * kPi * m.volume));
 }

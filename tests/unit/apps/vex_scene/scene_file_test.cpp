@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "apps/common/common_options.h"
-#include "apps/vex_scene/line_reader.h"
+#include "apps/common/line_reader.h"
 #include "engine/numeric/errors.h"
 #include "engine/numeric/quaternion.h"
 

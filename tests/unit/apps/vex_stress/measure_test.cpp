@@ -7,7 +7,7 @@
 #include <set>
 
 #include "apps/referees/test_backend.h"
-#include "apps/vex_paper/wrong_tests.h"
+#include "apps/referees/wrong_tests.h"
 #include "engine/numeric/errors.h"
 #include "engine/query/overlap.h"
 

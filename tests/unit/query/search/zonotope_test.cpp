@@ -44,8 +44,8 @@ TEST(Zonotope, HasTheNearestPointsOfSegments) {
       if (!found) continue;
       ++n_answers;
       ASSERT_NEAR(norm(found->normal), 1.0, 1e-15);
-      ASSERT_LE(found->lower, found->upper);
-      ASSERT_LE(found->upper - found->lower, 1e-13 * (a.circumradius() + b.circumradius()))
+      ASSERT_LE(found->bounds.lower, found->bounds.upper);
+      ASSERT_LE(found->bounds.width(), 1e-13 * (a.circumradius() + b.circumradius()))
           << name_a << " " << name_b << " " << k;
       ASSERT_NEAR(-reach(a, b, pose, found->normal), found->distance, 1e-14);
       ASSERT_LE(norm((found->point_b - found->point_a) - found->distance * found->normal), 1e-14);
@@ -80,18 +80,18 @@ TEST(Zonotope, FindsTheShortestWayOutByItsFaces) {
       if (!found) continue;
       ASSERT_NEAR(norm(found->normal), 1.0, 1e-14);
       ASSERT_NEAR(-reach(a, b, pose, found->normal), found->distance, 1e-14);
-      if (found->lower > 0.0) {
+      if (found->bounds.lower > 0.0) {
         ++n_apart;
         continue;
       }
       ++n_deep;
-      ASSERT_LT(found->upper, 0.0);
-      ASSERT_LE(found->upper - found->lower, 1e-10);
+      ASSERT_LT(found->bounds.upper, 0.0);
+      ASSERT_LE(found->bounds.width(), 1e-10);
       ASSERT_LE(norm((found->point_b - found->point_a) - found->distance * found->normal), 1e-13);
       for (int j = 0; j < 60; ++j) {
         const Vec3d any{normal(random), normal(random), normal(random)};
         const Vec3d dir = (1.0 / norm(any)) * any;
-        ASSERT_GE(reach(a, b, pose, dir), -found->upper - 1e-14) << name_a << " " << name_b << " " << k;
+        ASSERT_GE(reach(a, b, pose, dir), -found->bounds.upper - 1e-14) << name_a << " " << name_b << " " << k;
         ASSERT_LE(outside(a, found->point_a, dir), 1e-13);
         const Vec3d own = pose.direction_to_b(dir);
         ASSERT_LE(dot(dir, found->point_b - pose.translation) - dot(own, b.core_support(own)), 1e-13);

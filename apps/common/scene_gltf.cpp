@@ -1,12 +1,12 @@
-#include "apps/vex_scene/scene_gltf.h"
+#include "apps/common/scene_gltf.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
 
-#include "apps/vex_scene/body_colours.h"
-#include "apps/vex_scene/body_mesh.h"
-#include "apps/vex_scene/glb_file.h"
+#include "apps/common/body_mesh.h"
+#include "apps/common/glb_file.h"
 #include "engine/numeric/errors.h"
 #include "engine/numeric/number_text.h"
 
@@ -55,8 +55,8 @@ int n_around_of(std::size_t n_bodies) {
 
 class SceneGltf {
  public:
-  SceneGltf(const SceneRun& run, const Scene& scene)
-      : run_(run), scene_(scene), colours_(body_colours(run.options.query, run.found, scene.end())) {}
+  SceneGltf(const Scene& scene, std::span<const std::string> names, const std::vector<std::uint8_t>& colours)
+      : scene_(scene), names_(names), colours_(colours) {}
 
   std::string text() {
     for (BodyId body = 0; body < scene_.end(); ++body) bodies_[{scene_.shape_of(body), colours_[body]}].push_back(body);
@@ -65,7 +65,7 @@ class SceneGltf {
       const std::size_t mesh = add_mesh(kind.first, kind.second);
       has_instances ? add_instances(kind.first, mesh, bodies) : add_nodes(kind.first, mesh, bodies);
     }
-    if (run_.box) add_box(*run_.box);
+    if (scene_.box()) add_box(*scene_.box());
     if (has_instances) {
       file_.document()["extensionsRequired"].push_back(kInstancing);
       file_.document()["extensionsUsed"].push_back(kInstancing);
@@ -124,7 +124,7 @@ class SceneGltf {
                       {"indices", geometry.indices},
                       {"material", material_of(colour, geometry)}};
     if (geometry.is_line) primitive["mode"] = kLines;
-    return file_.add("meshes", {{"name", run_.bodies[shape].source}, {"primitives", Json::array({primitive})}});
+    return file_.add("meshes", {{"name", names_[shape]}, {"primitives", Json::array({primitive})}});
   }
 
   // Where the centre is, in the box.
@@ -132,7 +132,7 @@ class SceneGltf {
     const Transformd pose = scene_.pose(body);
     Vec3d place = pose(origin);
     ImageOffset ignored{};
-    if (run_.box) place = run_.box->wrapped(place, &ignored);
+    if (scene_.box()) place = scene_.box()->wrapped(place, &ignored);
     require_fit(norm_1(place), "a place");
     return place;
   }
@@ -198,9 +198,9 @@ class SceneGltf {
     file_.document()["scene"] = 0;
   }
 
-  const SceneRun& run_;
   const Scene& scene_;
-  std::vector<std::uint8_t> colours_;
+  std::span<const std::string> names_;
+  const std::vector<std::uint8_t>& colours_;
   GlbFile file_;
   std::map<std::pair<ShapeId, std::uint8_t>, std::vector<BodyId>> bodies_;
   std::map<ShapeId, Geometry> geometries_;
@@ -211,6 +211,16 @@ class SceneGltf {
 
 }  // namespace
 
-std::string scene_gltf(const SceneRun& run, const Scene& scene) { return SceneGltf(run, scene).text(); }
+void require_glb_name(const std::string& path, const std::string& option) {
+  std::string end = path.size() < 4 ? "" : path.substr(path.size() - 4);
+  std::ranges::transform(end, end.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+  if (path.empty() || end == ".glb") return;
+  throw UsageError("not the name of a binary glTF file (" + path + " for " + option + ") - let it end in .glb");
+}
+
+std::string scene_gltf(const Scene& scene, std::span<const std::string> names,
+                       const std::vector<std::uint8_t>& colours) {
+  return SceneGltf(scene, names, colours).text();
+}
 
 }  // namespace vex

@@ -1,4 +1,4 @@
-#include "apps/vex_scene/status_line.h"
+#include "apps/common/status_line.h"
 
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-#include "apps/vex_scene/glb_file.h"
+#include "apps/common/glb_file.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "apps/vex_scene/line_reader.h"
+#include "apps/common/line_reader.h"
 
 #include <fcntl.h>
 #include <unistd.h>

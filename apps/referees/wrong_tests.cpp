@@ -1,4 +1,4 @@
-#include "apps/vex_paper/wrong_tests.h"
+#include "apps/referees/wrong_tests.h"
 
 #include <cmath>
 #include <string>

@@ -1,4 +1,4 @@
-#include "apps/vex_scene/body_mesh.h"
+#include "apps/common/body_mesh.h"
 
 #include <algorithm>
 #include <cmath>

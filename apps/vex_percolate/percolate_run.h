@@ -1,0 +1,62 @@
+// A run of vex_percolate: what is placed, what was found, and what follows.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/common/bodies.h"
+#include "apps/vex_percolate/options.h"
+#include "engine/sampling/percolation/extrapolation.h"
+
+namespace vex {
+
+/// One size of the periodic cube.
+struct SizeRun {
+  double size;  // in extents of the largest body
+  PercolationSystem system;
+  std::vector<WrappingNumbers> found;
+  PercolationCounts counts;
+
+  double volume() const { return system.edge * system.edge * system.edge; }
+};
+
+/// The mean over the bodies' parts and over the law of orientations.
+struct MeanExcludedVolume {
+  double value = 0.0, std_error = 0.0;
+  std::string reason;  // why it is not known; empty where it is
+};
+
+struct PercolateRun {
+  std::string command;
+  PercolateOptions options;
+  std::vector<LoadedBody> bodies;
+  std::vector<Body> connecting;  // the bodies with their shells
+  double extent = 0.0;           // of the largest of these: twice its circumradius
+  double mean_volume = 0.0;      // of the bodies without shells
+  MeanExcludedVolume excluded_volume;
+  std::vector<SizeRun> sizes;
+
+  bool complete = true;         // false: interrupted
+  std::string stopped_because;  // where the error that was asked for cannot be reached
+  double seconds = 0.0;
+  double seconds_before = 0.0;  // of the runs that it goes on from
+
+  // Once each size has two realisations.
+  std::vector<SizedThreshold> thresholds;  // number densities
+  std::optional<Extrapolation> threshold;
+
+  bool is_flat() const { return mean_volume == 0.0; }
+  /// eta, or of flat bodies the number density itself.
+  double eta_unit() const { return is_flat() ? 1.0 : mean_volume; }
+  PercolationCounts counts() const;
+};
+
+/// Loads the bodies, and makes the systems of all sizes. Throws UsageError or InputError.
+PercolateRun prepare(const PercolateOptions& options, const std::string& command);
+
+/// Makes realisations until a stop rule or an interrupt ends the run. `on_round` is called after each round, with the
+/// thresholds known so far.
+void percolate(PercolateRun& run, const std::function<void()>& on_round);
+
+}  // namespace vex

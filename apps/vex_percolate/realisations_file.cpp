@@ -1,0 +1,167 @@
+#include "apps/vex_percolate/realisations_file.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "apps/common/line_reader.h"
+#include "apps/common/numbers.h"
+#include "apps/common/text.h"
+#include "engine/numeric/errors.h"
+#include "engine/sampling/points/random_stream.h"
+
+namespace vex {
+namespace {
+
+constexpr std::string_view kHeader = "size,realisation,x,y,z", kEnd = "# end";
+
+// Bodies of one text may differ: of a file that has changed, or in another scale. Their measures then do.
+std::string body_line(const LoadedBody& body, const Body& connecting, double fraction) {
+  const Measures& measures = body.shape.measures;
+  return printable(body.source) + " fraction " + shortest_number(fraction) + " V " + hex_number(measures.volume) +
+         " S " + hex_number(measures.surface_area) + " M " + hex_number(measures.integrated_mean_curvature) + " R " +
+         hex_number(connecting.body.circumradius());
+}
+
+std::vector<std::string> system_lines(const PercolateRun& run) {
+  const PercolateOptions& options = run.options;
+  std::vector<std::string> lines = {"# vex_percolate: realisations, stream " + std::to_string(kStreamVersion)};
+  for (std::size_t k = 0; k < run.bodies.size(); ++k) {
+    lines.push_back("# body: " + body_line(run.bodies[k], run.connecting[k], options.bodies[k].fraction));
+  }
+  lines.push_back("# orientations: " + options.law);
+  lines.push_back("# shell: " + shortest_number(options.shell));
+  lines.push_back("# backend: " + options.backend_name);
+  lines.push_back("# seed: " + std::to_string(options.seed));
+  std::string sizes = "# sizes:";
+  for (const SizeRun& size : run.sizes) sizes += " " + shortest_number(size.size);
+  lines.push_back(sizes);
+  return lines;
+}
+
+std::string counts_line(const SizeRun& size) {
+  std::string line =
+      "# counts: " + std::to_string(size.counts.n_bodies) + " " + std::to_string(size.counts.n_undecided);
+  for (const SceneCounts::Stage& stage : size.counts.stages.stages) {
+    line += " " + std::to_string(stage.seen) + " " + std::to_string(stage.settled);
+  }
+  return line;
+}
+
+// Whole numbers with this mark between them, exactly so many.
+bool read_numbers(std::string_view text, char mark, std::span<std::uint64_t> numbers) {
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    if (k > 0 && (at == end || *at++ != mark)) return false;
+    const auto [next, error] = std::from_chars(at, end, numbers[k]);
+    if (error != std::errc() || next == at) return false;
+    at = next;
+  }
+  return at == end;
+}
+
+class ResumedFile {
+ public:
+  ResumedFile(const std::string& path, PercolateRun& run) : lines_(path, "realisations"), run_(run) {}
+
+  void read() {
+    for (const std::string& wanted : system_lines(run_)) {
+      if (next() != wanted) {
+        refuse("of another system (it has \"" + printable(line_) + "\", and this run \"" + printable(wanted) +
+               "\") - resume with the command that wrote it");
+      }
+    }
+    read_seconds();
+    for (SizeRun& size : run_.sizes) read_counts(size.counts);
+    if (next() != kHeader) refuse("not the header " + std::string(kHeader) + " - give a file that vex_percolate wrote");
+    // A file that was cut off, in the middle of a number perhaps, has no end.
+    while (next() != kEnd) {
+      if (line_.empty()) refuse("no \"" + std::string(kEnd) + "\" - the file is cut off");
+      read_row();
+    }
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& problem) const {
+    throw InputError(lines_.name() + ", line " + std::to_string(lines_.number()) + ": " + problem);
+  }
+  std::string_view next() {
+    if (!lines_.next(line_)) line_ = {};
+    return line_;
+  }
+
+  void read_seconds() {
+    constexpr std::string_view kKey = "# seconds: ";
+    next();
+    double seconds = -1.0;
+    if (line_.starts_with(kKey)) {
+      const std::string_view number = line_.substr(kKey.size());
+      if (std::from_chars(number.data(), number.data() + number.size(), seconds).ec != std::errc()) seconds = -1.0;
+    }
+    if (!(seconds >= 0.0 && seconds <= 1e12)) refuse("no \"# seconds: \" and a number - the file is damaged");
+    run_.seconds_before = seconds;
+  }
+
+  void read_counts(PercolationCounts& counts) {
+    constexpr std::string_view kKey = "# counts: ";
+    std::array<std::uint64_t, 2 + 2 * kNSceneStages> numbers{};
+    next();
+    if (!line_.starts_with(kKey) || !read_numbers(line_.substr(kKey.size()), ' ', numbers)) {
+      refuse("no \"# counts: \" and " + std::to_string(numbers.size()) + " numbers - the file is damaged");
+    }
+    counts.n_bodies = numbers[0];
+    counts.n_undecided = numbers[1];
+    for (std::size_t k = 0; k < counts.stages.stages.size(); ++k) {
+      counts.stages.stages[k] = {numbers[2 + 2 * k], numbers[3 + 2 * k]};
+    }
+  }
+
+  // size,realisation,x,y,z: sizes by their numbers, realisations from 0 on without a gap.
+  void read_row() {
+    std::array<std::uint64_t, 5> row{};
+    if (!read_numbers(line_, ',', row)) refuse("not five whole numbers - the file is damaged");
+    if (row[0] >= run_.sizes.size()) refuse("size " + std::to_string(row[0]) + " is none - the file is damaged");
+    SizeRun& size = run_.sizes[row[0]];
+    if (row[1] != size.found.size()) {
+      refuse("realisation " + std::to_string(row[1]) + " where " + std::to_string(size.found.size()) +
+             " is due - the file is damaged");
+    }
+    if (size.found.size() >= kMostRealisations) refuse("too many realisations - the file is damaged");
+    WrappingNumbers numbers;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (row[2 + axis] == 0 || row[2 + axis] > size.system.most_bodies) {
+        refuse(std::to_string(row[2 + axis]) + " bodies are none that a cluster wraps with - the file is damaged");
+      }
+      numbers.along[axis] = static_cast<std::uint32_t>(row[2 + axis]);
+    }
+    size.found.push_back(numbers);
+  }
+
+  LineReader lines_;
+  PercolateRun& run_;
+  std::string_view line_;
+};
+
+}  // namespace
+
+std::string realisations_text(const PercolateRun& run) {
+  std::string text;
+  for (const std::string& line : system_lines(run)) text += line + "\n";
+  text += "# seconds: " + shortest_number(run.seconds_before + run.seconds) + "\n";
+  for (const SizeRun& size : run.sizes) text += counts_line(size) + "\n";
+  text += std::string(kHeader) + "\n";
+  for (std::size_t k = 0; k < run.sizes.size(); ++k) {
+    const std::vector<WrappingNumbers>& found = run.sizes[k].found;
+    for (std::size_t j = 0; j < found.size(); ++j) {
+      text += std::to_string(k) + "," + std::to_string(j);
+      for (const std::uint32_t n : found[j].along) text += "," + std::to_string(n);
+      text += "\n";
+    }
+  }
+  return text + std::string(kEnd) + "\n";
+}
+
+void resume_from(const std::string& path, PercolateRun& run) { ResumedFile(path, run).read(); }
+
+}  // namespace vex

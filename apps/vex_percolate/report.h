@@ -1,0 +1,34 @@
+// What vex_percolate says of a run: on the screen, as a document, and as pictures.
+#pragma once
+
+#include <string>
+
+#include "apps/vex_percolate/percolate_run.h"
+
+namespace vex {
+
+/// A value with its standard error.
+struct Estimated {
+  double value, std_error;
+};
+
+/// What follows from the threshold, where it is known.
+struct CriticalValues {
+  Estimated number_density;
+  std::optional<Estimated> eta, phi;  // none of flat bodies
+  std::optional<Estimated> b;         // n <V_ex>; none where <V_ex> is not known
+};
+std::optional<CriticalValues> critical_values(const PercolateRun& run);
+
+std::string report_text(const PercolateRun& run);
+
+/// The document of --json.
+std::string report_json(const PercolateRun& run);
+
+/// The wrapping probability against eta, a curve a size and criterion, and the threshold.
+std::string picture_of(const PercolateRun& run);
+
+/// The first realisation of the smallest size when a cluster first wraps, which stands out.
+std::string sample_gltf(const PercolateRun& run);
+
+}  // namespace vex

@@ -1,0 +1,101 @@
+// The document of --json.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "apps/common/body_report.h"
+#include "apps/vex_percolate/report.h"
+
+namespace vex {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json estimated_json(const Estimated& one) {
+  return {{"value", number_or_null(one.value)}, {"std_error", number_or_null(one.std_error)}};
+}
+Json estimated_json(const std::optional<Estimated>& one) { return one ? estimated_json(*one) : Json(nullptr); }
+
+Json size_json(const PercolateRun& run, std::size_t k) {
+  const SizeRun& size = run.sizes[k];
+  Json json = {{"size", size.size}, {"box", size.system.edge}, {"realisations", size.found.size()}};
+  json["criteria"] = nullptr;
+  if (k >= run.thresholds.size()) return json;
+  const SizedThreshold& threshold = run.thresholds[k];
+  json["criteria"] = Json::object();
+  for (std::size_t c = 0; c < kNWrappingCriteria; ++c) {
+    const WrappingCriterion criterion = static_cast<WrappingCriterion>(c);
+    const double error = std::sqrt(threshold.covariance[c][c]);
+    Json entry = {{"probability", universal_probability(criterion).value}};
+    entry["eta"] = run.is_flat() ? Json(nullptr) : Json(threshold.density[c] * run.mean_volume);
+    entry["std_error"] = run.is_flat() ? Json(nullptr) : Json(error * run.mean_volume);
+    entry["number_density"] = threshold.density[c];
+    entry["number_density_std_error"] = error;
+    json["criteria"][std::string(name_of(criterion))] = std::move(entry);
+  }
+  return json;
+}
+
+// Errors in units of the threshold that is told: eta, or the number density of flat bodies.
+Json fit_json(const PercolateRun& run) {
+  if (!run.threshold) return nullptr;
+  const Extrapolation& fit = *run.threshold;
+  const double unit = run.eta_unit();
+  Json json = {{"extrapolated", fit.is_extrapolated},
+               {"exponent", kSizeExponent},
+               {"exponent_error", kSizeExponentError},
+               {"scatter_error", fit.scatter_error * unit},
+               {"from_exponent", fit.exponent_error * unit},
+               {"from_universal_values", fit.universal_error * unit},
+               {"chi_square", fit.chi_square},
+               {"degrees_of_freedom", fit.degrees_of_freedom},
+               {"p_value", fit.p_value}};
+  json["without_smallest"] = nullptr;
+  if (fit.without_smallest) json["without_smallest"] = *fit.without_smallest * unit;
+  return json;
+}
+
+}  // namespace
+
+std::string report_json(const PercolateRun& run) {
+  const PercolateOptions& options = run.options;
+  Json json = document_head(run.command, options, run.complete, run.seconds_before + run.seconds);
+  json["bodies"] = Json::array();
+  for (std::size_t k = 0; k < run.bodies.size(); ++k) {
+    Json body = body_json(run.bodies[k], options.dump_vertices);
+    body["fraction"] = options.bodies[k].fraction;
+    json["bodies"].push_back(std::move(body));
+  }
+  json["orientations"] = options.law;
+  json["shell"] = options.shell;
+  json["backend"] = options.backend_name;
+  json["isa"] = name_of(options.instruction_set);
+  const std::optional<CriticalValues> values = critical_values(run);
+  json["eta_c"] = values ? estimated_json(values->eta) : Json(nullptr);
+  json["phi_c"] = values ? estimated_json(values->phi) : Json(nullptr);
+  json["number_density_c"] = values ? estimated_json(values->number_density) : Json(nullptr);
+  json["b_c"] = values ? estimated_json(values->b) : Json(nullptr);
+  json["excluded_volume"] = nullptr;
+  json["excluded_volume_std_error"] = nullptr;
+  if (run.excluded_volume.reason.empty()) {
+    json["excluded_volume"] = number_or_null(run.excluded_volume.value);
+    json["excluded_volume_std_error"] = number_or_null(run.excluded_volume.std_error);
+  } else {
+    json["excluded_volume_reason"] = run.excluded_volume.reason;
+  }
+  json["mean_volume"] = run.mean_volume;
+  json["size_unit"] = run.extent;
+  json["sizes"] = Json::array();
+  for (std::size_t k = 0; k < run.sizes.size(); ++k) json["sizes"].push_back(size_json(run, k));
+  json["extrapolation"] = fit_json(run);
+  if (!run.stopped_because.empty()) json["stopped_because"] = run.stopped_because;
+  const PercolationCounts counts = run.counts();
+  const SceneCounts::Stage& joined = counts.stages[SceneStage::joined];
+  json["bodies_placed"] = counts.n_bodies;
+  json["pairs"] = {{"seen", joined.seen},
+                   {"skipped", joined.settled},
+                   {"tested", joined.seen - joined.settled},
+                   {"undecided", counts.n_undecided}};
+  return document_text(json);
+}
+
+}  // namespace vex

@@ -1,0 +1,202 @@
+#include "engine/query/search/separation_search.h"
+
+#include <cmath>
+
+#include "engine/numeric/directions.h"
+#include "engine/numeric/interval.h"
+#include "engine/query/search/core_difference.h"
+#include "engine/query/search/way_out.h"
+#include "engine/query/search/zonotope.h"
+
+namespace vex {
+namespace {
+
+// How near the searches bring bounds, rounding apart, where no more is asked. Polytopes end by themselves; what is left
+// of curved bodies halves with every other support call.
+constexpr double kPolytopeGap = 0x1p-44, kExtendedPolytopeGap = 0x1p-60, kCurvedGap = 0x1p-32;
+// Where rounding makes faces of its own, a hull of more points than these is no better.
+constexpr int kCoarseHullPoints = 32;
+
+// Points of the cores; B's also in its own frame.
+struct CorePoints {
+  Vec3d a, b, own_b;
+};
+
+double rounded(double x) { return x; }
+double rounded(const Extended& x) { return x.high; }
+
+// The nearest ones, or those at the foot of the shortest way out.
+template <class L, class Point, class PointsOf>
+CorePoints weighted_points(const CoreSeparation<L, Point>& core, const PointsOf& points_of) {
+  CorePoints sum;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(core.n_points); ++k) {
+    const double weight = rounded(core.weights[k]);
+    const CorePoints points = points_of(core.points[k]);
+    sum.a = sum.a + weight * points.a;
+    sum.b = sum.b + weight * points.b;
+    sum.own_b = sum.own_b + weight * points.own_b;
+  }
+  return sum;
+}
+
+void set_points(Separation& result, const Transformd& a_from_b, const CorePoints& cores, double radius_a,
+                double radius_b) {
+  result.point_a = cores.a + radius_a * result.normal;
+  result.point_b = cores.b - radius_b * result.normal;
+  result.point_b_in_b = cores.own_b - radius_b * a_from_b.direction_to_b(result.normal);
+}
+
+class DoubleSearch {
+ public:
+  explicit DoubleSearch(const SeparationQuery& query)
+      : query_(query),
+        difference_(query.a, query.b, query.a_from_b),
+        error_(difference_.error()),
+        is_coarse_(4.0 * error_.support > query.settled_gap() * query.circumradii()),
+        settings_{query.goal,
+                  difference_.radius_a() + difference_.radius_b(),
+                  query.circumradii(),
+                  query.relative_gap(kPolytopeGap, kCurvedGap),
+                  query.settings.max_support_calls,
+                  is_coarse_ ? std::min(kCoarseHullPoints, query.settings.max_support_calls) : query.max_hull_points(),
+                  query.settings.max_distance} {}
+
+  std::optional<SearchedSeparation> run(WarmStart* warm_start) const {
+    if (!is_usual(error_)) return std::nullopt;
+    std::optional<SearchedSeparation> result(std::in_place);
+    result->is_coarse = is_coarse_;
+    const std::optional<Generators>&a = query_.a.generators(), &b = query_.b.generators();
+    if (!a || !b) {
+      search(nullptr, warm_start, *result);
+      return result;
+    }
+    const DifferenceZonotope zonotope(*a, *b, query_.a_from_b);
+    if (!answer_without_search(zonotope, result->separation)) search(&zonotope, warm_start, *result);
+    return result;
+  }
+
+ private:
+  // The bodies' answer from that of their cores.
+  void take(const Vec3d& normal, double distance, const Interval<double>& bounds, Separation& result) const {
+    const double rounding = 4.0 * kUnitRoundoff * settings_.radii;
+    result.lower = bounds.lower - settings_.radii - rounding;
+    result.upper = bounds.upper - settings_.radii + rounding;
+    result.signed_distance = distance - settings_.radii;
+    result.has_witnesses = true;
+    result.normal = normal;
+  }
+  void take_points(const CorePoints& cores, Separation& result) const {
+    set_points(result, query_.a_from_b, cores, difference_.radius_a(), difference_.radius_b());
+  }
+  void take(const ZonotopeSeparation& found, Separation& result) const {
+    take(found.normal, found.distance, found.bounds, result);
+    take_points({found.point_a, found.point_b, found.own_point_b}, result);
+  }
+
+  bool answer_without_search(const DifferenceZonotope& zonotope, Separation& result) const {
+    std::optional<ZonotopeSeparation> found;
+    if (zonotope.n_vectors <= 2) {
+      found = nearest_of_segments(zonotope, error_);
+      const double rounding = 4.0 * error_.support;
+      if (!found || found->bounds.width() > rounding + settings_.wanted(found->distance)) return false;
+    } else {
+      if (settings_.goal != SeparationGoal::depth) return false;
+      found = deepest_of_faces(zonotope, error_);
+      if (!found || !(found->bounds.lower > settings_.radii || found->bounds.upper < 0.0)) return false;
+    }
+    take(*found, result);
+    return true;
+  }
+
+  void search(const DifferenceZonotope* zonotope, WarmStart* warm_start, SearchedSeparation& searched) const {
+    const Vec3d warm_dir = CoreDifference::dir_of(warm_start);
+    Vec3d first_dir = norm_1(warm_dir) > 0.0 && is_finite(warm_dir) ? warm_dir : difference_.between_centres();
+    first_dir = norm_1(first_dir) > 0.0 ? unit_along(first_dir) : kAnyUnitVector;
+    CoreSearch<double, CoreDifference::Point, CoreDifference> search(difference_, error_, settings_, first_dir,
+                                                                     difference_.simplex_of(warm_start));
+    Separation& result = searched.separation;
+    if (search.wants_depth()) {
+      if (zonotope != nullptr) {
+        const std::optional<ZonotopeSeparation> deepest = deepest_of_faces(*zonotope, error_);
+        if (deepest && deepest->bounds.upper < 0.0) {
+          // Of bodies that overlap neither the way out nor the corners of a face make a good start of the next hull.
+          if (warm_start != nullptr) difference_.remember(*warm_start, {});
+          take(*deepest, result);
+          result.n_support_calls = search.n_support_calls();
+          return;
+        }
+      }
+      search.find_depth();
+    }
+    const CoreSeparation<double, CoreDifference::Point>& core = search.found();
+    take(core.normal, core.distance, core.bounds, result);
+    take_points(weighted_points(core, [](const auto& p) { return CorePoints{p.a, p.b, p.own_b}; }), result);
+    result.has_witnesses = core.has_normal;
+    result.n_support_calls = search.n_support_calls();
+    searched.is_capped = core.is_capped;
+    searched.missing = core.missing;
+    if (core.is_capped && search.wants_depth() && core.bounds.lower > -HUGE_VAL) look_for_shorter_way(core, result);
+    if (warm_start == nullptr) return;
+    const bool is_good_start = core.distance > 0.0;
+    difference_.remember(*warm_start, is_good_start ? core.normal : Vec3d{});
+    for (int k = 0; is_good_start && core.has_normal && k < core.n_points; ++k) {
+      difference_.remember_point(*warm_start, core.points[static_cast<std::size_t>(k)]);
+    }
+  }
+
+  void look_for_shorter_way(const CoreSeparation<double, CoreDifference::Point>& core, Separation& result) const {
+    const WayOut way = shorter_way_out(query_.a, query_.b, query_.a_from_b, difference_, core.normal, -core.distance,
+                                       settings_.wanted(core.distance));
+    result.n_support_calls += way.n_support_calls;
+    if (!way.is_found) return;
+    const double lower = std::fmax(core.bounds.lower, -way.height - 2.0 * error_.support);
+    take(way.normal, -way.height, {lower, core.bounds.upper}, result);
+    result.point_a = way.point_a;
+    result.point_b = way.point_b;
+    result.point_b_in_b = way.point_b_in_b;
+  }
+
+  const SeparationQuery& query_;
+  CoreDifference difference_;
+  QueryError<double> error_;
+  bool is_coarse_;
+  CoreSearchSettings<double> settings_;
+};
+
+}  // namespace
+
+std::optional<SearchedSeparation> search_in_double(const SeparationQuery& query, WarmStart* warm_start) {
+  return DoubleSearch(query).run(warm_start);
+}
+
+Separation search_in_extended(const SeparationQuery& query, const PlacedForms& placed, const Vec3d& first_dir) {
+  const LocalForms forms(placed);
+  const ExtendedCore difference(forms);
+  const CoreSearchSettings<Extended> settings{query.goal,
+                                              forms.ball_radius(),
+                                              Extended(std::ldexp(query.circumradii(), -forms.exponent())),
+                                              Extended(query.relative_gap(kExtendedPolytopeGap, kCurvedGap)),
+                                              query.settings.max_support_calls,
+                                              query.max_hull_points(),
+                                              Extended(std::ldexp(query.settings.max_distance, -forms.exponent()))};
+  const QueryError<Extended> error{Extended(8.0), Extended(kExtendedError)};
+  CoreSearch<Extended, ExtendedCore::Point, ExtendedCore> search(difference, error, settings,
+                                                                 broadcast<Extended>(first_dir), {});
+  if (search.wants_depth()) search.find_depth();
+  const CoreSeparation<Extended, ExtendedCore::Point>& core = search.found();
+  const auto of_bodies = [&forms](const Extended& of_cores) {
+    return std::ldexp((of_cores - forms.ball_radius()).high, forms.exponent());
+  };
+  Separation result;
+  result.n_support_calls = search.n_support_calls();
+  result.lower = next_below(of_bodies(core.bounds.lower));
+  result.upper = next_above(of_bodies(core.bounds.upper));
+  result.signed_distance = of_bodies(core.distance);
+  result.has_witnesses = core.has_normal;
+  result.normal = high_part(core.normal);
+  const auto points_of = [&placed](const ExtendedCore::Point& p) { return CorePoints{p.a, placed.a_from_b(p.b), p.b}; };
+  set_points(result, placed.a_from_b, weighted_points(core, points_of), query.a.ball_radius(), query.b.ball_radius());
+  return result;
+}
+
+}  // namespace vex

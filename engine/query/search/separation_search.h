@@ -1,0 +1,54 @@
+// How far apart two bodies are, or how deep in each other, from a search in their cores' difference (core_search.h): in
+// double precision or in twice that. Which is asked, and what the sign is where bounds leave it open: separation.cpp.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "engine/query/exact/placed_forms.h"
+#include "engine/query/search/core_search.h"
+#include "engine/query/separation.h"
+
+namespace vex {
+
+/// What is asked of a pair.
+struct SeparationQuery {
+  const ConvexBody& a;
+  const ConvexBody& b;
+  const Transformd& a_from_b;
+  SeparationGoal goal;
+  SeparationSettings settings;
+
+  double circumradii() const { return a.circumradius() + b.circumradius(); }
+  bool are_rounded_polytopes() const { return a.is_rounded_polytope() && b.is_rounded_polytope(); }
+  /// How near bounds are brought, of |signed distance| + R_A + R_B: as near as is asked for, but no nearer than this.
+  double relative_gap(double of_polytopes, double of_curved) const {
+    return std::max(settings.relative_gap, are_rounded_polytopes() ? of_polytopes : of_curved);
+  }
+  /// The gap with which an answer in double precision will do.
+  double settled_gap() const { return relative_gap(0x1p-40, 0x1p-31); }
+  /// Hulls of polytopes come to an end by themselves, if it takes all of their vertices.
+  int max_hull_points() const {
+    constexpr int kMost = 1 << 14;
+    const bool ends = are_rounded_polytopes() && settings.max_support_calls == kMaxSupportCalls;
+    return ends ? kMost : settings.max_support_calls;
+  }
+};
+
+/// Without the verdict.
+struct SearchedSeparation {
+  Separation separation;
+  bool is_capped = false;  // more support calls would bring the bounds nearer
+  double missing = 0.0;    // of the distance, in what the normal alone shows
+  /// What rounding alone leaves between bounds is more than was asked for, as of bodies far from the origins of their
+  /// frames: the search shows a direction to begin with, and no more.
+  bool is_coarse = false;
+};
+
+/// None of pairs that are too large or too small for double precision. Zonotopes of few vectors need no search.
+std::optional<SearchedSeparation> search_in_double(const SeparationQuery& query, WarmStart* warm_start);
+
+/// In twice the precision, along a unit vector first.
+Separation search_in_extended(const SeparationQuery& query, const PlacedForms& placed, const Vec3d& first_dir);
+
+}  // namespace vex

@@ -1,0 +1,45 @@
+// From the thresholds of several sizes of the cube to that of infinite space.
+//
+// The threshold at which R has its universal value differs from the true one by a L^-theta with theta = 1/nu - y: 1/nu
+// = 1.1410(15), y = -1.2(2) the leading correction's exponent (J. Wang et al., Phys. Rev. E 87, 052107, 2013). The
+// three criteria have amplitudes a of their own, and one threshold.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/sampling/percolation/threshold.h"
+
+namespace vex {
+
+/// What all criteria and sizes say together.
+inline constexpr double kSizeExponent = 2.34, kSizeExponentError = 0.2;
+
+/// Thresholds of one size as densities, of whatever the caller counts by.
+struct SizedThreshold {
+  double size = 0.0;  // L, in any unit of length
+  std::array<double, kNWrappingCriteria> density{};
+  std::array<std::array<double, kNWrappingCriteria>, kNWrappingCriteria> covariance{};
+  std::array<double, kNWrappingCriteria> universal_error{};
+};
+/// lambda / volume.
+SizedThreshold sized_threshold(const SizeThreshold& threshold, double size, double volume);
+
+struct Extrapolation {
+  double density = 0.0;
+  double std_error = 0.0;  // all below, as independent errors
+  double scatter_error = 0.0, exponent_error = 0.0, universal_error = 0.0;
+  bool is_extrapolated = false;                        // false: one size, and the weighted mean of its criteria is all
+  std::array<double, kNWrappingCriteria> amplitude{};  // a, in density times size^theta
+  double chi_square = 0.0;                             // of the scatter about the fit
+  int degrees_of_freedom = 0;
+  double p_value = 1.0;  // of a scatter as large as this
+  /// The same without the smallest size, where three or more are there.
+  std::optional<double> without_smallest;
+};
+
+/// A weighted least-squares fit; the sizes differ. Throws UsageError.
+Extrapolation extrapolate(std::span<const SizedThreshold> sizes);
+
+}  // namespace vex

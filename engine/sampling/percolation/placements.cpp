@@ -1,0 +1,55 @@
+#include "engine/sampling/percolation/placements.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/numeric/errors.h"
+#include "engine/numeric/number_text.h"
+#include "engine/sampling/points/random_stream.h"
+#include "engine/sampling/poses/pose_map.h"
+
+namespace vex {
+
+Placements::Placements(std::vector<BodyPart> parts, const BodyOrientations& orientations, std::uint64_t seed)
+    : parts_(std::move(parts)), orientations_(orientations), seed_(seed) {
+  if (parts_.empty()) throw UsageError("no body is to be placed - give one");
+  if (orientations_.law.kind() == OrientationLaw::Kind::fixed) {
+    throw UsageError("orientations fixed:W,X,Y,Z are about two bodies, and many are placed - choose another law");
+  }
+  double sum = 0.0;
+  for (const BodyPart& part : parts_) {
+    if (!(part.fraction > 0.0 && part.fraction <= 1e100)) {
+      throw UsageError("a body's part of the number is " + shortest_number(part.fraction) + " - give one above 0");
+    }
+    sum += part.fraction;
+  }
+  double so_far = 0.0;
+  for (const BodyPart& part : parts_) up_to_.push_back((so_far += part.fraction) / sum);
+}
+
+Placements::Placed Placements::operator()(const RealisationId& id, std::uint32_t k, double edge) const {
+  const bool is_mixture = parts_.size() > 1;
+  // Position, rotation, and of a mixture the part.
+  std::array<double, 7> u;
+  const std::uint64_t index = (std::uint64_t{id.size} << 58) | (std::uint64_t{id.realisation} << 32) | std::uint64_t{k};
+  draw_unit_cube(seed_, Stream::percolation, index, std::span(u).first(is_mixture ? 7 : 6));
+  Placed placed{0, {}};
+  if (is_mixture) {
+    const auto at = std::upper_bound(up_to_.begin(), up_to_.end() - 1, u[6]);
+    placed.part = static_cast<std::uint32_t>(at - up_to_.begin());
+  }
+  const std::span<const double> turn = std::span<const double>(u).subspan(3, 3);
+  Transformd rotation;
+  if (orientations_.uniform_polar_angle) {
+    const SinCos<double> theta = sincospi(u[3]);
+    rotation = rotation_of_axis(theta.sin, theta.cos, u[4], u[5]);
+  } else {
+    rotation = orientations_.law.rotation_of_body(turn);
+  }
+  const Vec3d centre{edge * (u[0] - 0.5), edge * (u[1] - 0.5), edge * (u[2] - 0.5)};
+  placed.world_from_body = vex::placed(rotation, centre, parts_[placed.part].body.centre());
+  return placed;
+}
+
+}  // namespace vex

@@ -1,0 +1,96 @@
+// One realisation of percolation: bodies are placed one after another, and it is recorded with which body a cluster of
+// overlapping bodies first wraps around the periodic cube.
+//
+// M. E. J. Newman and R. M. Ziff, "Fast Monte Carlo algorithm for site or bond percolation", Phys. Rev. E 64, 016706
+// (2001).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/query/overlap_backend.h"
+#include "engine/sampling/percolation/placements.h"
+#include "engine/scene/scene.h"
+
+namespace vex {
+
+/// How many bodies there were when a cluster first wrapped along x, y and z.
+struct WrappingNumbers {
+  std::array<std::uint32_t, 3> along{};
+
+  std::uint32_t any() const { return std::min(along[0], std::min(along[1], along[2])); }
+  /// Along all three, by whatever clusters.
+  std::uint32_t all() const { return std::max(along[0], std::max(along[1], along[2])); }
+  friend bool operator==(const WrappingNumbers&, const WrappingNumbers&) = default;
+};
+
+/// What realisations did, added up.
+struct PercolationCounts {
+  std::uint64_t n_bodies = 0;     // placed
+  std::uint64_t n_undecided = 0;  // pairs that would have changed a cluster, had they been proven to overlap
+  SceneCounts stages;
+
+  PercolationCounts& operator+=(const PercolationCounts& other);
+};
+
+struct PercolationSystem {
+  Placements placements;
+  double edge;             // of the periodic cube
+  std::uint32_t size = 0;  // its number among the sizes: other sizes draw other bodies
+  InstructionSet instruction_set = best_instruction_set();
+  /// Decides whether two bodies are connected, the one placed first being A; none: the engine, by packets.
+  std::optional<BackendKind> backend{};
+  std::uint32_t most_bodies = 1u << 30;  // a realisation that needs more is refused
+};
+
+/// Whether to stop; called by several threads at once.
+using StopQuestion = std::function<bool()>;
+
+/// Makes realisations one after another, in the same memory; one thread's. Holds a reference.
+class Realisation {
+ public:
+  explicit Realisation(const PercolationSystem& system);
+  Realisation(const Realisation&) = delete;
+  Realisation& operator=(const Realisation&) = delete;
+
+  /// Places bodies until clusters wrap along all three axes. A pair of which it is not proven whether it overlaps does
+  /// not connect, and is counted. Throws UsageError where `most_bodies` do not wrap. Nothing where `stop` says so.
+  std::optional<WrappingNumbers> run(std::uint32_t realisation, const StopQuestion& stop = {});
+  /// Of the last one.
+  const PercolationCounts& counts() const { return counts_; }
+
+  /// Places its first n bodies and joins all their pairs: for a look at them.
+  void place_and_join(std::uint32_t realisation, std::uint32_t n);
+  const Scene& scene() const { return scene_; }
+  Clusters& clusters() { return clusters_; }
+
+ private:
+  void begin();
+  void place(std::uint32_t realisation, std::uint32_t n);
+  Outcome ask_backend(ShapeId a, ShapeId b, const Transformd& a_from_b);
+  void ask_pairs(BodyId first, Clusters* joined);
+  void join_in_order(BodyId first, WrappingNumbers& numbers);
+  void note_wrapping(const ScenePair& pair, WrappingNumbers& numbers);
+
+  const PercolationSystem& system_;
+  Scene scene_;
+  std::vector<ShapeId> shapes_;
+  Clusters clusters_;
+  ScenePairs pairs_;
+  PairJudge judge_;                                        // of a backend
+  std::vector<std::unique_ptr<OverlapBackend>> backends_;  // of every two shapes
+  std::vector<ScenePair> news_;                            // what changed the clusters
+  PercolationCounts counts_;
+};
+
+/// Realisations first ... first + n - 1, by so many threads; in their order, the same for any number of threads. Fewer
+/// where `stop` said so: then those up to the first that was not finished. `counts` grows by theirs.
+std::vector<WrappingNumbers> run_realisations(const PercolationSystem& system, std::uint32_t first, std::uint32_t n,
+                                              int n_threads, PercolationCounts& counts, const StopQuestion& stop = {});
+
+}  // namespace vex

@@ -1,0 +1,207 @@
+// vex_percolate as users meet it.
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <sstream>
+
+#include "tests/golden/sample_files.h"
+#include "tests/golden/scene.h"
+
+namespace vex::golden {
+namespace {
+
+using nlohmann::json;
+
+class Percolate : public ProgramTest {
+ protected:
+  Percolate() : ProgramTest(VEX_PERCOLATE_PROGRAM) {}
+
+  Finished succeed(Words words) const {
+    Finished finished = run(words);
+    EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    return finished;
+  }
+  void expect_refused(const Words& words, int code, const std::string& part) const {
+    expect_refusal(run(words), code, part, "vex_percolate");
+  }
+};
+
+const Words kSmall = {"box:1,1,1", "--sizes", "3,4,6", "--realisations", "60"};
+
+Words with(Words words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+TEST_F(Percolate, TellsTheThresholdInEveryUnit) {
+  const json found = json_of(kSmall);
+  for (const char* key : {"bodies", "eta_c", "phi_c", "number_density_c", "b_c", "excluded_volume", "sizes", "pairs",
+                          "seconds", "complete"}) {
+    EXPECT_TRUE(found.contains(key)) << key;
+  }
+  const double eta = found["eta_c"]["value"], error = found["eta_c"]["std_error"];
+  EXPECT_NEAR(eta, 0.24437, 5.0 * error);  // docs/percolation.md
+  EXPECT_LT(error, 0.02);
+  EXPECT_NEAR(found["phi_c"]["value"], 1.0 - std::exp(-eta), 1e-12);
+  EXPECT_NEAR(found["b_c"]["value"], 11.0 * eta, 1e-9);
+  EXPECT_EQ(found["excluded_volume"], 11.0);
+  ASSERT_EQ(found["sizes"].size(), 3u);
+  for (const json& size : found["sizes"]) {
+    EXPECT_EQ(size["realisations"], 60);
+    EXPECT_NEAR(size["box"], size["size"].get<double>() * std::sqrt(3.0), 1e-9);
+    for (const char* criterion : {"x", "any", "all"}) EXPECT_GT(size["criteria"][criterion]["std_error"], 0.0);
+  }
+  const json& pairs = found["pairs"];
+  EXPECT_EQ(pairs["seen"], pairs["skipped"].get<std::uint64_t>() + pairs["tested"].get<std::uint64_t>());
+  EXPECT_GT(pairs["skipped"], 0);
+  EXPECT_EQ(pairs["undecided"], 0);
+}
+
+TEST_F(Percolate, ThreadsAndSetsChangeNothing) {
+  const auto numbers = [&](const Words& more) {
+    succeed(with(with(kSmall, {"--quiet", "--csv", "out.csv"}), more));
+    std::string text = read_file("out.csv");
+    return text.substr(text.find("# counts"));
+  };
+  const std::string wanted = numbers({"--threads", "1"});
+  EXPECT_EQ(numbers({"--threads", "2"}), wanted);
+  EXPECT_EQ(numbers({"--threads", "8"}), wanted);
+  EXPECT_EQ(numbers({"--isa", "scalar"}).substr(wanted.find("size,")), wanted.substr(wanted.find("size,")));
+  EXPECT_NE(numbers({"--seed", "2"}), wanted);
+}
+
+TEST_F(Percolate, AResumedRunIsThatOfOneRun) {
+  const auto rows = [&](const std::string& file) {
+    const std::string text = read_file(file);
+    return text.substr(text.find("# counts"));
+  };
+  succeed(with(kSmall, {"--quiet", "--csv", "whole.csv"}));
+  Words part = kSmall;
+  part.back() = "25";
+  succeed(with(part, {"--quiet", "--checkpoint", "state.csv"}));
+  EXPECT_NE(rows("state.csv"), rows("whole.csv"));
+  // In the same file, as one does.
+  succeed(with(kSmall, {"--quiet", "--checkpoint", "state.csv", "--resume", "state.csv"}));
+  EXPECT_EQ(rows("state.csv"), rows("whole.csv"));
+}
+
+TEST_F(Percolate, GoesOnFromNothingElse) {
+  succeed(with(kSmall, {"--quiet", "--csv", "state.csv"}));
+  expect_refused({"box:1,1,1.5", "--sizes", "3,4,6", "--resume", "state.csv"}, 3,
+                 "state.csv, line 2: of another system");
+  expect_refused(with(kSmall, {"--seed", "2", "--resume", "state.csv"}), 3, "of another system");
+  expect_refused({"box:1,1,1", "--sizes", "3,4", "--resume", "state.csv"}, 3, "of another system");
+  expect_refused(with(kSmall, {"--scale", "2", "--resume", "state.csv"}), 3, "of another system");
+  expect_refused(with(kSmall, {"--orientations", "aligned", "--resume", "state.csv"}), 3, "of another system");
+  expect_refused(with(kSmall, {"--resume", "missing.csv"}), 3, "missing.csv");
+  const std::string whole = read_file("state.csv");
+  const auto broken = [&](const std::string& content, const std::string& part) {
+    write_file("broken.csv", content);
+    expect_refused(with(kSmall, {"--resume", "broken.csv"}), 3, part);
+  };
+  broken(whole.substr(0, whole.size() - 7), "the file is cut off");
+  broken(whole.substr(0, whole.size() - 9), "the file is cut off");
+  broken("", "line 0: of another system");
+  std::string changed = whole;
+  changed.replace(changed.find("\n0,3,"), 5, "\n0,4,");
+  broken(changed, "realisation 4 where 3 is due");
+  changed = whole;
+  changed.replace(changed.find("\n0,3,") + 5, 1, "x");
+  broken(changed, "not five whole numbers");
+}
+
+TEST_F(Percolate, AnInterruptedRunReportsWhatWasDone) {
+  const Finished finished = run_and_signal({"box:1,1,1", "--sizes", "3,5", "--realisations", "1e7", "--json", "r.json",
+                                            "--checkpoint", "state.csv", "--threads", "3"},
+                                           SIGINT, has_worker_threads);
+  EXPECT_EQ(finished.exit_code, 130) << finished.err;
+  EXPECT_LT(finished.seconds, 20.0);
+  EXPECT_NE(finished.out.find("INTERRUPTED"), std::string::npos);
+  const json found = json::parse(read_file("r.json"));
+  EXPECT_EQ(found["complete"], false);
+  EXPECT_NE(read_file("state.csv").find("# end\n"), std::string::npos);
+}
+
+TEST_F(Percolate, DrawsAndShowsASample) {
+  const Finished finished = succeed(with(kSmall, {"--plot", "p.svg", "--gltf", "sample.glb"}));
+  EXPECT_NE(finished.out.find("eta_c"), std::string::npos);
+  const std::string picture = read_file("p.svg");
+  EXPECT_NE(picture.find("wrapping probability R"), std::string::npos);
+  EXPECT_EQ(picture.find("nan"), std::string::npos);
+  const Glb glb(read_file("sample.glb"));
+  EXPECT_EQ(glb.fault, "");
+  const std::string names = glb.document.dump();
+  EXPECT_NE(names.find("stands out"), std::string::npos);
+}
+
+TEST_F(Percolate, FlatBodiesHaveADensityAndNoVolume) {
+  const json found = json_of({"disc:1", "--sizes", "3,5", "--realisations", "200"});
+  EXPECT_TRUE(found["eta_c"].is_null());
+  EXPECT_TRUE(found["phi_c"].is_null());
+  EXPECT_NEAR(found["b_c"]["value"], 2.302, 5.0 * found["b_c"]["std_error"].get<double>());
+  expect_refused({"disc:1", "--std-error", "1e-3"}, 2, "eta of flat bodies is 0");
+}
+
+TEST_F(Percolate, AShellIsARoundedBody) {
+  const Words stop = {"--sizes", "3,4", "--realisations", "30", "--quiet"};
+  succeed(with(with({"box:1,1,1", "--shell", "0.2", "--csv", "shell.csv"}, stop), {}));
+  succeed(with(with({"rounded:0.1,box:1,1,1", "--csv", "rounded.csv"}, stop), {}));
+  const auto rows = [&](const std::string& file) {
+    const std::string text = read_file(file);
+    return text.substr(text.find("size,"));
+  };
+  EXPECT_EQ(rows("shell.csv"), rows("rounded.csv"));
+}
+
+TEST_F(Percolate, AWrongTestHasAnotherThreshold) {
+  const Words stop = {"--sizes", "4,6", "--realisations", "1500"};
+  const json right = json_of(with({"box:1,1,1"}, stop));
+  const json wrong = json_of(with({"box:1,1,1", "--backend", "one-sided-edges"}, stop));
+  const double off = wrong["eta_c"]["value"].get<double>() - right["eta_c"]["value"].get<double>();
+  const double error = std::hypot(wrong["eta_c"]["std_error"].get<double>(), right["eta_c"]["std_error"].get<double>());
+  EXPECT_GT(off, 5.0 * error);
+  EXPECT_NEAR(off, 0.0085, 5.0 * error);  // docs/percolation.md
+  expect_refused({"sphere:1", "--backend", "one-sided-edges"}, 2, "one-sided-edges has no shape for sphere:1");
+}
+
+TEST_F(Percolate, MixturesHaveFractions) {
+  const json found =
+      json_of({"sphere:0.5:0.25", "rounded:0.1,box:0.5,0.5,0.5:0.75", "--sizes", "3,4", "--realisations", "20"});
+  EXPECT_EQ(found["bodies"][0]["fraction"], 0.25);
+  EXPECT_EQ(found["bodies"][1]["source"], "rounded:0.1,box:0.5,0.5,0.5");
+  EXPECT_NEAR(found["mean_volume"],
+              0.25 * found["bodies"][0]["volume"].get<double>() + 0.75 * found["bodies"][1]["volume"].get<double>(),
+              1e-12);
+  expect_refused({"sphere:1:0.5", "sphere:2"}, 2, "some bodies have a fraction and others have none");
+  expect_refused({"sphere:1:0"}, 2, "a fraction that is not above 0");
+}
+
+TEST_F(Percolate, FilesOfDifferentUnitsDoNotMeetByTheirNumbersAlone) {
+  write_file("metres.gltf", tetrahedron_gltf("body.bin"));
+  write_file("body.bin", tetrahedron_buffer());
+  write_file("centimetres.dae", tetrahedron_dae("centimeter", "0.01"));
+  const Words both = {"metres.gltf", "centimetres.dae", "--sizes", "3,4", "--realisations", "5"};
+  expect_refused(both, 3, "two files of different units (metres.gltf in m, centimetres.dae in cm)");
+  const json found = json_of(with(both, {"--unit", "cm"}));
+  EXPECT_NEAR(found["bodies"][0]["volume"].get<double>() / found["bodies"][1]["volume"].get<double>(), 1e6, 1.0);
+}
+
+TEST_F(Percolate, RefusesWhatMakesNoSense) {
+  expect_refused({"cube:1"}, 2, "did you mean box:A,B,C?");
+  expect_refused({"sphere:1", "--sizes", "1"}, 2, "less than two extents");
+  expect_refused({"sphere:1", "--sizes", "3,3"}, 2, "a size is given twice");
+  expect_refused({"sphere:1", "--sizes", "3,"}, 2, "--sizes");
+  expect_refused({"sphere:1", "--sizes", "1e4"}, 3, "give a smaller one");
+  expect_refused({"sphere:1", "--realisations", "1"}, 2, "out of range");
+  expect_refused({"sphere:1", "--orientations", "fixed:1,0,0,0"}, 2, "about two bodies");
+  expect_refused({"sphere:1", "--shell", "-1"}, 2, "a shell below 0");
+  expect_refused({"sphere:1", "--gltf", "a.obj"}, 2, "let it end in .glb");
+  expect_refused({"sphere:1", "--checkpoint", "-"}, 2, "name a file");
+  expect_refused({"needle:1"}, 3, "bodies that never overlap");
+  // Parallel discs never meet.
+  expect_refused({"disc:1", "--orientations", "aligned", "--sizes", "2", "--realisations", "2"}, 2,
+                 "no cluster wraps around the cube");
+}
+
+}  // namespace
+}  // namespace vex::golden
