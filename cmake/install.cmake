@@ -38,7 +38,7 @@ install(FILES cmake/third_party_licenses.txt DESTINATION ${CMAKE_INSTALL_DOCDIR}
 # The documentation lies as in the repository, so that its links lead on; headers refer to docs/derivations.md.
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs
-  FILES_MATCHING PATTERN *.md PATTERN *.svg)
+  FILES_MATCHING PATTERN *.md PATTERN *.svg PATTERN *.txt)
 include(cmake/man_pages.cmake)
 
 # --- libraries: each room has a targets file of its own, so that who asks for the engine needs none of the others'
