@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include "apps/common/body_mesh.h"
+#include "meshes/body_mesh.h"
 #include "apps/common/glb_file.h"
 #include "engine/numeric/errors.h"
 #include "engine/numeric/number_text.h"

@@ -51,7 +51,8 @@ void declare_options(OptionParser& options, CommandLine& words) {
       .add_option(
           "--orientations", words.orientations,
           "isotropic (default); aligned; fixed:W,X,Y,Z, B's quaternion in A's frame; cone:DEG, both z axes within this "
-          "angle of +-z; onsager:ALPHA, both z axes by the density cosh(ALPHA cos theta)")
+          "angle of +-z; angle:DEG, B's z axis at this angle to A's, each body spun about its own; onsager:ALPHA, both z "
+          "axes by the density cosh(ALPHA cos theta)")
       .type_name("LAW")
       .group(sampling);
   options.add_option("--estimator", words.estimator, estimators_help()).type_name("NAME").group(sampling);

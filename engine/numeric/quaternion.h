@@ -23,4 +23,9 @@ double correctly_rounded_norm(const std::array<double, 4>& components);
 /// for the quaternion 0 and where one is not finite.
 Transformd rotation_from_quaternion(double w, double x, double y, double z);
 
+/// The same of n quaternions that stand in four columns, bit for bit: R's nine entries by rows in columns of `stride`
+/// values. Throws as it does, some columns being written then.
+void rotations_from_quaternions(const std::array<const double*, 4>& components, std::size_t n, double* rotations,
+                                std::size_t stride);
+
 }  // namespace vex

@@ -39,7 +39,7 @@ std::optional<Vec3d> semi_axes_of(const ConvexBody& body) {
 
 bool spins_about_z(const OrientationLaw& law) {
   return law.kind() == OrientationLaw::Kind::isotropic || law.kind() == OrientationLaw::Kind::cone ||
-         law.kind() == OrientationLaw::Kind::onsager;
+         law.kind() == OrientationLaw::Kind::angle || law.kind() == OrientationLaw::Kind::onsager;
 }
 
 struct Axes {

@@ -14,8 +14,10 @@ namespace vex {
 Placements::Placements(std::vector<BodyPart> parts, const BodyOrientations& orientations, std::uint64_t seed)
     : parts_(std::move(parts)), orientations_(orientations), seed_(seed) {
   if (parts_.empty()) throw UsageError("no body is to be placed - give one");
-  if (orientations_.law.kind() == OrientationLaw::Kind::fixed) {
-    throw UsageError("orientations fixed:W,X,Y,Z are about two bodies, and many are placed - choose another law");
+  const OrientationLaw::Kind law = orientations_.law.kind();
+  if (law == OrientationLaw::Kind::fixed || law == OrientationLaw::Kind::angle) {
+    throw UsageError("orientations " + orientations_.law.name() +
+                     " are about two bodies, and many are placed - choose another law");
   }
   double sum = 0.0;
   for (const BodyPart& part : parts_) {

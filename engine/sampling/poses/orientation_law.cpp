@@ -50,6 +50,19 @@ OrientationLaw OrientationLaw::cone(double degrees) {
   return law;
 }
 
+OrientationLaw OrientationLaw::angle(double degrees) {
+  if (!(degrees >= 0.0 && degrees <= 180.0)) {
+    throw UsageError("an angle between two axes is not from 0 to 180 degrees (" + shortest_number(degrees) +
+                     ") - give one that is");
+  }
+  OrientationLaw law;
+  law.kind_ = Kind::angle;
+  law.parameter_ = degrees;
+  const SinCos<double> between = sincospi(degrees / 180.0);
+  law.between_ = {between.sin, between.cos};
+  return law;
+}
+
 OrientationLaw OrientationLaw::onsager(double alpha) {
   if (!(alpha >= 0.0 && std::isfinite(alpha))) {
     throw UsageError("alpha is negative or not finite (" + shortest_number(alpha) + ") - give a number from 0 up");
@@ -71,6 +84,7 @@ std::string OrientationLaw::name() const {
       return text;
     }
     case Kind::cone: return "cone:" + shortest_number(parameter_);
+    case Kind::angle: return "angle:" + shortest_number(parameter_);
     case Kind::onsager: break;
   }
   return "onsager:" + shortest_number(parameter_);
@@ -80,7 +94,8 @@ std::optional<double> OrientationLaw::order_parameter() const {
   switch (kind_) {
     case Kind::isotropic: return 0.0;
     case Kind::aligned: return 1.0;
-    case Kind::fixed: return std::nullopt;
+    case Kind::fixed:
+    case Kind::angle: return std::nullopt;
     case Kind::cone: {
       // cos(theta) is uniform on [c, 1]: the mean of its square is (1 + c + c^2) / 3.
       const double c = sincospi(parameter_ / 180.0).cos;
@@ -102,6 +117,7 @@ int OrientationLaw::dimension() const {
     case Kind::isotropic: return 3;
     case Kind::aligned:
     case Kind::fixed: return 0;
+    case Kind::angle: return 2;
     case Kind::cone:
     case Kind::onsager: break;
   }

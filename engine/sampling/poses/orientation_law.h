@@ -56,6 +56,7 @@ class OrientationLaw {
     aligned,    // R = I
     fixed,      // one R
     cone,       // both z axes within an angle of +-z
+    angle,      // B's z axis at one angle to A's
     onsager,    // both z axes by Onsager's trial function
   };
 
@@ -68,18 +69,20 @@ class OrientationLaw {
   /// sign, all other angles uniform (Balberg, Anderson, Alexander, Wagner, Phys. Rev. B 30, 3933, 1984). 0 <= degrees
   /// <= 90.
   static OrientationLaw cone(double degrees);
+  /// B's z axis at this angle to A's, each body spun uniformly about its own. 0 <= degrees <= 180.
+  static OrientationLaw angle(double degrees);
   /// Each body's z axis independently with a density proportional to cosh(alpha cos(theta)) in solid angle (L. Onsager,
   /// Ann. N.Y. Acad. Sci. 51, 627, 1949), all other angles uniform. alpha >= 0; 0 is isotropic.
   static OrientationLaw onsager(double alpha);
 
   Kind kind() const { return kind_; }
-  /// The angle in degrees of cone, alpha of onsager, 0 of all others.
+  /// The angle in degrees of cone and angle, alpha of onsager, 0 of all others.
   double parameter() const { return parameter_; }
-  /// isotropic, aligned, fixed:1,0,0,0, cone:30, onsager:5.
+  /// isotropic, aligned, fixed:1,0,0,0, cone:30, angle:30, onsager:5.
   std::string name() const;
 
   /// The mean of P_2(cos theta) = (3 cos^2 theta - 1) / 2 of each body's z axis about the common one: 0 of isotropic, 1
-  /// where all are parallel. Nothing for `fixed`, which has no common axis.
+  /// where all are parallel. Nothing for `fixed` and `angle`, which have no common axis.
   std::optional<double> order_parameter() const;
 
   friend bool operator==(const OrientationLaw& x, const OrientationLaw& y) {
@@ -95,7 +98,7 @@ class OrientationLaw {
   Transform<L> rotation(std::span<const L> point) const;
 
   /// One body's own rotation in the frame of the common axis, for a point of the open unit cube of three coordinates:
-  /// of two bodies R_A^T R_B is distributed as `rotation` is. Not of `fixed`, which is about two bodies.
+  /// of two bodies R_A^T R_B is distributed as `rotation` is. Not of `fixed` and `angle`, which are about two bodies.
   template <class L>
   Transform<L> rotation_of_body(std::span<const L> point) const;
 
@@ -111,6 +114,7 @@ class OrientationLaw {
   Transformd fixed_{};  // of fixed
   std::array<double, 4> quaternion_{1.0, 0.0, 0.0, 0.0};
   double parameter_ = 0.0;  // degrees, or alpha
+  Polar<double> between_{0.0, 1.0};  // of angle
   double height_ = 0.0;     // of cone: 1 - cos(degrees); of onsager: 1 - exp(-2 alpha)
 };
 
@@ -143,6 +147,7 @@ Transform<L> OrientationLaw::rotation(std::span<const L> point) const {
     case Kind::isotropic: return uniform_rotation(point[0], point[1], point[2]);
     case Kind::aligned: return {};
     case Kind::fixed: return {broadcast<L>(fixed_.row_x), broadcast<L>(fixed_.row_y), broadcast<L>(fixed_.row_z), {}};
+    case Kind::angle: return rotation_of_axis(L(between_.sin), L(between_.cos), point[0], point[1]);
     case Kind::cone:
     case Kind::onsager: break;
   }
@@ -164,7 +169,7 @@ Transform<L> OrientationLaw::rotation(std::span<const L> point) const {
 /// Of cone and onsager Rz(phi) Ry(theta) Rz(psi).
 template <class L>
 Transform<L> OrientationLaw::rotation_of_body(std::span<const L> point) const {
-  VEX_EXPECT(kind_ != Kind::fixed);
+  VEX_EXPECT(kind_ != Kind::fixed && kind_ != Kind::angle);
   if (kind_ == Kind::isotropic) return uniform_rotation(point[0], point[1], point[2]);
   if (kind_ == Kind::aligned) return {};
   const Polar<L> theta = polar_angle(point[0]);

@@ -227,7 +227,8 @@ TEST(AverageOverALaw, OfCapsulesFollowsFromTheMeanSine) {
         MeanSine{OrientationLaw::cone(30), .44088106}, MeanSine{OrientationLaw::cone(60), .71470601},
         MeanSine{OrientationLaw::cone(75), .77095325}, MeanSine{OrientationLaw::onsager(1), .78357786},
         MeanSine{OrientationLaw::onsager(5), .65087646}, MeanSine{OrientationLaw::onsager(10), .50912456},
-        MeanSine{OrientationLaw::onsager(30), .31356589}}) {
+        MeanSine{OrientationLaw::onsager(30), .31356589}, MeanSine{OrientationLaw::angle(30), .5},
+        MeanSine{OrientationLaw::angle(135), std::sqrt(.5)}}) {
     const double truth =
         32.0 / 3.0 * kPi * r * r * r + 8.0 * kPi * length * r * r + 4.0 * length * length * r * known.value;
     SCOPED_TRACE(known.law.name());

@@ -1,4 +1,4 @@
-#include "apps/common/body_mesh.h"
+#include "meshes/body_mesh.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,130 @@
+#include "python/bindings/arrays.h"
+
+#include <array>
+#include <functional>
+#include <system_error>
+#include <thread>
+
+#include "engine/numeric/quaternion.h"
+#include "engine/sampling/monte_carlo.h"
+
+namespace vex::python {
+namespace {
+
+std::string shape_text(const py::array& array) {
+  std::string text = "(";
+  for (py::ssize_t k = 0; k < array.ndim(); ++k) {
+    text += (k > 0 ? ", " : "") + std::to_string(array.shape(k));
+  }
+  return text + (array.ndim() == 1 ? ",)" : ")");
+}
+
+}  // namespace
+
+Rows3::Rows3(const Floats& array) : data_(array.data()), n_(0) {
+  if (array.ndim() != 2 || array.shape(1) != 3) {
+    throw UsageError("not an array of vectors (its shape is " + shape_text(array) + ") - give one of shape (N, 3)");
+  }
+  n_ = static_cast<std::size_t>(array.shape(0));
+}
+
+PoseRows::PoseRows(const Floats& rows, const std::optional<Floats>& translations) : rows_(rows.data()) {
+  if (!translations) {
+    if (rows.ndim() != 2 || rows.shape(1) != 7) {
+      throw UsageError("not an array of poses (its shape is " + shape_text(rows) +
+                       ") - give one of shape (N, 7), rows of x, y, z, qw, qx, qy, qz, or a pair of rotations (N, 3, "
+                       "3) and translations (N, 3)");
+    }
+  } else {
+    if (rows.ndim() != 3 || rows.shape(1) != 3 || rows.shape(2) != 3) {
+      throw UsageError("not an array of rotations (its shape is " + shape_text(rows) +
+                       ") - give one of shape (N, 3, 3)");
+    }
+    if (translations->ndim() != 2 || translations->shape(1) != 3 || translations->shape(0) != rows.shape(0)) {
+      throw UsageError("not a translation for each rotation (shapes " + shape_text(*translations) + " and " +
+                       shape_text(rows) + ") - give one of shape (N, 3)");
+    }
+    translations_ = translations->data();
+  }
+  n_ = static_cast<std::size_t>(rows.shape(0));
+}
+
+Transformd PoseRows::transform(std::size_t k) const {
+  if (translations_ != nullptr) {
+    const double* const r = rows_ + 9 * k;
+    return {vec3_at(r), vec3_at(r + 3), vec3_at(r + 6), vec3_at(translations_ + 3 * k)};
+  }
+  const double* const row = rows_ + 7 * k;
+  Transformd pose = rotation_from_quaternion(row[3], row[4], row[5], row[6]);
+  pose.translation = vec3_at(row);
+  return pose;
+}
+
+Pose PoseRows::operator[](std::size_t k) const {
+  try {
+    return Pose(transform(k));
+  } catch (const InputError& error) {
+    throw InputError("pose " + std::to_string(k) + ": " + error.what());
+  }
+}
+
+void PoseRows::set_columns(std::size_t first, std::size_t last, double* columns) const {
+  constexpr std::size_t kStride = PacketOverlap::kStride;
+  if (translations_ != nullptr) {
+    for (std::size_t k = first; k < last; ++k) set_pose(columns, kStride, k - first, (*this)[k].a_from_b());
+    return;
+  }
+  std::array<std::array<double, kStride>, 4> quaternion;
+  bool are_finite = true;
+  for (std::size_t k = first; k < last; ++k) {
+    const double* const row = rows_ + 7 * k;
+    for (std::size_t i = 0; i < 3; ++i) columns[(9 + i) * kStride + (k - first)] = row[i];
+    for (std::size_t i = 0; i < 4; ++i) quaternion[i][k - first] = row[3 + i];
+    are_finite &= is_finite(vec3_at(row));
+  }
+  try {
+    if (!are_finite) throw InputError("a translation is not finite");
+    // Of any quaternion these are rotations to some roundings: nothing else is to be checked.
+    rotations_from_quaternions({quaternion[0].data(), quaternion[1].data(), quaternion[2].data(), quaternion[3].data()},
+                               last - first, columns, kStride);
+  } catch (const InputError&) {
+    for (std::size_t k = first; k < last; ++k) (*this)[k];  // throws, and names the row
+    throw;
+  }
+}
+
+int number_of_threads(int threads) {
+  if (threads < 0 || threads > kMostThreads) {
+    throw UsageError("no number of threads (" + std::to_string(threads) + ") - give one from 1 to " +
+                     std::to_string(kMostThreads) + ", or None for one a core");
+  }
+  if (threads > 0) return threads;
+  const unsigned n_cores = std::thread::hardware_concurrency();
+  return n_cores == 0 ? 1 : static_cast<int>(std::min<unsigned>(n_cores, kMostThreads));
+}
+
+bool SignalWatch::has_thrown() {
+  const auto now = std::chrono::steady_clock::now();
+  if (now < next_) return false;
+  next_ = now + std::chrono::milliseconds(100);
+  const py::gil_scoped_acquire with_gil;
+  if (PyErr_CheckSignals() == 0) return false;
+  try {
+    throw py::error_already_set();
+  } catch (...) {
+    error_ = std::current_exception();
+  }
+  return true;
+}
+
+void detail::on_threads(int n, const std::function<void(int)>& work) {
+  std::vector<std::jthread> threads;
+  try {
+    for (int k = 1; k < n; ++k) threads.emplace_back(work, k);
+  } catch (const std::system_error&) {
+    // The blocks of a thread that cannot be had are taken by the others.
+  }
+  work(0);
+}
+
+}  // namespace vex::python

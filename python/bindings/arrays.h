@@ -1,0 +1,180 @@
+// Arrays of NumPy on their way to the engine and back, and loops over their rows.
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/numeric/errors.h"
+#include "engine/numeric/pose.h"
+#include "engine/query/overlap_backend.h"
+#include "engine/query/packets/packet_overlap.h"
+
+namespace vex::python {
+
+namespace py = pybind11;
+
+/// A verdict in arrays.
+inline std::int8_t number_of(Outcome outcome) {
+  return outcome == Outcome::overlap ? 1 : outcome == Outcome::disjoint ? 0 : -1;
+}
+
+/// The Python side has made them contiguous and checked what they are of.
+using Floats = py::array_t<double, py::array::c_style>;
+
+inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+inline Vec3d vec3_at(const double* row) { return {row[0], row[1], row[2]}; }
+inline void put(double* to, const Vec3d& v) {
+  to[0] = v.x;
+  to[1] = v.y;
+  to[2] = v.z;
+}
+inline void put_nan(double* to) { put(to, {kNan, kNan, kNan}); }
+
+/// The rows of an array (N, 3). Refers to it.
+class Rows3 {
+ public:
+  explicit Rows3(const Floats& array);
+  std::size_t size() const { return n_; }
+  Vec3d operator[](std::size_t k) const { return vec3_at(data_ + 3 * k); }
+
+ private:
+  const double* data_;
+  std::size_t n_;
+};
+
+/// Poses of B in A's frame: an array (N, 7) of x, y, z, qw, qx, qy, qz; or rotations (N, 3, 3) and translations (N, 3).
+/// Refers to the arrays.
+class PoseRows {
+ public:
+  PoseRows(const Floats& rows, const std::optional<Floats>& translations);
+
+  std::size_t size() const { return n_; }
+  /// Throws InputError, which names the row.
+  Pose operator[](std::size_t k) const;
+  /// The rows first ... last - 1, at most PacketOverlap::kMostTrials, as the columns of a PoseTable of its stride.
+  void set_columns(std::size_t first, std::size_t last, double* columns) const;
+
+ private:
+  Transformd transform(std::size_t k) const;
+
+  const double* rows_;
+  const double* translations_ = nullptr;  // null where a row is a translation and a quaternion
+  std::size_t n_ = 0;
+};
+
+/// As many threads as there are cores where `threads` is 0. Throws UsageError where it is below 0 or far too many.
+int number_of_threads(int threads);
+
+/// Asks the interpreter for signals now and then, on the thread that made it.
+class SignalWatch {
+ public:
+  /// Whether a signal's handler has thrown; then `rethrow` does. Takes the GIL, at most ten times a second.
+  bool has_thrown();
+  void rethrow() {
+    if (error_) std::rethrow_exception(error_);
+  }
+
+ private:
+  std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now();
+  std::exception_ptr error_;
+};
+
+namespace detail {
+
+/// work(first, last) of each block, on several threads, `make` having made one `work` for each. Called without the GIL.
+template <class Make>
+class BlockLoop {
+ public:
+  BlockLoop(std::size_t n, std::size_t block, const Make& make) : n_(n), block_(block), make_(make) {}
+
+  void run(int n_threads);
+
+ private:
+  void work(SignalWatch* watch);
+  void fail(std::size_t first) {
+    const std::lock_guard lock(mutex_);
+    if (first < failed_) {
+      failed_ = first;
+      failure_ = std::current_exception();
+    }
+    stop_ = true;
+  }
+
+  std::size_t n_, block_;
+  const Make& make_;
+  std::atomic<std::size_t> next_{0};
+  std::atomic<bool> stop_{false};
+  std::mutex mutex_;
+  std::size_t failed_ = std::numeric_limits<std::size_t>::max();
+  std::exception_ptr failure_;
+};
+
+void on_threads(int n, const std::function<void(int)>& work);
+
+template <class Make>
+void BlockLoop<Make>::work(SignalWatch* watch) {
+  std::size_t first = 0;
+  try {
+    auto&& block = make_();
+    // Blocks are taken in their order and one that was taken is finished, so what fails first is the same for any
+    // number of threads.
+    for (first = next_.fetch_add(block_); first < n_ && !stop_; first = next_.fetch_add(block_)) {
+      block(first, std::min(first + block_, n_));
+      if (watch != nullptr && watch->has_thrown()) {
+        stop_ = true;
+        return;
+      }
+    }
+  } catch (...) {
+    fail(first);
+  }
+}
+
+template <class Make>
+void BlockLoop<Make>::run(int n_threads) {
+  const std::size_t n_blocks = (n_ + block_ - 1) / block_;
+  SignalWatch watch;
+  on_threads(static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(n_threads), n_blocks)),
+             [&](int k) { work(k == 0 ? &watch : nullptr); });
+  watch.rethrow();
+  if (failure_) std::rethrow_exception(failure_);
+}
+
+}  // namespace detail
+
+/// work(first, last) for all rows in [0, n), by so many threads, without the GIL; `make()` makes one `work` for each
+/// thread. Of what is thrown the first in the order of the rows is thrown again here; so is what a signal's handler
+/// throws, as Ctrl-C does.
+template <class Make>
+void over_rows(std::size_t n, int threads, std::size_t block, const Make& make) {
+  const int n_threads = number_of_threads(threads);
+  if (n == 0) return;
+  const py::gil_scoped_release without_gil;
+  detail::BlockLoop<Make>(n, block, make).run(n_threads);
+}
+
+/// Of queries that take a microsecond or more.
+inline constexpr std::size_t kRowsABlock = 32;
+
+/// work(k) for each row.
+template <class Work>
+void over_each_row(std::size_t n, int threads, const Work& work) {
+  over_rows(n, threads, kRowsABlock, [&work] {
+    return [&work](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) work(k);
+    };
+  });
+}
+
+}  // namespace vex::python

@@ -1,0 +1,373 @@
+// Queries over arrays of poses.
+#include <pybind11/stl.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "engine/query/contact_certificate.h"
+#include "engine/query/contact_manifold.h"
+#include "engine/query/first_contact.h"
+#include "engine/query/manifold_certificate.h"
+#include "engine/query/margin.h"
+#include "engine/query/overlap.h"
+#include "engine/query/overlap_backend.h"
+#include "engine/query/packets/packet_overlap.h"
+#include "engine/query/separation.h"
+#include "engine/query/separation_certificate.h"
+#include "python/bindings/body.h"
+
+namespace vex::python {
+namespace {
+
+using Verdicts = py::array_t<std::int8_t>;
+
+struct SeparationRow {
+  double value, lower, upper;
+  double normal[3], point_a[3], point_b[3];
+  std::int8_t verdict;
+  bool is_rough;
+};
+struct ContactRow {
+  double time, lower, upper;
+  double normal[3], point_a[3], point_b[3];
+  std::int8_t verdict;
+};
+struct ManifoldRow {
+  double point_a[3], point_b[3], distance;
+};
+
+/// Whether each answer was proven again by the checker, and what is missing where it was not; where that was asked for.
+class Proofs {
+ public:
+  Proofs(bool wanted, std::size_t n) : is_wanted_(wanted), checks_(wanted ? n : 0) {}
+
+  bool is_wanted() const { return is_wanted_; }
+  void set(std::size_t k, CertificateCheck check) { checks_[k] = std::move(check); }
+  /// None; or an array of truth values, and the faults.
+  py::object arrays() const {
+    if (!is_wanted_) return py::none();
+    py::array_t<bool> is_proven(static_cast<py::ssize_t>(checks_.size()));
+    py::list faults;
+    for (std::size_t k = 0; k < checks_.size(); ++k) {
+      is_proven.mutable_data()[k] = checks_[k].is_proven;
+      faults.append(checks_[k].fault);
+    }
+    return py::make_tuple(is_proven, faults);
+  }
+
+ private:
+  bool is_wanted_;
+  std::vector<CertificateCheck> checks_;
+};
+
+/// Blocks of the backend's own size, so that packets are full.
+constexpr std::size_t kPosesABlock = PacketOverlap::kMostTrials;
+
+Verdicts overlap_of_poses(const PyBody& a, const PyBody& b, const Floats& rows,
+                          const std::optional<Floats>& translations, int threads) {
+  const PoseRows poses(rows, translations);
+  Verdicts verdicts(static_cast<py::ssize_t>(poses.size()));
+  std::int8_t* const to = verdicts.mutable_data();
+  const BackendKind gjk = gjk_backend();
+  over_rows(poses.size(), threads, kPosesABlock, [&] {
+    return [&, backend = std::shared_ptr<OverlapBackend>(gjk.make(a.body, b.body))](std::size_t first,
+                                                                                    std::size_t last) {
+      alignas(64) double columns[kPoseColumns][PacketOverlap::kStride];
+      std::array<Verdict, kPosesABlock> answers;
+      poses.set_columns(first, last, columns[0]);
+      backend->decide_table({columns[0], PacketOverlap::kStride, last - first}, std::span(answers).first(last - first));
+      for (std::size_t k = first; k < last; ++k) to[k] = number_of(answers[k - first].outcome);
+    };
+  });
+  return verdicts;
+}
+
+py::tuple certified_overlap_of_poses(const PyBody& a, const PyBody& b, const Floats& rows,
+                                     const std::optional<Floats>& translations, int threads) {
+  const PoseRows poses(rows, translations);
+  Verdicts verdicts(static_cast<py::ssize_t>(poses.size()));
+  std::int8_t* const to = verdicts.mutable_data();
+  Proofs proofs(true, poses.size());
+  over_each_row(poses.size(), threads, [&](std::size_t k) {
+    const Pose pose = poses[k];
+    OverlapCertificate certificate;
+    const Outcome outcome = overlap(a.body, b.body, pose, &certificate).outcome;
+    to[k] = number_of(outcome);
+    proofs.set(k, outcome == Outcome::undecided
+                      ? CertificateCheck{false, "undecided"}
+                      : check_certificate(a.body, b.body, pose.a_from_b(), outcome, certificate));
+  });
+  return py::make_tuple(verdicts, proofs.arrays());
+}
+
+Verdicts within_of_poses(const PyBody& a, const PyBody& b, const Floats& rows,
+                         const std::optional<Floats>& translations, double margin, int threads) {
+  if (!(margin >= 0.0) || !std::isfinite(margin)) {
+    throw UsageError("a margin is a finite length from 0 up - give one");
+  }
+  const PoseRows poses(rows, translations);
+  Verdicts verdicts(static_cast<py::ssize_t>(poses.size()));
+  std::int8_t* const to = verdicts.mutable_data();
+  const MarginPairs pairs(a.body, b.body, margin);
+  over_each_row(poses.size(), threads,
+                [&](std::size_t k) { to[k] = number_of(within_margin(pairs, poses[k]).outcome); });
+  return verdicts;
+}
+
+enum class Wanted : std::uint8_t { signed_distance, distance, depth };
+
+SeparationRow row_of(const Separation& found, Wanted wanted) {
+  SeparationRow row{};
+  row.verdict = number_of(found.verdict.outcome);
+  row.is_rough = found.is_rough;
+  row.value = found.signed_distance;
+  row.lower = found.lower;
+  row.upper = found.upper;
+  if (wanted == Wanted::depth) {
+    row.value = 0.0 - row.value;
+    row.lower = -found.upper;
+    row.upper = -found.lower;
+  }
+  if (wanted != Wanted::signed_distance) {  // a distance, and a depth, is never below 0
+    row.value = std::max(row.value, 0.0);
+    row.lower = std::max(row.lower, 0.0);
+    row.upper = std::max(row.upper, 0.0);
+  }
+  if (found.has_witnesses) {
+    put(row.normal, found.normal);
+    put(row.point_a, found.point_a);
+    put(row.point_b, found.point_b);
+  } else {
+    for (double* const to : {row.normal, row.point_a, row.point_b}) put_nan(to);
+  }
+  return row;
+}
+
+template <Wanted wanted>
+py::tuple separation_of_poses(const PyBody& a, const PyBody& b, const Floats& rows,
+                              const std::optional<Floats>& translations, double relative_gap, double max_distance,
+                              bool certify_answers, int threads) {
+  if (!(relative_gap >= 0.0)) throw UsageError("a relative gap is a number from 0 up - 0 asks for full precision");
+  if (std::isnan(max_distance)) throw UsageError("a largest distance that is no number - leave it out");
+  const PoseRows poses(rows, translations);
+  py::array_t<SeparationRow> result(static_cast<py::ssize_t>(poses.size()));
+  SeparationRow* const to = result.mutable_data();
+  SeparationSettings settings;
+  settings.relative_gap = relative_gap;
+  settings.max_distance = max_distance;
+  Proofs proofs(certify_answers, poses.size());
+  over_each_row(poses.size(), threads, [&](std::size_t k) {
+    const Pose pose = poses[k];
+    constexpr auto query = wanted == Wanted::signed_distance ? signed_distance
+                           : wanted == Wanted::distance      ? distance
+                                                             : penetration_depth;
+    const Separation found = query(a.body, b.body, pose, settings, nullptr);
+    to[k] = row_of(found, wanted);
+    if (proofs.is_wanted()) {
+      proofs.set(k, check_certificate(a.body, b.body, pose, found, certify(a.body, b.body, pose, found)));
+    }
+  });
+  return py::make_tuple(result, proofs.arrays());
+}
+
+ContactRow row_of(const FirstContact& found) {
+  ContactRow row{};
+  row.verdict = number_of(found.verdict.outcome);
+  row.time = found.time;
+  row.lower = found.lower;
+  row.upper = found.upper;
+  if (found.verdict.outcome == Outcome::overlap) {
+    put(row.normal, found.normal);
+    put(row.point_a, found.point_a);
+    put(row.point_b, found.point_b);
+  } else {
+    for (double* const to : {row.normal, row.point_a, row.point_b}) put_nan(to);
+    if (found.verdict.outcome == Outcome::undecided) row.time = kNan;
+  }
+  return row;
+}
+
+void require_as_many(std::size_t n, std::size_t n_poses, const char* what) {
+  if (n != n_poses) {
+    throw UsageError(std::string("not as many ") + what + " (" + std::to_string(n) + ") as poses or origins (" +
+                     std::to_string(n_poses) + ") - give one each");
+  }
+}
+
+/// ask(k) is the answer of a row, prove(k, answer) what the checker says to its certificate.
+template <class Ask, class Prove>
+py::tuple first_contacts(std::size_t n, bool certify_answers, int threads, const Ask& ask, const Prove& prove) {
+  py::array_t<ContactRow> result(static_cast<py::ssize_t>(n));
+  ContactRow* const to = result.mutable_data();
+  Proofs proofs(certify_answers, n);
+  over_each_row(n, threads, [&](std::size_t k) {
+    const FirstContact found = ask(k);
+    to[k] = row_of(found);
+    if (proofs.is_wanted()) proofs.set(k, prove(k, found));
+  });
+  return py::make_tuple(result, proofs.arrays());
+}
+
+py::tuple rays(const PyBody& a, const Floats& origins, const Floats& dirs, double until, bool certify_answers,
+               int threads) {
+  const Rows3 from(origins), along(dirs);
+  require_as_many(along.size(), from.size(), "directions");
+  return first_contacts(
+      from.size(), certify_answers, threads, [&](std::size_t k) { return cast_ray(a.body, from[k], along[k], until); },
+      [&](std::size_t k, const FirstContact& found) {
+        const ContactCertificate certificate = certify_ray(a.body, from[k], along[k], found, until);
+        return check_ray_certificate(a.body, from[k], along[k], found, certificate, until);
+      });
+}
+
+py::tuple casts(const PyBody& a, const PyBody& b, const Floats& rows, const std::optional<Floats>& translations,
+                const Floats& motions, double until, bool certify_answers, int threads) {
+  const PoseRows poses(rows, translations);
+  const Rows3 by(motions);
+  require_as_many(by.size(), poses.size(), "motions");
+  return first_contacts(
+      poses.size(), certify_answers, threads,
+      [&](std::size_t k) { return linear_cast(a.body, b.body, poses[k], by[k], until); },
+      [&](std::size_t k, const FirstContact& found) {
+        const ContactCertificate certificate = certify(a.body, b.body, poses[k], by[k], found, until);
+        return check_certificate(a.body, b.body, poses[k], by[k], found, certificate, until);
+      });
+}
+
+py::tuple impacts(const PyBody& a, const PyBody& b, const Floats& rows, const std::optional<Floats>& translations,
+                  const Floats& velocities, const Floats& angular_velocities, const std::optional<Floats>& velocities_a,
+                  const std::optional<Floats>& angular_velocities_a, double until, bool certify_answers, int threads) {
+  const PoseRows poses(rows, translations);
+  const Rows3 v(velocities), w(angular_velocities);
+  std::optional<Rows3> v_a, w_a;
+  if (velocities_a) v_a.emplace(*velocities_a);
+  if (angular_velocities_a) w_a.emplace(*angular_velocities_a);
+  for (const Rows3* const each : {&v, &w, v_a ? &*v_a : &v, w_a ? &*w_a : &w}) {
+    require_as_many(each->size(), poses.size(), "velocities");
+  }
+  const bool a_moves = v_a || w_a;
+  const auto motion_a = [&](std::size_t k) {
+    return RigidMotion{v_a ? (*v_a)[k] : Vec3d{}, w_a ? (*w_a)[k] : Vec3d{}};
+  };
+  const auto motion_b = [&](std::size_t k) { return RigidMotion{v[k], w[k]}; };
+  return first_contacts(
+      poses.size(), certify_answers, threads,
+      [&](std::size_t k) {
+        return a_moves ? time_of_impact(a.body, b.body, poses[k], motion_a(k), motion_b(k), until)
+                       : time_of_impact(a.body, b.body, poses[k], motion_b(k), until);
+      },
+      [&](std::size_t k, const FirstContact& found) {
+        const Pose pose = poses[k];
+        if (a_moves) {
+          const ContactCertificate certificate = certify(a.body, b.body, pose, motion_a(k), motion_b(k), found, until);
+          return check_certificate(a.body, b.body, pose, motion_a(k), motion_b(k), found, certificate, until);
+        }
+        const ContactCertificate certificate = certify(a.body, b.body, pose, motion_b(k), found, until);
+        return check_certificate(a.body, b.body, pose, motion_b(k), found, certificate, until);
+      });
+}
+
+/// Of each pose the separation and the contacts.
+py::tuple manifolds(const PyBody& a, const PyBody& b, const Floats& rows, const std::optional<Floats>& translations,
+                    double margin, double feature_angle, bool certify_answers, int threads) {
+  const PoseRows poses(rows, translations);
+  std::vector<ContactManifold> found(poses.size());
+  Proofs proofs(certify_answers, poses.size());
+  over_each_row(poses.size(), threads, [&](std::size_t k) {
+    const Pose pose = poses[k];
+    found[k] = contact_manifold(a.body, b.body, pose, margin, feature_angle);
+    if (proofs.is_wanted()) {
+      const ManifoldCertificate certificate = certify(a.body, b.body, pose, found[k]);
+      proofs.set(k, check_certificate(a.body, b.body, pose, found[k], certificate, margin, feature_angle));
+    }
+  });
+  py::list result;
+  for (const ContactManifold& manifold : found) {
+    py::array_t<ManifoldRow> contacts(static_cast<py::ssize_t>(manifold.contacts.size()));
+    ManifoldRow* to = contacts.mutable_data();
+    for (const ContactManifold::Contact& contact : manifold.contacts) {
+      put(to->point_a, contact.point_a);
+      put(to->point_b, contact.point_b);
+      to->distance = contact.signed_distance;
+      ++to;
+    }
+    py::array_t<SeparationRow> separation(1);
+    *separation.mutable_data() = row_of(manifold.separation, Wanted::signed_distance);
+    result.append(py::make_tuple(separation, contacts));
+  }
+  return py::make_tuple(result, proofs.arrays());
+}
+
+/// What proves a verdict, for whoever wants to prove it with a checker of his own (certificate.h).
+py::dict overlap_certificate(const PyBody& a, const PyBody& b, const Floats& rows,
+                             const std::optional<Floats>& translations) {
+  const PoseRows poses(rows, translations);
+  if (poses.size() != 1) throw UsageError("a certificate is of one pose - give one");
+  const Pose pose = poses[0];
+  OverlapCertificate certificate;
+  Verdict verdict;
+  CertificateCheck check{false, "undecided"};
+  {
+    const py::gil_scoped_release without_gil;
+    verdict = overlap(a.body, b.body, pose, &certificate);
+    if (verdict.outcome != Outcome::undecided) {
+      check = check_certificate(a.body, b.body, pose.a_from_b(), verdict.outcome, certificate);
+    }
+  }
+  const auto triple = [](const Vec3d& v) { return py::make_tuple(v.x, v.y, v.z); };
+  py::list witnesses;
+  for (int k = 0; k < certificate.n_witnesses; ++k) {
+    const Witness& witness = certificate.witnesses[static_cast<std::size_t>(k)];
+    py::dict dict;
+    dict["dir"] = triple(witness.dir);
+    dict["dir_low"] = triple(witness.dir_low);
+    dict["dir_b"] = triple(witness.dir_b);
+    dict["dir_b_low"] = triple(witness.dir_b_low);
+    dict["point_a"] = triple(witness.point_a);
+    dict["point_b"] = triple(witness.point_b);
+    witnesses.append(dict);
+  }
+  py::dict dict;
+  dict["verdict"] = std::string(name_of(verdict.outcome));
+  dict["decided_by"] = std::string(name_of(verdict.by));
+  dict["is_proven"] = check.is_proven;
+  dict["fault"] = check.fault;
+  dict["separating_dir"] = triple(certificate.separating_dir);
+  dict["separating_dir_low"] = triple(certificate.separating_dir_low);
+  dict["witnesses"] = witnesses;
+  dict["gap_lower"] = certificate.gap_lower;
+  dict["gap_upper"] = certificate.gap_upper;
+  return dict;
+}
+
+}  // namespace
+
+void bind_queries(py::module_& module) {
+  PYBIND11_NUMPY_DTYPE(SeparationRow, value, lower, upper, normal, point_a, point_b, verdict, is_rough);
+  PYBIND11_NUMPY_DTYPE(ContactRow, time, lower, upper, normal, point_a, point_b, verdict);
+  PYBIND11_NUMPY_DTYPE(ManifoldRow, point_a, point_b, distance);
+
+  const auto a = py::arg("a"), b = py::arg("b"), poses = py::arg("poses"), threads = py::arg("threads"),
+             certify = py::arg("certify"), until = py::arg("until");
+  const auto translations = py::arg("translations").none(true);
+  module.def("overlap", &overlap_of_poses, a, b, poses, translations, threads);
+  module.def("certified_overlap", &certified_overlap_of_poses, a, b, poses, translations, threads);
+  module.def("overlap_certificate", &overlap_certificate, a, b, poses, translations);
+  module.def("within", &within_of_poses, a, b, poses, translations, py::arg("margin"), threads);
+  module.def("signed_distance", &separation_of_poses<Wanted::signed_distance>, a, b, poses, translations,
+             py::arg("relative_gap"), py::arg("max_distance"), certify, threads);
+  module.def("distance", &separation_of_poses<Wanted::distance>, a, b, poses, translations, py::arg("relative_gap"),
+             py::arg("max_distance"), certify, threads);
+  module.def("depth", &separation_of_poses<Wanted::depth>, a, b, poses, translations, py::arg("relative_gap"),
+             py::arg("max_distance"), certify, threads);
+  module.def("ray_cast", &rays, a, py::arg("origins"), py::arg("directions"), until, certify, threads);
+  module.def("linear_cast", &casts, a, b, poses, translations, py::arg("motions"), until, certify, threads);
+  module.def("time_of_impact", &impacts, a, b, poses, translations, py::arg("velocities"),
+             py::arg("angular_velocities"), py::arg("velocities_a").none(true),
+             py::arg("angular_velocities_a").none(true), until, certify, threads);
+  module.def("contact_manifold", &manifolds, a, b, poses, translations, py::arg("margin"), py::arg("feature_angle"),
+             certify, threads);
+}
+
+}  // namespace vex::python

@@ -1,0 +1,295 @@
+// Many bodies: poses in, pairs out.
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <mutex>
+
+#include "engine/scene/scene.h"
+#include "python/bindings/body.h"
+
+namespace vex::python {
+namespace {
+
+struct PairRow {
+  std::uint32_t a, b;
+  std::int32_t image[3];
+};
+struct DistanceRow {
+  std::uint32_t a, b;
+  std::int32_t image[3];
+  double distance, lower, upper;
+  double normal[3], point_a[3], point_b[3];
+};
+
+void put(std::int32_t* to, const ImageOffset& image) {
+  for (std::size_t k = 0; k < 3; ++k) to[k] = image[k];
+}
+
+py::array_t<PairRow> array_of(const std::vector<ScenePair>& pairs) {
+  py::array_t<PairRow> array(static_cast<py::ssize_t>(pairs.size()));
+  PairRow* to = array.mutable_data();
+  for (const ScenePair& pair : pairs) {
+    to->a = pair.a;
+    to->b = pair.b;
+    put(to->image, pair.image);
+    ++to;
+  }
+  return array;
+}
+
+py::dict dict_of(const SceneCounts& counts) {
+  py::dict dict;
+  for (int k = 0; k < kNSceneStages; ++k) {
+    const auto stage = static_cast<SceneStage>(k);
+    const SceneCounts::Stage& count = counts[stage];
+    if (count.seen > 0) dict[py::str(std::string(name_of(stage)))] = py::make_tuple(count.seen, count.settled);
+  }
+  return dict;
+}
+
+std::int64_t body_number(BodyId body) { return body == kNoBody ? -1 : static_cast<std::int64_t>(body); }
+
+/// One at a time: Python's threads may share a scene, whose queries release the GIL.
+class PyScene {
+  template <class Work>
+  auto exclusively(const Work& work) {
+    const py::gil_scoped_release without_gil;
+    const std::lock_guard lock(*mutex_);
+    return work();
+  }
+
+ public:
+  PyScene(const std::optional<std::vector<double>>& box, const std::string& broad_phase, double skin, int threads)
+      : scene_(made(box, settings_of(broad_phase, skin, threads))) {}
+
+  ShapeId add_shape(const PyBody& body) {
+    return exclusively([&] { return scene_.add_shape(body.body.body); });
+  }
+  /// Numbers of the bodies that were added, one a pose.
+  std::vector<BodyId> add(const py::array_t<std::uint32_t, py::array::c_style>& shapes, const Floats& rows,
+                          const std::optional<Floats>& translations) {
+    const PoseRows poses(rows, translations);
+    if (static_cast<std::size_t>(shapes.size()) != poses.size()) {
+      throw UsageError("not a shape for each pose - give one each");
+    }
+    const std::uint32_t* const shape = shapes.data();
+    return exclusively([&] {
+      std::vector<BodyId> bodies;
+      bodies.reserve(poses.size());
+      try {
+        for (std::size_t k = 0; k < poses.size(); ++k) {
+          if (shape[k] >= scene_.n_shapes()) throw UsageError("no such shape");
+          bodies.push_back(scene_.add(shape[k], poses[k]));
+        }
+      } catch (...) {
+        for (const BodyId body : bodies) scene_.remove(body);  // all or none
+        throw;
+      }
+      return bodies;
+    });
+  }
+  void remove(BodyId body) {
+    exclusively([&] { scene_.remove(known(body)); });
+  }
+  void move(BodyId body, const Floats& rows, const std::optional<Floats>& translations) {
+    const PoseRows poses(rows, translations);
+    if (poses.size() != 1) throw UsageError("not one pose - give one");
+    exclusively([&] { scene_.move(known(body), poses[0]); });
+  }
+  void move_all(const Floats& rows, const std::optional<Floats>& translations) {
+    const PoseRows poses(rows, translations);
+    exclusively([&] {
+      std::vector<Pose> all(poses.size());
+      for (std::size_t k = 0; k < all.size(); ++k) all[k] = poses[k];
+      scene_.move_all(all);
+    });
+  }
+  std::size_t size() {
+    return exclusively([&] { return scene_.size(); });
+  }
+  /// Rotation by rows, translation, image of a body.
+  py::tuple pose(BodyId body) {
+    Transformd at;
+    ImageOffset image{};
+    exclusively([&] {
+      at = scene_.pose(known(body));
+      image = scene_.image(body);
+    });
+    Floats rotation({3, 3}), translation(3);
+    python::put(rotation.mutable_data(), at.row_x);
+    python::put(rotation.mutable_data() + 3, at.row_y);
+    python::put(rotation.mutable_data() + 6, at.row_z);
+    python::put(translation.mutable_data(), at.translation);
+    return py::make_tuple(rotation, translation, image);
+  }
+
+  py::tuple pairs(double distance) {
+    exclusively([&] {
+      distance > 0.0 || distance < 0.0 || std::isnan(distance) ? scene_.pairs_within(distance, pairs_)
+                                                               : scene_.overlapping_pairs(pairs_);
+    });
+    return answer(pairs_);
+  }
+  py::tuple distances(double distance) {
+    exclusively([&] { scene_.distances_within(distance, distances_); });
+    py::array_t<DistanceRow> array(static_cast<py::ssize_t>(distances_.entries.size()));
+    DistanceRow* to = array.mutable_data();
+    for (const auto& [pair, found] : distances_.entries) {
+      *to = {};
+      to->a = pair.a;
+      to->b = pair.b;
+      put(to->image, pair.image);
+      to->distance = std::max(found.signed_distance, 0.0);
+      to->lower = std::max(found.lower, 0.0);
+      to->upper = std::max(found.upper, 0.0);
+      if (found.has_witnesses) {
+        python::put(to->normal, found.normal);
+        python::put(to->point_a, found.point_a);
+        python::put(to->point_b, found.point_b);
+      } else {
+        for (double* const v : {to->normal, to->point_a, to->point_b}) put_nan(v);
+      }
+      ++to;
+    }
+    return py::make_tuple(array, array_of(distances_.undecided), dict_of(distances_.counts));
+  }
+  std::int8_t any_overlap() {
+    return number_of(exclusively([&] { return scene_.any_overlap().outcome; }));
+  }
+  py::tuple overlaps_of(BodyId body) {
+    exclusively([&] { scene_.overlaps_of(known(body), pairs_); });
+    return answer(pairs_);
+  }
+  py::tuple overlaps_of_visitor(const PyBody& visitor, const Floats& rows, const std::optional<Floats>& translations) {
+    const PoseRows poses(rows, translations);
+    if (poses.size() != 1) throw UsageError("not one pose - give one");
+    exclusively([&] { scene_.overlaps_of(visitor.body.body, poses[0], pairs_); });
+    return answer(pairs_);
+  }
+  std::int8_t would_overlap(BodyId body, const Floats& rows, const std::optional<Floats>& translations) {
+    const PoseRows poses(rows, translations);
+    if (poses.size() != 1) throw UsageError("not one pose - give one");
+    return number_of(exclusively([&] { return scene_.would_overlap(known(body), poses[0]); }));
+  }
+  /// Body, image, distance, lower, upper.
+  py::tuple nearest(BodyId body) {
+    const SceneNeighbour found = exclusively([&] { return scene_.nearest(known(body)); });
+    if (found.body == kNoBody) return py::make_tuple(-1, ImageOffset{}, HUGE_VAL, HUGE_VAL, HUGE_VAL);
+    const Separation& s = found.separation;
+    return py::make_tuple(body_number(found.body), found.image, std::max(s.signed_distance, 0.0),
+                          std::max(s.lower, 0.0), std::max(s.upper, 0.0));
+  }
+  /// Verdict, body, image, time, lower, upper, normal, point; what may be met before.
+  py::tuple ray_cast(const Floats& origin, const Floats& dir, double until) {
+    const Rows3 from(origin), along(dir);
+    if (from.size() != 1 || along.size() != 1) throw UsageError("not one origin and one direction - give one each");
+    const SceneHit hit = exclusively([&] { return scene_.cast_ray(from[0], along[0], until); });
+    return answer(hit);
+  }
+  py::tuple linear_cast(const PyBody& visitor, const Floats& rows, const std::optional<Floats>& translations,
+                        const Floats& motion, double until) {
+    const PoseRows poses(rows, translations);
+    const Rows3 by(motion);
+    if (poses.size() != 1 || by.size() != 1) throw UsageError("not one pose and one motion - give one each");
+    const SceneHit hit = exclusively([&] { return scene_.linear_cast(visitor.body.body, poses[0], by[0], until); });
+    return answer(hit);
+  }
+  /// Labels, number of clusters, whether each wraps along a, b, c; undecided pairs, counts.
+  py::tuple clusters(double distance) {
+    std::vector<std::uint32_t> labels;
+    exclusively([&] {
+      scene_.clusters(clusters_, distance);
+      labels = clusters_.labels();
+    });
+    py::array_t<std::int64_t> label(static_cast<py::ssize_t>(labels.size()));
+    py::array_t<bool> wraps({static_cast<py::ssize_t>(clusters_.n_clusters()), py::ssize_t{3}});
+    for (std::size_t k = 0; k < labels.size(); ++k) {
+      label.mutable_data()[k] = labels[k] == kNoCluster ? -1 : static_cast<std::int64_t>(labels[k]);
+      if (labels[k] == kNoCluster) continue;
+      const std::array<bool, 3> along = clusters_.wraps(static_cast<BodyId>(k));
+      for (std::size_t i = 0; i < 3; ++i) wraps.mutable_data()[3 * labels[k] + i] = along[i];
+    }
+    return py::make_tuple(label, wraps, array_of(clusters_.undecided), dict_of(clusters_.counts));
+  }
+
+ private:
+  static SceneSettings settings_of(const std::string& broad_phase, double skin, int threads) {
+    SceneSettings settings;
+    settings.n_threads = number_of_threads(threads);
+    settings.skin = skin;
+    if (broad_phase == "grid") {
+      settings.broad_phase = BroadPhase::grid;
+    } else if (broad_phase == "tree") {
+      settings.broad_phase = BroadPhase::tree;
+    } else if (broad_phase != "automatic") {
+      throw UsageError("not a broad phase (" + broad_phase + ") - there are automatic, grid and tree");
+    }
+    return settings;
+  }
+  static Scene made(const std::optional<std::vector<double>>& box, const SceneSettings& settings) {
+    if (!box) return Scene(settings);
+    const std::vector<double>& b = *box;
+    if (b.size() != 3 && b.size() != 6) {
+      throw UsageError("not a box - give its edges (Lx, Ly, Lz), or these and its tilts (xy, xz, yz)");
+    }
+    return b.size() == 3 ? Scene(PeriodicBox(b[0], b[1], b[2]), settings)
+                         : Scene(PeriodicBox(b[0], b[1], b[2], b[3], b[4], b[5]), settings);
+  }
+
+  BodyId known(BodyId body) const {
+    if (!scene_.has(body)) {
+      throw UsageError("no body has this number (" + std::to_string(body) + ") - `add` tells the numbers");
+    }
+    return body;
+  }
+  static py::tuple answer(const ScenePairs& found) {
+    return py::make_tuple(array_of(found.pairs), array_of(found.undecided), dict_of(found.counts));
+  }
+  static py::tuple answer(const SceneHit& hit) {
+    const FirstContact& contact = hit.contact;
+    const auto triple = [](const Vec3d& v) { return py::make_tuple(v.x, v.y, v.z); };
+    return py::make_tuple(number_of(contact.verdict.outcome), body_number(hit.body), hit.image, contact.time,
+                          contact.lower, contact.upper, triple(contact.normal), triple(contact.point_a),
+                          array_of(hit.undecided));
+  }
+
+  Scene scene_;
+  ScenePairs pairs_;
+  SceneDistances distances_;
+  Clusters clusters_;
+  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
+};
+
+}  // namespace
+
+void bind_scenes(py::module_& module) {
+  PYBIND11_NUMPY_DTYPE(PairRow, a, b, image);
+  PYBIND11_NUMPY_DTYPE(DistanceRow, a, b, image, distance, lower, upper, normal, point_a, point_b);
+
+  const auto poses = py::arg("poses"), body = py::arg("body"), visitor = py::arg("visitor");
+  const auto translations = py::arg("translations").none(true);
+  py::class_<PyScene>(module, "Scene", "Many bodies, in open space or in a periodic box.")
+      .def(py::init<const std::optional<std::vector<double>>&, const std::string&, double, int>(),
+           py::arg("box").none(true), py::arg("broad_phase"), py::arg("skin"), py::arg("threads"))
+      .def("add_shape", &PyScene::add_shape, body)
+      .def("add", &PyScene::add, py::arg("shapes"), poses, translations)
+      .def("remove", &PyScene::remove, body)
+      .def("move", &PyScene::move, body, poses, translations)
+      .def("move_all", &PyScene::move_all, poses, translations)
+      .def("size", &PyScene::size)
+      .def("pose", &PyScene::pose, body)
+      .def("pairs", &PyScene::pairs, py::arg("distance"))
+      .def("distances", &PyScene::distances, py::arg("distance"))
+      .def("any_overlap", &PyScene::any_overlap)
+      .def("overlaps_of", &PyScene::overlaps_of, body)
+      .def("overlaps_of_visitor", &PyScene::overlaps_of_visitor, visitor, poses, translations)
+      .def("would_overlap", &PyScene::would_overlap, body, poses, translations)
+      .def("nearest", &PyScene::nearest, body)
+      .def("ray_cast", &PyScene::ray_cast, py::arg("origin"), py::arg("direction"), py::arg("until"))
+      .def("linear_cast", &PyScene::linear_cast, visitor, poses, translations, py::arg("motion"), py::arg("until"))
+      .def("clusters", &PyScene::clusters, py::arg("distance"));
+}
+
+}  // namespace vex::python

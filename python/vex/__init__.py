@@ -1,0 +1,33 @@
+"""vex: excluded volumes, overlaps, distances and contacts of convex bodies, every answer proven or said not to be.
+
+>>> import vex
+>>> vex.excluded_volume("box:1,1,1", rel_error=1e-3).formula
+11.0
+>>> vex.overlap("box:1,1,1", "sphere:0.5", [[0.9, 0, 0, 1, 0, 0, 0], [1.1, 0, 0, 1, 0, 0, 0]])
+array([1, 0], dtype=int8)
+
+Lengths are in your unit. docs/python.md has a tour; names are those of the C++ library.
+"""
+
+from . import plot
+from ._vex import Error, InputError, OrientationLaw, UsageError
+from ._vex import stream_version as stream_version
+from ._vex import version as __version__
+from .average import (ExcludedVolume, Interrupted, Reference, estimators, excluded_volume, excluded_volume_at,
+                      excluded_volume_of_angle, formula)
+from .bodies import Body, BodyLike, from_support, hull, load, named_shapes, rounded
+from .queries import (Manifold, Proof, contact_manifold, depth, distance, linear_cast, overlap, overlap_certificate,
+                      ray_cast, signed_distance, time_of_impact, within)
+from .scenes import Clusters, Hit, Neighbour, Scene, UndecidedWarning
+from .shapes import (box, capsule, cone, cylinder, disc, dodecahedron, ellipsoid, frustum, hemisphere, icosahedron,
+                     needle, octahedron, plate, sphere, tetrahedron)
+
+__all__ = [
+    "Body", "BodyLike", "Clusters", "Error", "ExcludedVolume", "Hit", "InputError", "Interrupted", "Manifold",
+    "Neighbour", "OrientationLaw", "Proof", "Reference", "Scene", "UndecidedWarning", "UsageError", "__version__",
+    "box", "capsule", "cone", "contact_manifold", "cylinder", "depth", "disc", "distance", "dodecahedron", "ellipsoid",
+    "estimators", "excluded_volume", "excluded_volume_at", "excluded_volume_of_angle", "formula", "from_support",
+    "frustum", "hemisphere", "hull", "icosahedron", "linear_cast", "load", "named_shapes", "needle", "octahedron",
+    "overlap", "overlap_certificate", "plate", "plot", "ray_cast", "rounded", "signed_distance", "sphere",
+    "stream_version", "tetrahedron", "time_of_impact", "within",
+]

@@ -1,0 +1,221 @@
+"""Queries of two bodies over arrays of poses: of B in A's frame.
+
+Poses are an array (N, 7), rows of x, y, z, qw, qx, qy, qz; or a pair of rotations (N, 3, 3) and translations (N, 3). One
+pose alone, (7,) or (3, 3) and (3,), gives one answer without an axis for it.
+
+Every answer is proven or says that it is not: a verdict is 1 for bodies that share a point, 0 for bodies that do not,
+and -1 where neither is proven, as of curved bodies that touch to within rounding. Numbers come with bounds, ``lower``
+and ``upper``, of the true value. Points and normals are in A's frame; normals are unit vectors from A towards B.
+
+With ``certify=True`` each answer is proven again, in exact arithmetic, from a certificate and by a checker that shares
+nothing with the search. The result is then a pair: the answers, and a `Proof`. That is slow.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _vex
+from ._arrays import Poses, as_poses, as_rows, threads_of
+from .bodies import BodyLike, as_body
+
+
+class Proof(NamedTuple):
+    """What the checker said of each answer."""
+
+    is_proven: npt.NDArray[np.bool_]
+    faults: List[str]  #: what is missing, or ""
+
+
+class Manifold(NamedTuple):
+    """Where two bodies touch."""
+
+    separation: npt.NDArray[Any]  #: one row of `signed_distance`; its normal is the manifold's
+    contacts: npt.NDArray[Any]  #: fields point_a, point_b (3,) and distance, negative where the bodies are in each other
+
+
+def _answer(values: Any, proof: Any, single: bool) -> Any:
+    answers = values[0] if single else values
+    return answers if proof is None else (answers, Proof(*proof))
+
+
+def overlap(a: BodyLike, b: BodyLike, poses: Poses, *, certify: bool = False,
+            threads: Optional[int] = None) -> Any:
+    """Whether the bodies share a point.
+
+    Returns
+    -------
+    int8 array (N,): 1 overlap, 0 disjoint, -1 undecided. Of two polytopes the answer is always exact.
+    """
+    body_a, body_b = as_body(a)._core, as_body(b)._core
+    rows, translations, single = as_poses(poses)
+    if certify:
+        verdicts, proof = _vex.certified_overlap(body_a, body_b, rows, translations, threads_of(threads))
+        return _answer(verdicts, proof, single)
+    return _answer(_vex.overlap(body_a, body_b, rows, translations, threads_of(threads)), None, single)
+
+
+def within(a: BodyLike, b: BodyLike, poses: Poses, margin: float, *, threads: Optional[int] = None) -> Any:
+    """Whether the bodies' gap is at most `margin`, a length from 0 on: as `overlap`, no distance is computed."""
+    rows, translations, single = as_poses(poses)
+    found = _vex.within(as_body(a)._core, as_body(b)._core, rows, translations, float(margin), threads_of(threads))
+    return _answer(found, None, single)
+
+
+def signed_distance(a: BodyLike, b: BodyLike, poses: Poses, *, relative_gap: float = 0.0,
+                    max_distance: float = math.inf, certify: bool = False, threads: Optional[int] = None) -> Any:
+    """The distance where the bodies are apart, minus the penetration depth where they overlap.
+
+    Parameters
+    ----------
+    relative_gap
+        The search ends once upper - lower is below this times |value| + R_A + R_B. 0: as near as double precision gets
+        for polytopes, 2^-32 for curved bodies.
+    max_distance
+        The search ends once the distance is known to be larger; ``lower`` is then above it.
+
+    Returns
+    -------
+    array (N,) of fields ``value``, ``lower``, ``upper`` (length), ``normal``, ``point_a``, ``point_b`` (3,), with
+    point_b - point_a = value * normal, ``verdict`` (int8) and ``is_rough``: whether the bounds are wider than asked for.
+    """
+    return _separation(_vex.signed_distance, a, b, poses, relative_gap, max_distance, certify, threads)
+
+
+def distance(a: BodyLike, b: BodyLike, poses: Poses, *, relative_gap: float = 0.0, max_distance: float = math.inf,
+             certify: bool = False, threads: Optional[int] = None) -> Any:
+    """As `signed_distance`, of bodies that are apart; 0 where they overlap, and no depth is looked for.
+
+    Where they overlap normal and points are NaN.
+    """
+    return _separation(_vex.distance, a, b, poses, relative_gap, max_distance, certify, threads)
+
+
+def depth(a: BodyLike, b: BodyLike, poses: Poses, *, relative_gap: float = 0.0, certify: bool = False,
+          threads: Optional[int] = None) -> Any:
+    """The penetration depth: the length of the shortest translation of B that leaves the bodies touching.
+
+    Fields as of `signed_distance`; moving B by value * normal makes contact. 0 where the bodies are apart: normal and
+    points are then NaN.
+    """
+    return _separation(_vex.depth, a, b, poses, relative_gap, math.inf, certify, threads)
+
+
+def _separation(ask: Any, a: BodyLike, b: BodyLike, poses: Poses, relative_gap: float, max_distance: float,
+                certify: bool, threads: Optional[int]) -> Any:
+    rows, translations, single = as_poses(poses)
+    found, proof = ask(as_body(a)._core, as_body(b)._core, rows, translations, float(relative_gap),
+                       float(max_distance), bool(certify), threads_of(threads))
+    return _answer(found, proof, single)
+
+
+def ray_cast(a: BodyLike, origins: npt.ArrayLike, directions: npt.ArrayLike, *, until: float = math.inf,
+             certify: bool = False, threads: Optional[int] = None) -> Any:
+    """The rays origin + t direction, t >= 0, against a body.
+
+    Parameters
+    ----------
+    origins, directions
+        (N, 3) or (3,), one of either or as many of both; a direction has any length but 0.
+    until
+        The last t that is looked at.
+
+    Returns
+    -------
+    array (N,) of fields ``verdict`` (1 the ray meets the body, 0 it does not, -1 undecided), ``time`` of the first
+    contact with its bounds ``lower`` and ``upper`` (infinite where there is none), ``normal`` out of the body,
+    ``point_a`` of the body, ``point_b`` of the ray (3,).
+    """
+    (from_, along), single = _together((origins, "origins"), (directions, "directions"))
+    found, proof = _vex.ray_cast(as_body(a)._core, from_, along, float(until), bool(certify), threads_of(threads))
+    return _answer(found, proof, single)
+
+
+def linear_cast(a: BodyLike, b: BodyLike, poses: Poses, motions: npt.ArrayLike, *, until: float = math.inf,
+                certify: bool = False, threads: Optional[int] = None) -> Any:
+    """B moving without turning, at time t where its pose has it plus t times its motion. Fields as of `ray_cast`."""
+    rows, translations, single_pose = as_poses(poses)
+    motion, single = as_rows(motions, 3, "motions")
+    rows, translations, [motion] = _as_many(rows, translations, [motion])
+    found, proof = _vex.linear_cast(as_body(a)._core, as_body(b)._core, rows, translations, motion, float(until),
+                                    bool(certify), threads_of(threads))
+    return _answer(found, proof, single_pose and single)
+
+
+def time_of_impact(a: BodyLike, b: BodyLike, poses: Poses, velocities: npt.ArrayLike,
+                   angular_velocities: npt.ArrayLike = (0.0, 0.0, 0.0), *,
+                   velocities_a: Optional[npt.ArrayLike] = None, angular_velocities_a: Optional[npt.ArrayLike] = None,
+                   until: float = math.inf, certify: bool = False, threads: Optional[int] = None) -> Any:
+    """B moving straight and turning about its own origin, in A's frame; angular velocities in radians per unit of time.
+
+    With `velocities_a` and `angular_velocities_a` A moves as well, in its own frame as it is at first. Fields as of
+    `ray_cast`.
+    """
+    rows, translations, single = as_poses(poses)
+    vectors = []
+    for values, what in ((velocities, "velocities"), (angular_velocities, "angular velocities"),
+                         (velocities_a, "velocities of A"), (angular_velocities_a, "angular velocities of A")):
+        vector, single_vector = (None, True) if values is None else as_rows(values, 3, what)
+        vectors.append(vector)
+        single = single and single_vector
+    rows, translations, vectors = _as_many(rows, translations, vectors)
+    found, proof = _vex.time_of_impact(as_body(a)._core, as_body(b)._core, rows, translations, *vectors, float(until),
+                                       bool(certify), threads_of(threads))
+    return _answer(found, proof, single)
+
+
+def contact_manifold(a: BodyLike, b: BodyLike, poses: Poses, *, margin: float = 0.0, feature_angle: float = 0.01,
+                     certify: bool = False, threads: Optional[int] = None) -> Any:
+    """Where bodies in contact touch: the corners of the polygon in which their faces across the contact meet.
+
+    Parameters
+    ----------
+    margin
+        Contacts are given up to this gap.
+    feature_angle
+        Radians: what of a polytope is within it of the plane across the normal is the face.
+
+    Returns
+    -------
+    list of `Manifold`, one a pose. Of a body that is no polytope, rounded or not, there is one contact.
+    """
+    rows, translations, single = as_poses(poses)
+    found, proof = _vex.contact_manifold(as_body(a)._core, as_body(b)._core, rows, translations, float(margin),
+                                         float(feature_angle), bool(certify), threads_of(threads))
+    return _answer([Manifold(separation[0], contacts) for separation, contacts in found], proof, single)
+
+
+def overlap_certificate(a: BodyLike, b: BodyLike, pose: Poses) -> Dict[str, Any]:
+    """What proves the verdict of one pose, for a checker of one's own; and what our checker says of it.
+
+    A direction ``separating_dir`` + ``separating_dir_low`` with every point of A behind every point of B; or
+    ``witnesses``, points of A - B whose hull holds the origin.
+    """
+    rows, translations, _ = as_poses(pose)
+    return _vex.overlap_certificate(as_body(a)._core, as_body(b)._core, rows, translations)
+
+
+def _together(*vectors: Tuple[npt.ArrayLike, str]) -> Tuple[List[Any], bool]:
+    """Arrays (N, 3) of as many rows, and whether each was one row alone."""
+    arrays, singles = zip(*(as_rows(values, 3, what) for values, what in vectors))
+    n = max(len(array) for array in arrays) if min(len(array) for array in arrays) > 0 else 0
+    return [_repeated(array, n, what) for array, (_, what) in zip(arrays, vectors)], all(singles)
+
+
+def _as_many(rows: Any, translations: Any, vectors: List[Any]) -> Tuple[Any, Any, List[Any]]:
+    counts = [len(rows)] + [len(v) for v in vectors if v is not None]
+    n = max(counts) if min(counts) > 0 else 0
+    return (_repeated(rows, n, "poses"), None if translations is None else _repeated(translations, n, "poses"),
+            [None if v is None else _repeated(v, n, "velocities or motions") for v in vectors])
+
+
+def _repeated(array: Any, n: int, what: str) -> Any:
+    if len(array) == n:
+        return array
+    if len(array) != 1 and n != 0:
+        raise _vex.UsageError(f"{what}: {len(array)} rows beside {n} - give as many, or one")
+    return np.ascontiguousarray(np.broadcast_to(array[:1] if n else array[:0], (n,) + array.shape[1:]))

@@ -1,0 +1,238 @@
+"""Many bodies, in open space or in a periodic box: pairs, distances, clusters, rays, trial moves."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _vex
+from ._arrays import Floats, Poses, as_poses, as_rows, threads_of
+from .bodies import Body, BodyLike, as_body
+
+
+class UndecidedWarning(UserWarning):
+    """Of some pairs it is not proven whether they overlap; they are in `Scene.undecided`."""
+
+
+class Clusters(NamedTuple):
+    """Bodies that are connected."""
+
+    labels: npt.NDArray[np.int64]  #: of each body the number of its cluster, from 0 on; -1 where no body has the number
+    wraps: npt.NDArray[np.bool_]  #: (clusters, 3): whether a cluster wraps around the box along its edges a, b, c
+
+    @property
+    def sizes(self) -> npt.NDArray[np.intp]:
+        """How many bodies each cluster has."""
+        return np.bincount(self.labels[self.labels >= 0], minlength=len(self.wraps))
+
+
+class Neighbour(NamedTuple):
+    """The body nearest to another one."""
+
+    body: int  #: -1 where there is none
+    image: Tuple[int, int, int]
+    distance: float  #: 0 where they overlap
+    lower: float
+    upper: float
+
+
+class Hit(NamedTuple):
+    """The first body that a ray or a moving body meets."""
+
+    verdict: int  #: 1 it meets one, 0 it does not, -1 undecided
+    body: int  #: -1 where there is none
+    image: Tuple[int, int, int]
+    time: float
+    lower: float
+    upper: float
+    normal: Floats  #: in the scene's frame, as `point`
+    point: Floats
+    rivals: npt.NDArray[Any]  #: pairs of which it is not proven that they are not met before
+
+
+class Scene:
+    """Many bodies in one frame.
+
+    Parameters
+    ----------
+    bodies
+        One body for all poses; a body for each pose; or, with `shapes`, the list that `shapes` picks from.
+    poses
+        (N, 7), rows of x, y, z, qw, qx, qy, qz, or rotations (N, 3, 3) and translations (N, 3): of each body in the
+        scene's frame.
+    shapes
+        Of each pose the number of its body in the list `bodies`.
+    box
+        Periodic: edges (Lx, Ly, Lz), or with tilts (Lx, Ly, Lz, xy, xz, yz) as in HOOMD. Open space without.
+    skin
+        For scenes that move in small steps: a length, above 0, within which pairs are remembered.
+    broad_phase
+        "automatic", "grid", or "tree".
+    threads
+        All cores unless given. Answers are the same for any number.
+
+    Notes
+    -----
+    Verdicts are proven. Pairs of which nothing is proven, curved bodies that touch to within rounding, are in no
+    result: they are in `undecided` after each query, and an `UndecidedWarning` tells of them.
+
+    Of bodies that reach over a periodic box several images may overlap: then a pair stands in the list once for each.
+    """
+
+    def __init__(self, bodies: Union[None, BodyLike, Sequence[BodyLike]] = None, poses: Optional[Poses] = None, *,
+                 shapes: Optional[npt.ArrayLike] = None, box: Optional[Sequence[float]] = None, skin: float = 0.0,
+                 broad_phase: str = "automatic", threads: Optional[int] = None) -> None:
+        edges = None if box is None else [float(x) for x in box]
+        self._core = _vex.Scene(edges, str(broad_phase), float(skin), threads_of(threads))
+        self._shapes: Dict[Body, int] = {}
+        self.undecided: npt.NDArray[Any] = np.empty((0, 2), dtype=np.int64)  #: pairs (M, 2) of the last query
+        self.counts: Dict[str, Tuple[int, int]] = {}  #: of the last query: how many pairs each stage saw and settled
+        if bodies is not None:
+            if poses is None:
+                raise _vex.UsageError("bodies without poses - give poses (N, 7)")
+            self.add(bodies, poses, shapes=shapes)
+
+    def add(self, bodies: Union[BodyLike, Sequence[BodyLike]], poses: Poses, *,
+            shapes: Optional[npt.ArrayLike] = None) -> npt.NDArray[np.int64]:
+        """Adds bodies, all or none of them; returns their numbers. Parameters as of `Scene`."""
+        rows, translations, _ = as_poses(poses)
+        n = len(rows)
+        if isinstance(bodies, (list, tuple)):
+            ids = np.array([self._shape(body) for body in bodies], dtype=np.uint32)
+            if shapes is not None:
+                pick = np.asarray(shapes)
+                if pick.shape != (n,) or pick.dtype.kind not in "iu" or (n and not 0 <= pick.min() <= pick.max() < len(ids)):
+                    raise _vex.UsageError(f"shapes: give {n} whole numbers from 0 to {len(ids) - 1}")
+                ids = ids[pick]
+            elif len(ids) != n:
+                raise _vex.UsageError(f"{len(ids)} bodies for {n} poses - give as many, or shapes that pick from them")
+        else:
+            if shapes is not None:
+                raise _vex.UsageError("shapes pick from a list of bodies - give a list")
+            ids = np.full(n, self._shape(bodies), dtype=np.uint32)
+        return np.array(self._core.add(np.ascontiguousarray(ids), rows, translations), dtype=np.int64)
+
+    def _shape(self, body: BodyLike) -> int:
+        made = as_body(body)
+        if made not in self._shapes:
+            self._shapes[made] = self._core.add_shape(made._core)
+        return self._shapes[made]
+
+    def remove(self, body: int) -> None:
+        """Takes a body out; its number is free for the next one that is added."""
+        self._core.remove(body)
+
+    def move(self, body: int, pose: Poses) -> None:
+        """Puts a body elsewhere."""
+        rows, translations, _ = as_poses(pose)
+        self._core.move(body, rows, translations)
+
+    def move_all(self, poses: Poses) -> None:
+        """New poses of all bodies, in the order of their numbers."""
+        rows, translations, _ = as_poses(poses)
+        self._core.move_all(rows, translations)
+
+    def __len__(self) -> int:
+        return self._core.size()
+
+    def pose(self, body: int) -> Tuple[Floats, Floats, Tuple[int, int, int]]:
+        """A body's rotation (3, 3), its translation (3,), moved into the box, and by how many lattice vectors it was."""
+        rotation, translation, image = self._core.pose(body)
+        return rotation, translation, tuple(image)
+
+    def _told(self, undecided: Any, counts: Dict[str, Tuple[int, int]]) -> None:
+        self.undecided = _numbers(undecided)
+        self.counts = counts
+        if len(undecided):
+            warnings.warn(f"{len(undecided)} pairs are undecided: see Scene.undecided", UndecidedWarning, stacklevel=3)
+
+    def pairs(self, *, images: bool = False) -> Any:
+        """The pairs of bodies that share a point.
+
+        Returns
+        -------
+        int array (M, 2) of numbers a < b, sorted; with `images` a pair of that and an array (M, 3): by how many lattice
+        vectors the copy of b that overlaps a is away from b.
+        """
+        found, undecided, counts = self._core.pairs(0.0)
+        self._told(undecided, counts)
+        return (_numbers(found), found["image"].astype(np.int64)) if images else _numbers(found)
+
+    def pairs_within(self, distance: float, *, images: bool = False) -> Any:
+        """The pairs whose distance is at most this: proven, but no distance is computed. Result as of `pairs`."""
+        found, undecided, counts = self._core.pairs(float(distance))
+        self._told(undecided, counts)
+        return (_numbers(found), found["image"].astype(np.int64)) if images else _numbers(found)
+
+    def distances_within(self, distance: float) -> npt.NDArray[Any]:
+        """The same with the distances.
+
+        Returns
+        -------
+        array (M,) of fields ``a``, ``b``, ``image`` (3,), ``distance`` with bounds ``lower`` and ``upper``, and in the
+        frame of body a ``normal``, ``point_a``, ``point_b`` (3,), NaN where the bodies overlap.
+        """
+        found, undecided, counts = self._core.distances(float(distance))
+        self._told(undecided, counts)
+        return found
+
+    def any_overlap(self) -> int:
+        """1 where any two bodies overlap, 0 where none do, -1 where neither is proven. Ends at the first."""
+        return self._core.any_overlap()
+
+    def overlaps_of(self, body: Union[int, BodyLike], pose: Optional[Poses] = None) -> npt.NDArray[np.int64]:
+        """The pairs of one body, as of `pairs`; or of a visitor at a pose: the numbers (M,) of the bodies it overlaps."""
+        if pose is None:
+            found, undecided, counts = self._core.overlaps_of(body)
+            self._told(undecided, counts)
+            return _numbers(found)
+        rows, translations, _ = as_poses(pose)
+        found, undecided, counts = self._core.overlaps_of_visitor(as_body(body)._core, rows, translations)
+        self._told(undecided, counts)
+        return found["b"].astype(np.int64)
+
+    def would_overlap(self, body: int, pose: Poses) -> int:
+        """Whether a body would overlap any other at a pose: a trial move, 1, 0 or -1. Nothing is moved."""
+        rows, translations, _ = as_poses(pose)
+        return self._core.would_overlap(body, rows, translations)
+
+    def nearest(self, body: int) -> Neighbour:
+        """The body nearest to one; copies of itself are neighbours, too."""
+        number, image, *values = self._core.nearest(body)
+        return Neighbour(number, tuple(image), *values)
+
+    def ray_cast(self, origin: npt.ArrayLike, direction: npt.ArrayLike, *, until: float = math.inf) -> Hit:
+        """The first body on a ray. In a periodic box `until` must be finite."""
+        return _hit(self._core.ray_cast(as_rows(origin, 3, "origin")[0], as_rows(direction, 3, "direction")[0],
+                                        float(until)))
+
+    def linear_cast(self, visitor: BodyLike, pose: Poses, motion: npt.ArrayLike, *, until: float = math.inf) -> Hit:
+        """The first body that a visitor meets that moves without turning."""
+        rows, translations, _ = as_poses(pose)
+        return _hit(self._core.linear_cast(as_body(visitor)._core, rows, translations,
+                                           as_rows(motion, 3, "motion")[0], float(until)))
+
+    def clusters(self, distance: float = 0.0) -> Clusters:
+        """Clusters of bodies that overlap, or whose distance is at most this, and which of them wrap around the box."""
+        labels, wraps, undecided, counts = self._core.clusters(float(distance))
+        self._told(undecided, counts)
+        return Clusters(labels, wraps)
+
+    def __repr__(self) -> str:
+        return f"<vex.Scene of {len(self)} bodies>"
+
+
+def _numbers(pairs: Any) -> npt.NDArray[np.int64]:
+    return np.stack([pairs["a"], pairs["b"]], axis=1).astype(np.int64)
+
+
+def _hit(values: Tuple[Any, ...]) -> Hit:
+    verdict, body, image, time, lower, upper, normal, point, rivals = values
+    met = verdict == 1
+    nan = np.full(3, np.nan)
+    return Hit(verdict, body, tuple(image), time, lower, upper, np.array(normal) if met else nan,
+               np.array(point) if met else nan, _numbers(rivals))

@@ -1,0 +1,84 @@
+"""The named bodies as functions: axis z, centre at the origin, sizes full or half as the names say."""
+
+from __future__ import annotations
+
+from .bodies import Body
+
+
+def _named(name: str, *sizes: float) -> Body:
+    return Body(name + ":" + ",".join(repr(float(size)) for size in sizes))
+
+
+def sphere(radius: float) -> Body:
+    """A ball."""
+    return _named("sphere", radius)
+
+
+def box(a: float, b: float, c: float) -> Body:
+    """A box of these full edges along x, y, z."""
+    return _named("box", a, b, c)
+
+
+def ellipsoid(a: float, b: float, c: float) -> Body:
+    """An ellipsoid of these semi-axes along x, y, z."""
+    return _named("ellipsoid", a, b, c)
+
+
+def capsule(length: float, radius: float) -> Body:
+    """A straight part of this length along z, with a ball about each of its points: longer by two radii in all."""
+    return _named("capsule", length, radius)
+
+
+def cylinder(length: float, radius: float) -> Body:
+    """A cylinder of this full length along z."""
+    return _named("cylinder", length, radius)
+
+
+def cone(height: float, radius: float) -> Body:
+    """A cone along z, its base of this radius at z = -height/2."""
+    return _named("cone", height, radius)
+
+
+def frustum(height: float, radius_1: float, radius_2: float) -> Body:
+    """A truncated cone along z, `radius_1` at z = -height/2."""
+    return _named("frustum", height, radius_1, radius_2)
+
+
+def hemisphere(radius: float) -> Body:
+    """Half a ball, its flat face in z = 0, its dome upwards."""
+    return _named("hemisphere", radius)
+
+
+def disc(radius: float) -> Body:
+    """A disc in z = 0, without thickness."""
+    return _named("disc", radius)
+
+
+def plate(a: float, b: float) -> Body:
+    """A rectangle in z = 0 of these full edges, without thickness."""
+    return _named("plate", a, b)
+
+
+def needle(length: float) -> Body:
+    """A segment of this length along z."""
+    return _named("needle", length)
+
+
+def tetrahedron(edge: float) -> Body:
+    """A regular tetrahedron, its centroid at the origin."""
+    return _named("tetrahedron", edge)
+
+
+def octahedron(edge: float) -> Body:
+    """A regular octahedron."""
+    return _named("octahedron", edge)
+
+
+def dodecahedron(edge: float) -> Body:
+    """A regular dodecahedron."""
+    return _named("dodecahedron", edge)
+
+
+def icosahedron(edge: float) -> Body:
+    """A regular icosahedron."""
+    return _named("icosahedron", edge)
