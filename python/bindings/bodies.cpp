@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include "engine/support/validate.h"
 #include "meshes/body_mesh.h"
@@ -235,9 +236,9 @@ void bind_bodies(py::module_& module) {
   module.def(
       "names_a_shape", [](const std::string& text) { return names_a_shape(text); }, py::arg("text"));
   module.def("named_shapes", [] {
-    std::vector<std::array<std::string, 3>> lines;
+    std::vector<std::tuple<std::string, std::string, std::string>> lines;
     for (const NamedShape& shape : named_shapes()) {
-      lines.push_back({std::string(shape.name), std::string(shape.parameters), std::string(shape.meaning)});
+      lines.emplace_back(shape.name, shape.parameters, shape.meaning);
     }
     return lines;
   });

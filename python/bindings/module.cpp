@@ -17,6 +17,8 @@ PYBIND11_MODULE(_vex, module) {
   static py::exception<vex::Error> error(module, "Error", PyExc_ValueError);
   static py::exception<vex::UsageError> usage_error(module, "UsageError", error.ptr());
   static py::exception<vex::InputError> input_error(module, "InputError", error.ptr());
+  for (const py::object& each : std::initializer_list<py::object>{error, usage_error, input_error})
+    each.attr("__module__") = "vex";
   error.attr("__doc__") = "What a caller's input can cause.";
   usage_error.attr("__doc__") = "The call itself is wrong.";
   input_error.attr("__doc__") = "The call is right, but what it is given cannot be used.";

@@ -205,10 +205,13 @@ def excluded_volume(a: BodyLike, b: Optional[BodyLike] = None, *, rel_error: Opt
         if count is not None:
             options[name] = _whole(count, name)
     for name, text in (("estimator", estimator), ("sequence", sequence), ("domain", domain)):
+        if not isinstance(text, str):
+            raise TypeError(f"{name}: {text!r} - give a name")
         if text:
-            options[name] = str(text)
-    if control_variate:
-        options["control_variate"] = [as_body(body)._core for body in control_variate]
+            options[name] = text
+    controls = [as_body(body)._core for body in control_variate]
+    if controls:
+        options["control_variate"] = controls
 
     report, close = _progress_of(progress)
     try:

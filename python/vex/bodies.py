@@ -13,7 +13,7 @@ from . import _vex
 from ._arrays import Floats, as_floats, as_rows
 
 #: What functions take as a body: a Body, a text such as "box:1,2,3", or any object with `vertices` (and `faces`).
-BodyLike = Union["Body", str, os.PathLike, Any]
+BodyLike = Union["Body", str, "os.PathLike[str]", Any]
 
 
 class Body:
@@ -226,7 +226,9 @@ class Body:
         return self._key
 
     def __eq__(self, other: object) -> bool:
-        return self._exact_key() == other._exact_key() if isinstance(other, Body) else NotImplemented
+        if not isinstance(other, Body):
+            return NotImplemented
+        return bool(self._exact_key() == other._exact_key())
 
     def __hash__(self) -> int:
         return hash(self._exact_key())
@@ -329,7 +331,7 @@ def as_body(body: BodyLike) -> Body:
     return body if isinstance(body, Body) else Body(body)
 
 
-def load(path: Union[str, os.PathLike], *, hull: bool = False, scale: float = 1.0, unit_volume: bool = False,
+def load(path: Union[str, "os.PathLike[str]"], *, hull: bool = False, scale: float = 1.0, unit_volume: bool = False,
          convex_tolerance: Optional[float] = None, weld: Optional[float] = None, unit: str = "",
          format: str = "") -> Body:
     """The convex body of a mesh file: .obj .stl .ply .off .gltf .glb .dae .3mf .vtk .msh, points, and .gz of them.

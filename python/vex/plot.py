@@ -15,6 +15,7 @@ from ._arrays import Floats, Poses, as_poses
 from .bodies import Body, BodyLike, as_body
 
 _BLUE, _ORANGE, _GREY = "#3b6fb6", "#d9822b", "#7a7a7a"
+_POWERS = (2**11, 2**12, 2**13, 2**14, 2**15, 2**16, 2**17, 2**18, 2**19, 2**20)
 _LIGHT = np.array([0.35, -0.55, 0.75]) / np.linalg.norm([0.35, -0.55, 0.75])
 
 
@@ -114,7 +115,7 @@ def excluded_volume_of_angle(a: BodyLike, b: Optional[BodyLike] = None, *, n: in
     return ax
 
 
-def convergence(a: BodyLike, b: Optional[BodyLike] = None, *, trials: Sequence[int] = tuple(2**k for k in range(11, 21)),
+def convergence(a: BodyLike, b: Optional[BodyLike] = None, *, trials: Sequence[int] = _POWERS,
                 ax: Any = None, **settings: Any) -> Any:
     """Draws the estimate of <V_ex> with its error against the number of trials, and the known value as a line.
 

@@ -156,15 +156,19 @@ def time_of_impact(a: BodyLike, b: BodyLike, poses: Poses, velocities: npt.Array
     `ray_cast`.
     """
     rows, translations, single = as_poses(poses)
-    vectors = []
-    for values, what in ((velocities, "velocities"), (angular_velocities, "angular velocities"),
-                         (velocities_a, "velocities of A"), (angular_velocities_a, "angular velocities of A")):
-        vector, single_vector = (None, True) if values is None else as_rows(values, 3, what)
+    vectors: List[Any] = []
+    given = ((velocities, "velocities"), (angular_velocities, "angular velocities"), (velocities_a, "velocities of A"),
+             (angular_velocities_a, "angular velocities of A"))
+    for values, what in given:
+        if values is None:
+            vectors.append(None)
+            continue
+        vector, single_vector = as_rows(values, 3, what)
         vectors.append(vector)
         single = single and single_vector
-    rows, translations, vectors = _as_many(rows, translations, vectors)
-    found, proof = _vex.time_of_impact(as_body(a)._core, as_body(b)._core, rows, translations, *vectors, float(until),
-                                       bool(certify), threads_of(threads))
+    rows, translations, (v, w, v_a, w_a) = _as_many(rows, translations, vectors)
+    found, proof = _vex.time_of_impact(as_body(a)._core, as_body(b)._core, rows, translations, v, w, v_a, w_a,
+                                       float(until), bool(certify), threads_of(threads))
     return _answer(found, proof, single)
 
 

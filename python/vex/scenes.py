@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import operator
 import warnings
 from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
 
@@ -142,7 +143,7 @@ class Scene:
     def pose(self, body: int) -> Tuple[Floats, Floats, Tuple[int, int, int]]:
         """A body's rotation (3, 3), its translation (3,), moved into the box, and by how many lattice vectors it was."""
         rotation, translation, image = self._core.pose(body)
-        return rotation, translation, tuple(image)
+        return rotation, translation, (image[0], image[1], image[2])
 
     def _told(self, undecided: Any, counts: Dict[str, Tuple[int, int]]) -> None:
         self.undecided = _numbers(undecided)
@@ -187,7 +188,7 @@ class Scene:
     def overlaps_of(self, body: Union[int, BodyLike], pose: Optional[Poses] = None) -> npt.NDArray[np.int64]:
         """The pairs of one body, as of `pairs`; or of a visitor at a pose: the numbers (M,) of the bodies it overlaps."""
         if pose is None:
-            found, undecided, counts = self._core.overlaps_of(body)
+            found, undecided, counts = self._core.overlaps_of(_number(body))
             self._told(undecided, counts)
             return _numbers(found)
         rows, translations, _ = as_poses(pose)
@@ -203,7 +204,7 @@ class Scene:
     def nearest(self, body: int) -> Neighbour:
         """The body nearest to one; copies of itself are neighbours, too."""
         number, image, *values = self._core.nearest(body)
-        return Neighbour(number, tuple(image), *values)
+        return Neighbour(number, (image[0], image[1], image[2]), *values)
 
     def ray_cast(self, origin: npt.ArrayLike, direction: npt.ArrayLike, *, until: float = math.inf) -> Hit:
         """The first body on a ray. In a periodic box `until` must be finite."""
@@ -226,6 +227,12 @@ class Scene:
         return f"<vex.Scene of {len(self)} bodies>"
 
 
+def _number(body: Any) -> int:
+    if isinstance(body, (bool, str)) or not hasattr(body, "__index__"):
+        raise TypeError(f"not the number of a body ({body!r}) - `add` tells the numbers; a visitor needs a pose")
+    return operator.index(body)
+
+
 def _numbers(pairs: Any) -> npt.NDArray[np.int64]:
     return np.stack([pairs["a"], pairs["b"]], axis=1).astype(np.int64)
 
@@ -234,5 +241,5 @@ def _hit(values: Tuple[Any, ...]) -> Hit:
     verdict, body, image, time, lower, upper, normal, point, rivals = values
     met = verdict == 1
     nan = np.full(3, np.nan)
-    return Hit(verdict, body, tuple(image), time, lower, upper, np.array(normal) if met else nan,
+    return Hit(verdict, body, (image[0], image[1], image[2]), time, lower, upper, np.array(normal) if met else nan,
                np.array(point) if met else nan, _numbers(rivals))

@@ -1,0 +1,173 @@
+import math
+import pickle
+import types
+
+import numpy as np
+import pytest
+
+import vex
+
+
+def test_named_bodies_have_their_measures():
+    body = vex.capsule(1.0, 0.25)
+    assert body == vex.Body("capsule:1,0.25") and body.kind == "capsule"
+    assert body.volume == pytest.approx(math.pi * 0.25**2 * (1 + 4 * 0.25 / 3), rel=1e-14)
+    assert body.surface_area == pytest.approx(2 * math.pi * 0.25 * (1 + 2 * 0.25), rel=1e-14)
+    assert body.integrated_mean_curvature == pytest.approx(math.pi + 4 * math.pi * 0.25, rel=1e-14)
+    assert vex.sphere(2.0).mean_radius == pytest.approx(2.0, rel=1e-15)
+    assert vex.box(1, 2, 3).vertices.shape == (8, 3) and not vex.sphere(1).is_polytope
+
+
+def test_every_named_shape_is_a_function_with_its_parameters():
+    for name, parameters, _ in vex.named_shapes():
+        if name == "rounded":
+            continue
+        sizes = [0.5 + 0.25 * k for k in range(parameters.count(",") + 1)]
+        assert getattr(vex, name)(*sizes) == vex.Body(name + ":" + ",".join(map(str, sizes)))
+
+
+def test_support_points_are_the_farthest():
+    rng = np.random.default_rng(1)
+    for body in (vex.box(1, 2, 3), vex.cylinder(1, 0.5), vex.icosahedron(1), vex.ellipsoid(1, 2, 3)):
+        directions = rng.normal(size=(100, 3))
+        points = body.support(directions)
+        assert points.shape == (100, 3)
+        heights = points @ directions.T
+        assert (np.diag(heights) >= heights.max(axis=0) - 1e-12).all()
+        assert (body.support(directions[7]) == points[7]).all()
+    with pytest.raises(vex.InputError, match="direction 1"):
+        vex.sphere(1).support([[1, 0, 0], [0, 0, 0]])
+
+
+def test_faces_run_counter_clockwise_and_meet_along_edges():
+    for body, n in ((vex.box(1, 2, 3), 6), (vex.tetrahedron(1), 4), (vex.octahedron(1), 8), (vex.dodecahedron(1), 12),
+                    (vex.icosahedron(1), 20)):
+        vertices, faces = body.vertices, body.faces
+        assert len(faces) == n
+        edges = {(int(a), int(b)) for face in faces for a, b in zip(face, np.roll(face, -1))}
+        assert all((b, a) in edges for a, b in edges)
+        assert len(vertices) - len(edges) // 2 + len(faces) == 2
+        for face in faces:
+            normal = np.cross(vertices[face[1]] - vertices[face[0]], vertices[face[2]] - vertices[face[0]])
+            assert normal @ (vertices[face[0]] - vertices.mean(axis=0)) > 0.0
+    assert len(vex.plate(1, 2).faces) == 2 and vex.needle(1).faces == [] and vex.sphere(1).faces == []
+
+
+def test_bodies_of_objects_with_vertices_and_faces():
+    cube = vex.box(1, 1, 1)
+    like_trimesh = types.SimpleNamespace(vertices=cube.vertices,
+                                         faces=np.array([[f[0], f[k], f[k + 1]] for f in cube.faces for k in (1, 2)]))
+    like_coxeter = types.SimpleNamespace(vertices=cube.vertices, faces=cube.faces)
+    points_alone = types.SimpleNamespace(vertices=cube.vertices)
+    for source in (like_trimesh, like_coxeter, points_alone):
+        body = vex.Body(source)
+        assert body == cube and body.volume == pytest.approx(1.0, rel=1e-14)
+    dented = types.SimpleNamespace(vertices=np.concatenate([cube.vertices, [[0.0, 0.0, 0.0]]]),
+                                   faces=[f for f in cube.faces[1:]]
+                                   + [[cube.faces[0][k], cube.faces[0][(k + 1) % 4], 8] for k in range(4)])
+    with pytest.raises(vex.InputError, match="convex"):
+        vex.Body(dented)
+    assert vex.Body(dented, hull=True).volume == pytest.approx(1.0, rel=1e-14)
+    with pytest.raises(TypeError):
+        vex.Body(3.0)
+    with pytest.raises(vex.InputError):
+        vex.Body(types.SimpleNamespace(vertices=cube.vertices, faces=[[0, 1, 9]]))
+
+
+def test_meshes_are_read_and_refused(meshes, tmp_path):
+    pebble = vex.load(meshes / "pebble.obj")
+    assert pebble.kind == "polyhedron" and pebble.report["n_vertices"] == len(pebble.vertices) == 300
+    assert vex.Body(str(meshes / "pebble.obj")) == pebble
+    broken = tmp_path / "broken.obj"
+    broken.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    with pytest.raises(vex.InputError, match="not closed|open"):
+        vex.load(broken)
+    with pytest.raises(vex.InputError):
+        vex.load(tmp_path / "missing.obj")
+    with pytest.raises(vex.UsageError, match="sphere"):
+        vex.Body("spher:1")
+    with pytest.raises(vex.UsageError, match="sphere:R"):
+        vex.Body("sphere")
+    with pytest.raises(vex.InputError):
+        vex.box(1, -1, 1)
+    with pytest.raises(vex.InputError):
+        vex.box(1, math.nan, 1)
+
+
+def test_scaled_and_rounded(meshes):
+    assert vex.Body("box:1,2,3", unit_volume=True).volume == pytest.approx(1.0, rel=1e-14)
+    assert vex.box(1, 2, 3).scaled(2.0) == vex.box(2, 4, 6)
+    pebble = vex.load(meshes / "pebble.obj")
+    assert vex.load(meshes / "pebble.obj", unit_volume=True).volume == pytest.approx(1.0, rel=1e-12)
+    assert pebble.scaled(2.0).volume == pytest.approx(8 * pebble.volume, rel=1e-12)
+    rounded = pebble.rounded(0.5)
+    assert rounded.volume > pebble.volume and rounded.scaled(2.0).volume == pytest.approx(8 * rounded.volume, rel=1e-12)
+    assert vex.Body(f"rounded:0.5,{meshes / 'pebble.obj'}") == rounded
+    assert vex.rounded("box:1,1,1", 0.1) == vex.Body("rounded:0.1,box:1,1,1")
+    for factor in (0.0, -1.0, math.nan, math.inf):
+        with pytest.raises((vex.UsageError, vex.InputError)):
+            vex.box(1, 1, 1).scaled(factor)
+
+
+def test_pickled_bodies_are_the_same_bits(meshes):
+    rng = np.random.default_rng(2)
+    points = rng.normal(size=(50, 3))
+    for body in (vex.cone(1, 2), vex.load(meshes / "gem.obj", scale=1.5), vex.hull(points), vex.hull(points).rounded(0.25),
+                 vex.Body("box:1,2,3", unit_volume=True)):
+        again = pickle.loads(pickle.dumps(body))
+        assert again == body and hash(again) == hash(body) and repr(again) == repr(body)
+        assert (again.volume, again.surface_area, again.integrated_mean_curvature) == \
+            (body.volume, body.surface_area, body.integrated_mean_curvature)
+        settings = dict(trials=8192, estimator="radial", seed=3)
+        assert vex.excluded_volume(again, **settings).value == vex.excluded_volume(body, **settings).value
+
+
+def test_equality_is_that_of_the_numbers():
+    points = vex.box(1, 1, 1).vertices
+    assert vex.hull(points) == vex.hull(points[::-1]) == vex.box(1, 1, 1)
+    assert vex.hull(points) != vex.hull(points * (1 + 2**-52)) and vex.box(1, 1, 1) != "box:1,1,1"
+    assert len({vex.box(1, 1, 1), vex.Body("box:1.0,1,1"), vex.sphere(1)}) == 2
+
+
+def test_a_body_of_ones_own():
+    def support(directions):
+        return directions / np.linalg.norm(directions, axis=1, keepdims=True)
+
+    ball = vex.from_support(support, circumradius=1 + 1e-14, inradius=1 - 1e-14, support_error=1e-15)
+    poses = [[x, 0, 0, 1, 0, 0, 0] for x in (0.0, 1.999, 2.001)]
+    assert vex.overlap(ball, ball, poses).tolist() == [1, 1, 0]
+    assert vex.overlap(ball, ball, [2, 0, 0, 1, 0, 0, 0]) == -1
+    assert vex.distance(ball, "sphere:1", poses[2])["value"] == pytest.approx(0.001, abs=1e-9)
+    result = vex.excluded_volume(ball, "sphere:0.5", trials=1000, estimator="hit-or-miss", domain="box", threads=2)
+    assert abs(result.value - 4 / 3 * math.pi * 1.5**3) < 5 * result.std_error and result.reference is None
+    assert math.isnan(ball.volume)
+
+    with pytest.raises(vex.InputError, match="circumradius"):
+        vex.from_support(support, circumradius=0.9, support_error=1e-15)
+    with pytest.raises(vex.InputError, match="finite"):
+        vex.from_support(lambda d: d * np.nan, circumradius=1, support_error=0)
+    with pytest.raises(vex.InputError, match="point"):
+        vex.from_support(lambda d: np.zeros((2, 3)), circumradius=1, support_error=0)
+    with pytest.raises(ZeroDivisionError):
+        vex.from_support(lambda d: 1 / 0, circumradius=1, support_error=0)
+
+    calls = 0
+
+    def failing(directions):
+        nonlocal calls
+        calls += 1
+        if calls > 3000:
+            raise RuntimeError("enough")
+        return support(directions)
+
+    mortal = vex.from_support(failing, circumradius=1 + 1e-14, support_error=1e-15, check=False)
+    with pytest.raises(RuntimeError, match="enough"):
+        vex.excluded_volume(mortal, "box:1,1,1", trials=10**6, threads=2)
+    with pytest.raises(RuntimeError, match="enough"):
+        vex.distance(mortal, "box:1,1,1", poses * 50, threads=2)
+
+
+def test_pictures_for_notebooks():
+    for body in (vex.box(1, 2, 3), vex.sphere(1), vex.disc(1), vex.needle(1)):
+        html = body._repr_html_()
+        assert "data:image/png;base64," in html and "volume" in html

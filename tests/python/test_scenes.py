@@ -1,0 +1,107 @@
+import itertools
+
+import numpy as np
+import pytest
+
+import vex
+from conftest import random_poses
+
+
+def brute_force(bodies, poses, box=None):
+    """Every pair and image by `overlap`, the pose of b in a's frame by matrices."""
+    from conftest import matrices
+    rotations, centres = matrices(poses[:, 3:]), poses[:, :3]
+    shifts = [np.zeros(3)] if box is None else [np.array(s) * box for s in itertools.product((-1, 0, 1), repeat=3)]
+    pairs = set()
+    for i, j in itertools.combinations(range(len(poses)), 2):
+        relative = rotations[i].T @ rotations[j]
+        offsets = np.array([rotations[i].T @ (centres[j] + shift - centres[i]) for shift in shifts])
+        if (vex.overlap(bodies[i], bodies[j], (relative, offsets)) == 1).any():
+            pairs.add((i, j))
+    return pairs
+
+
+def random_scene(n, edge, seed):
+    rng = np.random.default_rng(seed)
+    return np.concatenate([edge * (rng.random((n, 3)) - 0.5), rng.normal(size=(n, 4))], axis=1)
+
+
+def test_pairs_are_those_of_brute_force():
+    shapes = [vex.box(1, 1, 1), vex.capsule(1, 0.3), vex.icosahedron(0.8)]
+    poses = random_scene(60, 4.0, seed=1)
+    pick = np.arange(60) % 3
+    bodies = [shapes[k] for k in pick]
+    for box in (None, np.array([4.0, 4.0, 4.0])):
+        truth = brute_force(bodies, poses, box)
+        for broad_phase in ("automatic", "grid", "tree"):
+            scene = vex.Scene(shapes, poses, shapes=pick, box=box, broad_phase=broad_phase)
+            pairs, images = scene.pairs(images=True)
+            assert {tuple(pair) for pair in pairs.tolist()} == truth and len(truth) > 20
+            assert pairs.dtype == np.int64 and len(images) == len(pairs) and len(scene) == 60
+            assert len(scene.undecided) == 0 and scene.any_overlap() == 1
+        assert {tuple(p) for p in vex.Scene(bodies, poses, box=box).pairs().tolist()} == truth
+
+
+def test_distances_clusters_and_what_is_near():
+    poses = np.array([[0.0, 0, 0, 1, 0, 0, 0], [1.2, 0, 0, 1, 0, 0, 0], [2.5, 0, 0, 1, 0, 0, 0], [9, 9, 9, 1, 0, 0, 0]])
+    scene = vex.Scene("box:1,1,1", poses)
+    assert scene.pairs().shape == (0, 2) and scene.any_overlap() == 0
+    assert scene.pairs_within(0.25).tolist() == [[0, 1]]
+    near = scene.distances_within(0.5)
+    assert near["a"].tolist() == [0, 1] and near["distance"] == pytest.approx([0.2, 0.3], abs=1e-12)
+    assert (near["lower"] <= near["distance"]).all() and (near["distance"] <= near["upper"]).all()
+    clusters = scene.clusters(0.25)
+    assert clusters.labels.tolist() == [0, 0, 1, 2] and clusters.sizes.tolist() == [2, 1, 1]
+    assert not clusters.wraps.any()
+    assert scene.nearest(2).body == 1 and scene.nearest(2).distance == pytest.approx(0.3, abs=1e-12)
+    hit = scene.ray_cast([-5, 0, 0], [1, 0, 0])
+    assert (hit.verdict, hit.body, hit.time) == (1, 0, 4.5) and hit.normal.tolist() == [-1, 0, 0]
+    assert scene.ray_cast([-5, 3, 0], [1, 0, 0]).verdict == 0
+    assert scene.linear_cast("sphere:0.5", [5, 0, 0, 1, 0, 0, 0], [-1, 0, 0]).body == 2
+    assert scene.overlaps_of("sphere:0.5", [1.2, 0.9, 0, 1, 0, 0, 0]).tolist() == [1]
+    ring = vex.Scene("box:1,1,1", [[k * 1.0, 0, 0, 1, 0, 0, 0] for k in range(3)], box=(3, 5, 5)).clusters()
+    assert ring.wraps.tolist() == [[True, False, False]]
+
+
+def test_bodies_come_go_and_move():
+    scene = vex.Scene(box=(10, 10, 10))
+    ids = scene.add("box:1,1,1", random_poses(4, 0.1))
+    assert ids.tolist() == [0, 1, 2, 3] and len(scene.pairs()) == 6
+    scene.remove(1)
+    assert len(scene) == 3 and scene.add("sphere:0.1", [3, 3, 3, 1, 0, 0, 0]).tolist() == [1]
+    scene.move(0, [-3, -3, -3, 1, 0, 0, 0])
+    assert scene.pairs().tolist() == [[2, 3]]
+    assert scene.would_overlap(1, [-3, -3, -3, 1, 0, 0, 0]) == 1 and scene.would_overlap(1, [4, 4, 4, 1, 0, 0, 0]) == 0
+    scene.move_all([[k * 2.0, 0, 0, 1, 0, 0, 0] for k in range(4)])
+    assert len(scene.pairs()) == 0 and scene.overlaps_of(0).shape == (0, 2)
+    rotation, translation, image = scene.pose(3)
+    assert translation.tolist() == [-4, 0, 0] and image == (-1, 0, 0) and (rotation == np.eye(3)).all()
+
+
+def test_undecided_pairs_are_told():
+    scene = vex.Scene("ellipsoid:1,2,3", [[0, 0, 0, 1, 0, 0, 0], [2, 0, 0, 1, 0, 0, 0]])
+    with pytest.warns(vex.UndecidedWarning):
+        pairs = scene.pairs()
+    assert len(pairs) == 0 and scene.undecided.tolist() == [[0, 1]] and scene.any_overlap() == -1
+
+
+def test_what_makes_no_sense_is_refused():
+    pose = [0, 0, 0, 1, 0, 0, 0]
+    for make in (lambda: vex.Scene("box:1,1,1"), lambda: vex.Scene("box:1,1,1", [pose], box=(1, 2)),
+                 lambda: vex.Scene("box:1,1,1", [pose], box=(1, 2, -3)),
+                 lambda: vex.Scene(["box:1,1,1"], [pose, pose]), lambda: vex.Scene("box:100,1,1", [pose], box=(1, 1, 1)),
+                 lambda: vex.Scene(["box:1,1,1"], [pose], shapes=[1]), lambda: vex.Scene(skin=-1.0),
+                 lambda: vex.Scene(broad_phase="quick"), lambda: vex.Scene("box:1,1,1", [[0] * 7])):
+        with pytest.raises((vex.UsageError, vex.InputError)):
+            make()
+    scene = vex.Scene("box:1,1,1", [pose])
+    for ask in (lambda: scene.remove(1), lambda: scene.move(7, pose), lambda: scene.overlaps_of(3),
+                lambda: scene.nearest(5), lambda: scene.pairs_within(-1.0), lambda: scene.pairs_within(np.nan),
+                lambda: scene.move_all([pose, pose]), lambda: scene.pose(9)):
+        with pytest.raises((vex.UsageError, vex.InputError)):
+            ask()
+    with pytest.raises(TypeError):
+        scene.overlaps_of("box:1,1,1")
+    with pytest.raises(vex.InputError):
+        scene.add("box:1,1,1", [pose, [0] * 7])
+    assert len(scene) == 1
