@@ -13,6 +13,7 @@ import numpy.typing as npt
 from . import _vex
 from ._arrays import Floats, Poses, as_poses
 from .bodies import Body, BodyLike, as_body
+from .bodies import hull as hull_of
 
 _BLUE, _ORANGE, _GREY = "#3b6fb6", "#d9822b", "#7a7a7a"
 _POWERS = (2**11, 2**12, 2**13, 2**14, 2**15, 2**16, 2**17, 2**18, 2**19, 2**20)
@@ -20,7 +21,7 @@ _LIGHT = np.array([0.35, -0.55, 0.75]) / np.linalg.norm([0.35, -0.55, 0.75])
 
 
 def body(body: BodyLike, *, ax: Any = None, pose: Optional[Poses] = None, color: str = _BLUE, alpha: float = 1.0,
-         n_around: int = 48, edges: bool = True) -> Any:
+         n_around: int = 48) -> Any:
     """Draws a body.
 
     Parameters
@@ -36,19 +37,9 @@ def body(body: BodyLike, *, ax: Any = None, pose: Optional[Poses] = None, color:
     -------
     the axes.
     """
-    ax = _axes(ax)
-    made = as_body(body)
-    rotation, translation = _placed(pose)
-    points, normals, triangles, is_line = _mesh(made, n_around)
-    points = points @ rotation.T + translation
-    if is_line:
-        ax.plot(*points.T, color=color, linewidth=2.0, alpha=alpha)
-    else:
-        _add_triangles(ax, points, normals @ rotation.T, triangles, color, alpha)
-        if edges:
-            _add_edges(ax, made, rotation, translation, alpha)
-    _fit(ax, points)
-    return ax
+    solids = _Solids()
+    solids.add_body(as_body(body), *_placed(pose), color, alpha, n_around)
+    return solids.drawn(_axes(ax))
 
 
 def pair(a: BodyLike, b: BodyLike, pose: Poses, *, ax: Any = None, alpha: float = 0.45) -> Any:
@@ -57,13 +48,13 @@ def pair(a: BodyLike, b: BodyLike, pose: Poses, *, ax: Any = None, alpha: float 
     The line between them is the distance or the penetration depth, along the normal.
     """
     from .queries import signed_distance
-    ax = _axes(ax)
-    body(a, ax=ax, color=_BLUE, alpha=alpha)
-    body(b, ax=ax, pose=pose, color=_ORANGE, alpha=alpha)
+    solids = _Solids()
+    solids.add_body(as_body(a), np.eye(3), np.zeros(3), _BLUE, alpha, 48)
+    solids.add_body(as_body(b), *_placed(pose), _ORANGE, alpha, 48)
+    ax = solids.drawn(_axes(ax))
     found = signed_distance(a, b, pose)
     found = found if found.ndim == 0 else found[0]
-    point_a, point_b = found["point_a"], found["point_b"]
-    line = np.stack([point_a, point_b])
+    line = np.stack([found["point_a"], found["point_b"]])
     ax.plot(*line.T, color="black", linewidth=1.6, zorder=10)
     ax.scatter(*line.T, color="black", s=18, depthshade=False, zorder=11)
     value = float(found["value"])
@@ -80,18 +71,17 @@ def excluded_volume(a: BodyLike, b: BodyLike, rotation: Optional[npt.ArrayLike] 
     rotation
         B's, (3, 3) or a quaternion (4,) w, x, y, z; none unless given. B is drawn once, where it touches A.
     """
-    ax = _axes(ax)
     a, b = as_body(a), as_body(b)
     turn = np.eye(3) if rotation is None else _rotation(rotation)
-    points, triangles = _difference(a, b, turn, n_around)
-    _add_triangles(ax, points, None, triangles, _GREY, 0.18)
-    body(a, ax=ax, color=_BLUE, alpha=0.9)
-    # B where its origin is on the surface, away from the eye's side.
-    direction = np.array([1.0, -0.6, 0.35])
+    # B where its origin is on the surface, to the right.
+    direction = np.array([1.0, 0.5, 0.35])
     at = a.support(direction) - turn @ b.support(-turn.T @ direction)
-    body(b, ax=ax, pose=(turn, at), color=_ORANGE, alpha=0.9)
+    solids = _Solids()
+    solids.add_body(a, np.eye(3), np.zeros(3), _BLUE, 1.0, n_around)
+    solids.add_body(b, turn, at, _ORANGE, 1.0, n_around)
+    solids.add_polygons(_difference(a, b, turn, n_around), None, _GREY, 0.16, "none")
+    ax = solids.drawn(_axes(ax))
     ax.scatter(*at, color="black", s=18, depthshade=False, zorder=11)
-    _fit(ax, points)
     return ax
 
 
@@ -201,19 +191,24 @@ def _directions(n_around: int) -> Floats:
     return np.ascontiguousarray(np.stack([sin * np.cos(azimuth), sin * np.sin(azimuth), cos], axis=1))
 
 
-def _difference(a: Body, b: Body, turn: Floats, n_around: int) -> Tuple[Floats, npt.NDArray[Any]]:
-    """The boundary of A - R B: of polytopes the hull of differences of vertices, otherwise of support points."""
+def _difference(a: Body, b: Body, turn: Floats, n_around: int) -> List[Floats]:
+    """The boundary of A - R B in polygons: of polytopes the hull of differences of vertices, otherwise of support
+    points."""
     of_a, of_b = a.vertices, b.vertices
     if 0 < len(of_a) * len(of_b) <= 20000:
-        points = (of_a[:, None, :] - (of_b @ turn.T)[None, :, :]).reshape(-1, 3)
-    else:
-        directions = np.concatenate([_directions(n_around)] + [
-            normals + 1e-4 * offset for normals in (_face_normals(a), -_face_normals(b) @ turn.T)
-            for offset in _directions(4)])
-        points = a.support(directions) - b.support(-(directions @ turn)) @ turn.T
-    grain = 2.0**-22 * (a.circumradius + b.circumradius)
-    points = np.unique(np.round(points / grain) * grain, axis=0)
-    return points, _vex.hull_triangles(np.ascontiguousarray(points))
+        hull = hull_of(_grid((of_a[:, None, :] - (of_b @ turn.T)[None, :, :]).reshape(-1, 3), 2.0**-44))
+        return [hull.vertices[face] for face in hull.faces]
+    around = _directions(4)
+    directions = np.concatenate([_directions(n_around)] + [
+        normal + 1e-4 * around for normal in np.concatenate([_face_normals(a), -_face_normals(b) @ turn.T])])
+    points = _grid(a.support(directions) - b.support(-(directions @ turn)) @ turn.T, 2.0**-22)
+    return list(points[_vex.hull_triangles(points)])
+
+
+def _grid(points: Floats, grain: float) -> Floats:
+    """Points that are one but for rounding become one."""
+    grain = grain * float(np.abs(points).max())
+    return np.ascontiguousarray(np.unique(np.round(points / grain) * grain, axis=0))
 
 
 def _face_normals(body: Body) -> Floats:
@@ -227,34 +222,58 @@ def _face_normals(body: Body) -> Floats:
     return np.concatenate(normals)
 
 
-def _add_triangles(ax: Any, points: Floats, normals: Optional[Floats], triangles: npt.NDArray[Any], color: str,
-                   alpha: float) -> None:
-    from matplotlib.colors import to_rgb
-    from mpl_toolkits.mplot3d.art3d import Poly3DCollection
-    corners = points[triangles]
-    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    length = np.linalg.norm(across, axis=1, keepdims=True)
-    unit = across / np.where(length > 0.0, length, 1.0)
-    if normals is not None and len(normals):
-        smooth = normals[triangles].sum(axis=1)
-        length = np.linalg.norm(smooth, axis=1, keepdims=True)
-        unit = np.where(length > 0.0, smooth / np.where(length > 0.0, length, 1.0), unit)
-    shade = 0.62 + 0.38 * (unit @ _LIGHT)
-    base = np.array(to_rgb(color))
-    colors = np.clip(shade[:, None] * base + 0.18 * np.clip(shade - 0.75, 0.0, 1.0)[:, None], 0.0, 1.0)
-    rgba = np.concatenate([colors, np.full((len(colors), 1), alpha)], axis=1)
-    ax.add_collection3d(Poly3DCollection(corners, facecolors=rgba, edgecolors="none", antialiased=alpha == 1.0))
+class _Solids:
+    """Polygons of several bodies, sorted together by their depth when they are drawn."""
 
+    def __init__(self) -> None:
+        self._polygons: List[Floats] = []
+        self._faces: List[Floats] = []
+        self._edges: List[Any] = []
+        self._lines: List[Tuple[Floats, str]] = []
 
-def _add_edges(ax: Any, body: Body, rotation: Floats, translation: Floats, alpha: float) -> None:
-    from mpl_toolkits.mplot3d.art3d import Line3DCollection
-    vertices = body.vertices
-    if not 2 < len(vertices) <= 200:
-        return
-    placed = vertices @ rotation.T + translation
-    edges = {tuple(sorted((int(i), int(j)))) for face in body.faces for i, j in zip(face, np.roll(face, -1))}
-    ax.add_collection3d(Line3DCollection(placed[np.array(sorted(edges))], colors="black", linewidths=0.6,
-                                         alpha=min(1.0, alpha + 0.2)))
+    def add_body(self, body: Body, rotation: Floats, translation: Floats, color: str, alpha: float,
+                 n_around: int) -> None:
+        vertices = body.vertices
+        if 2 < len(vertices) <= 400:
+            placed = vertices @ rotation.T + translation
+            self.add_polygons([placed[face] for face in body.faces], None, color, alpha, (0.0, 0.0, 0.0, 0.7))
+            return
+        points, normals, indices, is_line = _mesh(body, n_around)
+        points = points @ rotation.T + translation
+        if is_line:
+            self._lines.append((points, color))
+            return
+        smooth = (normals @ rotation.T)[indices].sum(axis=1) if len(normals) else None
+        self.add_polygons(list(points[indices]), smooth, color, alpha, "face" if alpha == 1.0 else "none")
+
+    def add_polygons(self, polygons: List[Floats], normals: Optional[Floats], color: str, alpha: float,
+                     edge: Any) -> None:
+        from matplotlib.colors import to_rgb
+        if normals is None or not np.abs(normals).max() > 0.0:
+            normals = np.stack([np.cross(np.roll(p, -1, axis=0) - p[0], p - p[0]).sum(axis=0) * -1.0
+                                for p in polygons])
+        length = np.linalg.norm(normals, axis=1, keepdims=True)
+        unit = normals / np.where(length > 0.0, length, 1.0)
+        shade = 0.62 + 0.38 * (unit @ _LIGHT)
+        colors = np.clip(shade[:, None] * np.array(to_rgb(color)) + 0.18 * np.clip(shade - 0.75, 0.0, 1.0)[:, None],
+                         0.0, 1.0)
+        faces = np.concatenate([colors, np.full((len(colors), 1), alpha)], axis=1)
+        self._polygons += polygons
+        self._faces += list(faces)
+        if edge == "face":
+            self._edges += list(faces)
+        else:
+            self._edges += [(0.0, 0.0, 0.0, 0.0) if edge == "none" else edge] * len(polygons)
+
+    def drawn(self, ax: Any) -> Any:
+        from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+        if self._polygons:
+            ax.add_collection3d(Poly3DCollection(self._polygons, facecolors=self._faces, edgecolors=self._edges,
+                                                 linewidths=0.4))
+        for points, color in self._lines:
+            ax.plot(*points.T, color=color, linewidth=2.0)
+        _fit(ax, np.concatenate(self._polygons + [points for points, _ in self._lines]))
+        return ax
 
 
 def _fit(ax: Any, points: Floats) -> None:
@@ -267,7 +286,7 @@ def _fit(ax: Any, points: Floats) -> None:
     middle, half = 0.5 * (lower + upper), 0.5 * float((upper - lower).max()) or 1.0
     for k, set_limits in enumerate((ax.set_xlim, ax.set_ylim, ax.set_zlim)):
         set_limits(middle[k] - half, middle[k] + half)
-    ax.set_box_aspect((1.0, 1.0, 1.0), zoom=1.35)
+    ax.set_box_aspect((1.0, 1.0, 1.0), zoom=1.2)
 
 
 def _html_of(made: Body) -> str:
