@@ -33,8 +33,7 @@ void declare_options(OptionParser& options, CommandLine& words) {
   options.add_option("A", words.a, kBodyHelp).type_name("").required();
   options.add_option("B", words.b, "The second body; without it, A again").type_name("");
 
-  const std::string stop =
-      "When to stop (whichever comes first; without any, --rel-error 1e-4, or 1e-3 where hit or miss is asked for)";
+  const std::string stop = "When to stop (whichever comes first; without any, --rel-error 1e-3)";
   options.add_option("--trials", words.trials, "Stop after this many trials, written like 1e7")
       .type_name("N")
       .group(stop);
@@ -142,6 +141,7 @@ Options interpret(const CommandLine& words) {
   if (!words.trials.empty()) settings.trials = parse_positive_count(words.trials, "--trials");
   if (!words.relative_error.empty()) settings.rel_error = parse_positive_number(words.relative_error, "--rel-error");
   if (!words.seconds.empty()) settings.seconds = parse_positive_number(words.seconds, "--seconds");
+  if (!settings.trials && !settings.rel_error && !settings.seconds) settings.rel_error = 1e-3;
   if (!words.max_trials.empty()) settings.max_trials = parse_positive_count(words.max_trials, "--max-trials");
   settings.estimator = words.estimator;
   if (!words.sequence.empty()) settings.sequence = words.sequence == "sobol" ? Sequence::sobol : Sequence::random;

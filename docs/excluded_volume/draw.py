@@ -41,7 +41,8 @@ PAPER = [
 
 
 def run(program, body):
-    out = subprocess.run([program, body, "--unit-volume", "--quiet", "--json", "-"], check=True, capture_output=True)
+    out = subprocess.run([program, body, "--unit-volume", "--rel-error", "1e-4", "--quiet", "--json", "-"], check=True,
+                         capture_output=True)
     result = json.loads(out.stdout)
     estimate = result["estimate"]
     return result["formula"]["excluded_volume"], estimate["excluded_volume"], estimate["std_error"]

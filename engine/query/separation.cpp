@@ -32,35 +32,38 @@ Separation nothing_but(const Verdict& verdict, int n_support_calls) {
   return result;
 }
 
-// With the verdict, and bounds that agree with it.
-Separation concluded(const SeparationQuery& query, DecidedBy by, Separation found,
+// With the verdict, and bounds that agree with it. What was found is copied here and nowhere else: a copy of its 144
+// bytes right after they were written takes some 7 ns, a twentieth of the shortest query.
+Separation concluded(const SeparationQuery& query, DecidedBy by, const Separation& found,
                      std::optional<OverlapAnswer>& known) {
-  if (found.lower > 0.0) {
-    found.verdict = Verdict::disjoint(by);
-  } else if (found.upper < 0.0) {
-    found.verdict = Verdict::overlap(by);
+  Separation result = found;
+  if (result.lower > 0.0) {
+    result.verdict = Verdict::disjoint(by);
+  } else if (result.upper < 0.0) {
+    result.verdict = Verdict::overlap(by);
   } else {
     if (!known) {
       known = overlap_answer(query.a, query.b, Pose::unchecked(query.a_from_b));
-      found.n_support_calls += known->n_support_calls;
+      result.n_support_calls += known->n_support_calls;
     }
-    found.verdict = known->verdict;
-    if (found.verdict.outcome == Outcome::disjoint) found.lower = std::max(found.lower, 0.0);
-    if (found.verdict.outcome == Outcome::overlap) found.upper = std::min(found.upper, 0.0);
+    result.verdict = known->verdict;
+    if (result.verdict.outcome == Outcome::disjoint) result.lower = std::max(result.lower, 0.0);
+    if (result.verdict.outcome == Outcome::overlap) result.upper = std::min(result.upper, 0.0);
   }
-  const bool is_apart = found.verdict.outcome == Outcome::disjoint, meets = found.verdict.outcome == Outcome::overlap;
+  const bool is_apart = result.verdict.outcome == Outcome::disjoint, meets = result.verdict.outcome == Outcome::overlap;
   if ((query.goal == SeparationGoal::distance && meets) || (query.goal == SeparationGoal::depth && is_apart)) {
-    Separation result = nothing_but(found.verdict, found.n_support_calls);
+    result = nothing_but(result.verdict, result.n_support_calls);
     (meets ? result.upper : result.lower) = 0.0;
-    return result;
+  } else {
+    result.signed_distance = std::max(result.lower, std::min(result.signed_distance, result.upper));
   }
-  found.signed_distance = std::max(found.lower, std::min(found.signed_distance, found.upper));
-  return found;
+  return result;
 }
 
 // Whether twice the precision has nothing to add: where it is calls that ended a search, or where the bounds are as
 // near as asked for and a sign that they leave open is all that they leave open.
 bool is_settled(const SeparationQuery& query, const SearchedSeparation& searched, double wanted) {
+  if (searched.is_out_of_range) return false;
   const Separation& found = searched.separation;
   if (query.goal == SeparationGoal::distance && found.lower > query.settings.max_distance) return true;
   if (query.goal == SeparationGoal::depth && found.lower > 0.0) return true;
@@ -94,18 +97,19 @@ Separation extended_beside(const SeparationQuery& query, const PlacedForms& plac
   return result;
 }
 
-Separation separation(SeparationQuery query, WarmStart* warm_start, std::optional<OverlapAnswer>& known) {
-  const std::optional<SearchedSeparation> searched = search_in_double(query, warm_start);
-  const Separation in_double = searched ? searched->separation : Separation{};
-  if (searched && query.goal == SeparationGoal::distance && !in_double.has_witnesses) {
+Separation separation(const SeparationQuery& query, WarmStart* warm_start, std::optional<OverlapAnswer>& known) {
+  const SearchedSeparation searched = search_in_double(query, warm_start);
+  const Separation& in_double = searched.separation;
+  if (query.goal == SeparationGoal::distance && !in_double.has_witnesses && !searched.is_out_of_range) {
     // The cores seem to overlap. If they do, that is all that is asked.
     const Separation seen = concluded(query, DecidedBy::gjk, nothing_but({}, in_double.n_support_calls), known);
     if (seen.verdict.outcome == Outcome::overlap) return seen;
-    query.goal = SeparationGoal::signed_distance;
-    return separation(query, warm_start, known);
+    SeparationQuery of_both = query;
+    of_both.goal = SeparationGoal::signed_distance;
+    return separation(of_both, warm_start, known);
   }
   const double wanted = part_of_size(query, query.settled_gap(), in_double);
-  if (searched && is_settled(query, *searched, wanted)) return concluded(query, DecidedBy::gjk, in_double, known);
+  if (is_settled(query, searched, wanted)) return concluded(query, DecidedBy::gjk, in_double, known);
   const std::optional<PlacedForms> placed = placed_forms(query.a, query.b, query.a_from_b);
   if (!placed) return concluded(query, DecidedBy::gjk, in_double, known);
   return concluded(query, DecidedBy::double_double, extended_beside(query, *placed, in_double, wanted), known);
@@ -121,10 +125,18 @@ bool points_show_distance(const SeparationQuery& query, const Separation& found,
   return safe_norm(off) <= accuracy + rounding;
 }
 
-// Bounds that exclude each other, or are no numbers, come from a support mapping that is none: nothing is known then.
-Separation trusted(const SeparationQuery& query, Separation found) {
+Separation answer_of(const SeparationQuery& query, WarmStart* warm_start, std::optional<OverlapAnswer>& known) {
+  if (!(query.settings.relative_gap >= 0.0)) {
+    throw UsageError("the relative gap of a distance is negative or no number - give one from 0 up");
+  }
+  if (!(query.settings.max_distance >= 0.0)) {
+    throw UsageError("the largest distance of interest is negative or no number - give one from 0 up");
+  }
+  Separation found = separation(query, warm_start, known);
   if (!(found.lower <= found.upper)) {
-    return nothing_but(Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding), found.n_support_calls);
+    // Bounds that exclude each other, or are no numbers, come from a support mapping that is none.
+    found = nothing_but(Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding), found.n_support_calls);
+    return found;
   }
   const double promised = part_of_size(query, query.relative_gap(1e-12, 1e-9), found);
   found.is_rough = found.has_witnesses && !(found.upper - found.lower <= promised);
@@ -135,16 +147,6 @@ Separation trusted(const SeparationQuery& query, Separation found) {
     found.n_support_calls += 2;
   }
   return found;
-}
-
-Separation answer_of(const SeparationQuery& query, WarmStart* warm_start, std::optional<OverlapAnswer>& known) {
-  if (!(query.settings.relative_gap >= 0.0)) {
-    throw UsageError("the relative gap of a distance is negative or no number - give one from 0 up");
-  }
-  if (!(query.settings.max_distance >= 0.0)) {
-    throw UsageError("the largest distance of interest is negative or no number - give one from 0 up");
-  }
-  return trusted(query, separation(query, warm_start, known));
 }
 Separation answer_of(const SeparationQuery& query, WarmStart* warm_start) {
   std::optional<OverlapAnswer> none;

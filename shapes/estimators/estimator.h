@@ -30,8 +30,6 @@ struct Estimator {
   Sequence usual_sequence = Sequence::random;
   /// The one that it is measured with before it is chosen, and run with where it is.
   Sequence pilot_sequence = Sequence::random;
-  /// The run ends at this one where no stop rule is given.
-  double usual_relative_error = 1e-3;
   /// Its time counts as this many times what it is where one is chosen: pilots tell the cost of a longer run to a
   /// factor of two or so, and the choice should not be one of noise.
   double handicap = 1.0;

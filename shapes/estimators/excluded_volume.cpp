@@ -45,7 +45,8 @@ void require_size_for_volumes(const Body& body) {
                    shortest_number(kMeasuredSizes.largest) + ": choose another unit of length");
 }
 
-bool is_stopped_by_rule(const Settings& settings) { return settings.trials || settings.rel_error || settings.seconds; }
+/// Where no stop rule is given the run ends at this one; where others are, a pilot chooses for it.
+constexpr double kUsualRelativeError = 1e-4;
 
 /// Of poses, of which estimators without them have none; null where nothing is said of poses.
 const char* option_of_poses(const Settings& settings) {
@@ -78,6 +79,7 @@ MonteCarloSettings driver_settings(const Settings& settings) {
       settings.threads > 0 ? settings.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   driver.law = settings.law;
   driver.stop = {settings.trials, settings.rel_error, settings.seconds, settings.max_trials};
+  if (!settings.trials && !settings.rel_error && !settings.seconds) driver.stop.relative_error = kUsualRelativeError;
   driver.instruction_set = settings.instruction_set;
   driver.quick_verdicts = settings.quick_verdicts;
   driver.backend = settings.backend;
@@ -92,7 +94,7 @@ MonteCarloSettings driver_settings(const Settings& settings) {
 void choose(const Body& a, const Body& b, const Settings& settings, const MonteCarloSettings& driver,
             ExcludedVolume* result) {
   result->candidates = measure_candidates(a, b, driver);
-  const double error = settings.rel_error.value_or(estimator_named("radial").usual_relative_error);
+  const double error = settings.rel_error.value_or(kUsualRelativeError);
   // Hit-or-miss is for every pair, also where an interrupt let no pilot tell anything.
   const Estimator& usual = estimator_named("hit-or-miss");
   const Candidate chosen =
@@ -115,10 +117,6 @@ void sample(const Body& a, const Body& b, const Settings& settings, MonteCarloSe
   set_estimator(driver, *result->estimator, a, b, domain_of(settings));
   if (const std::vector<Body>& control = settings.control_variate; !control.empty()) {
     result->control_weight = set_control_variate(driver, *result->estimator, control.front(), control.back());
-  }
-  if (!is_stopped_by_rule(settings)) {
-    const Estimator& told = asked != nullptr ? *asked : estimator_named("radial");
-    driver.stop.relative_error = told.usual_relative_error;
   }
   result->domain = driver.domain;
   result->stratified = driver.stratified;

@@ -17,8 +17,8 @@ namespace vex {
 
 /// All of it has a default: without any setting the run ends at a standard error of 1e-4 of the result.
 struct ExcludedVolumeSettings {
-  // When the run ends: whichever comes first, but for the last at least one; without them at the estimator's usual
-  // relative error.
+  // When the run ends: whichever comes first, but for the last at least one; without any of the three at
+  // `rel_error` = 1e-4.
   std::optional<double> rel_error{};  // std_error / value
   std::optional<std::uint64_t> trials{};
   std::optional<double> seconds{};

@@ -132,7 +132,6 @@ constinit const Estimator kMeanWidth{.name = "mean-width",
                                      .meaning = "by the formula, M from support values",
                                      .usual_sequence = Sequence::sobol,
                                      .pilot_sequence = Sequence::sobol,
-                                     .usual_relative_error = 1e-4,
                                      .why_not = only_isotropic,
                                      .prepare = by_mean_widths};
 

@@ -277,7 +277,6 @@ constinit const Estimator kMixedVolume{.name = "mixed-volume",
                                        .meaning = "by the formula's own geometry, at each orientation",
                                        .usual_sequence = Sequence::sobol,
                                        .pilot_sequence = Sequence::sobol,
-                                       .usual_relative_error = 1e-4,
                                        .why_not = only_with_normals,
                                        .prepare = by_mixed_volumes};
 

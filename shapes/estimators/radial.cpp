@@ -28,7 +28,6 @@ constinit const Estimator kRadial{.name = "radial",
                                   .runs_gjk = true,
                                   .usual_sequence = Sequence::sobol,
                                   .pilot_sequence = Sequence::sobol,
-                                  .usual_relative_error = 1e-4,
                                   .handicap = 0.25,
                                   .why_not = not_for_thin_ones,
                                   .prepare = by_rays};

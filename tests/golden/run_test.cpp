@@ -216,14 +216,14 @@ TEST_F(Run, StopsAtTheRelativeErrorAskedFor) {
     const json by_default = estimate_of(words);
     return by_default.at("std_error").get<double>() / by_default.at("excluded_volume").get<double>();
   };
-  const double of_hits = error_without_rule({"box:1,1,1", "--estimator", "hit-or-miss"});
-  EXPECT_LE(of_hits, 1e-3);
-  EXPECT_GT(of_hits, 0.9e-3);
-  for (const Words& words : {Words{"box:1,1,1"}, Words{sample("gem.obj")}, Words{"box:1,1,1", "--estimator", "radial"},
-                             Words{"box:1,1,1", "--estimator", "mixed-volume"}}) {
+  const Words of_hits = {"box:1,1,1", "--estimator", "hit-or-miss"};
+  EXPECT_GT(error_without_rule(of_hits), 0.9e-3);
+  for (const Words& words :
+       {of_hits, Words{"box:1,1,1"}, Words{sample("gem.obj")}, Words{"box:1,1,1", "--estimator", "radial"},
+        Words{"box:1,1,1", "--estimator", "mixed-volume"}}) {
     const double error = error_without_rule(words);
-    EXPECT_LE(error, 1e-4) << words.back();
-    EXPECT_GT(error, 1e-5) << words.back();
+    EXPECT_LE(error, 1e-3) << words.back();
+    EXPECT_GT(error, 1e-4) << words.back();
   }
 }
 

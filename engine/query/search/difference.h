@@ -19,9 +19,11 @@ class Difference {
     Vec3d a, b;   // in A's frame
     Vec3d own_b;  // the second in B's
   };
+  /// For distances and rays. Which body is asked first changes no answer, but the time: B, or distances take 1 to 4 %
+  /// longer; in `support` A, before the direction is turned for B, or overlap takes a tenth longer.
   CorePoints core_points(const Vec3d& dir) const {
-    const Vec3d of_a = a_.core_support(dir);
-    return core_points(of_a, -a_from_b_.direction_to_b(dir));
+    const Vec3d own_b = b_.core_support(-a_from_b_.direction_to_b(dir));
+    return {a_.core_support(dir), a_from_b_(own_b), own_b};
   }
   /// The point of K that they make.
   Vec3d point(const CorePoints& cores, const Vec3d& dir) const {
@@ -32,7 +34,8 @@ class Difference {
   /// box that are equally far. The calls that a search for overlap takes hang on it, and are to stay what they are.
   Vec3d support(const Vec3d& dir) const {
     const Vec3d of_a = a_.core_support(dir);
-    return point(core_points(of_a, a_from_b_.direction_to_b(-dir)), dir);
+    const Vec3d own_b = b_.core_support(a_from_b_.direction_to_b(-dir));
+    return point({of_a, a_from_b_(own_b), own_b}, dir);
   }
 
   const ConvexBody& a() const { return a_; }
@@ -40,13 +43,6 @@ class Difference {
   const Transformd& a_from_b() const { return a_from_b_; }
 
  private:
-  // A is asked before the direction is turned for B: turned first and kept across A's call, a query for overlap took a
-  // tenth longer.
-  CorePoints core_points(const Vec3d& of_a, const Vec3d& against_in_b) const {
-    const Vec3d own_b = b_.core_support(against_in_b);
-    return {of_a, a_from_b_(own_b), own_b};
-  }
-
   const ConvexBody& a_;
   const ConvexBody& b_;
   const Transformd& a_from_b_;

@@ -1,6 +1,7 @@
 #include "engine/query/search/separation_search.h"
 
 #include <cmath>
+#include <optional>
 
 #include "engine/numeric/directions.h"
 #include "engine/numeric/interval.h"
@@ -61,17 +62,18 @@ class DoubleSearch {
                   is_coarse_ ? std::min(kCoarseHullPoints, query.settings.max_support_calls) : query.max_hull_points(),
                   query.settings.max_distance} {}
 
-  std::optional<SearchedSeparation> run(WarmStart* warm_start) const {
-    if (!is_usual(error_)) return std::nullopt;
-    std::optional<SearchedSeparation> result(std::in_place);
-    result->is_coarse = is_coarse_;
+  SearchedSeparation run(WarmStart* warm_start) const {
+    SearchedSeparation result;
+    result.is_out_of_range = !is_usual(error_);
+    if (result.is_out_of_range) return result;
+    result.is_coarse = is_coarse_;
     const std::optional<Generators>&a = query_.a.generators(), &b = query_.b.generators();
     if (!a || !b) {
-      search(nullptr, warm_start, *result);
+      search(nullptr, warm_start, result);
       return result;
     }
     const DifferenceZonotope zonotope(*a, *b, query_.a_from_b);
-    if (!answer_without_search(zonotope, result->separation)) search(&zonotope, warm_start, *result);
+    if (!answer_without_search(zonotope, result.separation)) search(&zonotope, warm_start, result);
     return result;
   }
 
@@ -129,6 +131,7 @@ class DoubleSearch {
       search.find_depth();
     }
     const CoreSeparation<double, CoreDifference::Point>& core = search.found();
+    if (warm_start != nullptr) remember(core, *warm_start);
     take(core.normal, core.distance, core.bounds, result);
     take_points(weighted_points(core, [](const auto& p) { return CorePoints{p.a, p.b, p.own_b}; }), result);
     result.has_witnesses = core.has_normal;
@@ -136,11 +139,13 @@ class DoubleSearch {
     searched.is_capped = core.is_capped;
     searched.missing = core.missing;
     if (core.is_capped && search.wants_depth() && core.bounds.lower > -HUGE_VAL) look_for_shorter_way(core, result);
-    if (warm_start == nullptr) return;
+  }
+
+  void remember(const CoreSeparation<double, CoreDifference::Point>& core, WarmStart& warm_start) const {
     const bool is_good_start = core.distance > 0.0;
-    difference_.remember(*warm_start, is_good_start ? core.normal : Vec3d{});
+    difference_.remember(warm_start, is_good_start ? core.normal : Vec3d{});
     for (int k = 0; is_good_start && core.has_normal && k < core.n_points; ++k) {
-      difference_.remember_point(*warm_start, core.points[static_cast<std::size_t>(k)]);
+      difference_.remember_point(warm_start, core.points[static_cast<std::size_t>(k)]);
     }
   }
 
@@ -165,7 +170,7 @@ class DoubleSearch {
 
 }  // namespace
 
-std::optional<SearchedSeparation> search_in_double(const SeparationQuery& query, WarmStart* warm_start) {
+SearchedSeparation search_in_double(const SeparationQuery& query, WarmStart* warm_start) {
   return DoubleSearch(query).run(warm_start);
 }
 

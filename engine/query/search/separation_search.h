@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <optional>
 
 #include "engine/query/exact/placed_forms.h"
 #include "engine/query/search/core_search.h"
@@ -38,15 +37,16 @@ struct SeparationQuery {
 /// Without the verdict.
 struct SearchedSeparation {
   Separation separation;
-  bool is_capped = false;  // more support calls would bring the bounds nearer
-  double missing = 0.0;    // of the distance, in what the normal alone shows
+  bool is_out_of_range = false;  // nothing was searched: the pair is too large or too small for double precision
+  bool is_capped = false;        // more support calls would bring the bounds nearer
+  double missing = 0.0;          // of the distance, in what the normal alone shows
   /// What rounding alone leaves between bounds is more than was asked for, as of bodies far from the origins of their
   /// frames: the search shows a direction to begin with, and no more.
   bool is_coarse = false;
 };
 
-/// None of pairs that are too large or too small for double precision. Zonotopes of few vectors need no search.
-std::optional<SearchedSeparation> search_in_double(const SeparationQuery& query, WarmStart* warm_start);
+/// Zonotopes of few vectors need no search.
+SearchedSeparation search_in_double(const SeparationQuery& query, WarmStart* warm_start);
 
 /// In twice the precision, along a unit vector first.
 Separation search_in_extended(const SeparationQuery& query, const PlacedForms& placed, const Vec3d& first_dir);

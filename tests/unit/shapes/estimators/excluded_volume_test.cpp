@@ -267,6 +267,15 @@ TEST(FrontDoor, ChecksSettingsAlsoWhereNothingIsRun) {
   }
 }
 
+TEST(FrontDoor, EndsAtTheSameRelativeErrorWithWhateverEstimatorWhereNoRuleIsGiven) {
+  for (const char* const estimator : {"", "radial", "hit-or-miss-fitted"}) {
+    const ExcludedVolume r =
+        excluded_volume(parse_shape("capsule:10,0.5"), parse_shape("needle:10"), {.estimator = estimator});
+    EXPECT_LE(r.std_error, 1e-4 * r.value) << estimator;
+    EXPECT_GT(r.std_error, 1e-5 * r.value) << estimator;
+  }
+}
+
 TEST(FrontDoor, EndsWhereNothingIsHit) {
   // Two triangles in planes that stay parallel, though neither is across an axis: A - B is flat, and no rule would end
   // the run before 1e11 trials.
