@@ -1,9 +1,10 @@
 # What `cmake --install` installs: the programs, the rooms as libraries with their headers, and find_package(vex).
 #
 # Components of the installation (cmake --install BUILD --component NAME); cmake/package.cmake makes a package of each of
-# the first two:
+# the first three:
 #   programs      bin/, man pages, documentation in share/doc/vex
 #   development   libraries, headers, lib/cmake/vex
+#   python        the Python package
 #   licence       share/doc/vex/LICENSE and THIRD_PARTY; a Debian package carries both as its own file `copyright`
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -38,8 +39,16 @@ install(FILES cmake/third_party_licenses.txt DESTINATION ${CMAKE_INSTALL_DOCDIR}
 # The documentation lies as in the repository, so that its links lead on; headers refer to docs/derivations.md.
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs
-  FILES_MATCHING PATTERN *.md PATTERN *.svg PATTERN *.txt)
+  FILES_MATCHING PATTERN *.md PATTERN *.svg PATTERN *.txt REGEX "/notebooks/[^/]*\\.py$")
 include(cmake/man_pages.cmake)
+
+# --- the Python package; a folder of Python's own search path, below the prefix
+if(VEX_BUILD_PYTHON)
+  set(VEX_PYTHON_INSTALL_DIR lib/python3/dist-packages CACHE STRING "Where the Python package is installed, below the prefix")
+  install(TARGETS vex_python LIBRARY DESTINATION ${VEX_PYTHON_INSTALL_DIR}/vex COMPONENT python)
+  install(DIRECTORY python/vex DESTINATION ${VEX_PYTHON_INSTALL_DIR} COMPONENT python
+    FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed PATTERN __pycache__ EXCLUDE)
+endif()
 
 # --- libraries: each room has a targets file of its own, so that who asks for the engine needs none of the others'
 # libraries. An installed header is <vex/engine/...>; what its templates compute in a user's program must round as here

@@ -1,4 +1,5 @@
-# Debian packages (cpack -G DEB --config BUILD/CPackConfig.cmake): vex with the programs, libvex-dev with the libraries.
+# Debian packages (cpack -G DEB --config BUILD/CPackConfig.cmake): vex with the programs, libvex-dev with the libraries,
+# python3-vex with the Python package, where that is built.
 set(vex_maintainer "The vex developers <vex@users.noreply.github.com>")
 
 set(CPACK_PACKAGE_NAME vex)
@@ -7,6 +8,11 @@ set(CPACK_PACKAGE_CONTACT "${vex_maintainer}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each component has its own
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_COMPONENTS_ALL programs development)
+set(vex_package_components PROGRAMS DEVELOPMENT)
+if(VEX_BUILD_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  list(APPEND vex_package_components PYTHON)
+endif()
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/before_packing.cmake)
@@ -49,6 +55,21 @@ convex bodies whose verdicts are proven against rounding or reported as
 undecided, Monte Carlo integration of excluded volumes, named bodies with
 their volume, surface and mean curvature, and checked convex meshes.")
 
+# Its compiled part is for the Python that it was built with.
+math(EXPR next_python "${Python_VERSION_MINOR} + 1")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-vex)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+  "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_python}), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-matplotlib)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-tqdm, vex")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "excluded volumes and collisions of convex bodies - Python package
+The Python package vex: bodies by name, from mesh files or from arrays; their
+average excluded volume by Monte Carlo and by the formula; overlap, distance,
+penetration depth, casts and contacts over arrays of poses, each answer proven
+or said not to be; scenes of many bodies; pictures.")
+
 # What Debian has beside a package's files. Installed only where a component is named, as CPack does.
 set(debian_dir ${PROJECT_BINARY_DIR}/debian)
 file(READ LICENSE vex_license)
@@ -73,7 +94,7 @@ License: BSD-3-clause
 set(ENV{SOURCE_DATE_EPOCH} ${vex_source_date})
 set(ENV{LC_ALL} C)
 string(TIMESTAMP vex_source_date_text "%a, %d %b %Y %H:%M:%S +0000" UTC)
-foreach(component IN ITEMS PROGRAMS DEVELOPMENT)
+foreach(component IN LISTS vex_package_components)
   set(package ${CPACK_DEBIAN_${component}_PACKAGE_NAME})
   string(TOLOWER ${component} component)
   file(CONFIGURE OUTPUT ${debian_dir}/${package}/changelog.Debian @ONLY CONTENT

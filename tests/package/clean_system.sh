@@ -1,6 +1,6 @@
 #!/bin/sh
 # The packages on a Debian 12 that has nothing else: makes one in a temporary folder, installs vex and runs it, then
-# installs libvex-dev and builds tests/consumer with it, and removes the folder. Not part of the tests: it needs root,
+# installs libvex-dev and builds tests/consumer with it, then python3-vex and runs its tests, and removes the folder. Not part of the tests: it needs root,
 # the network, debootstrap, 1.5 GiB of disk and some minutes.
 #
 #   sh tests/package/clean_system.sh BUILD_DIR      a release build, with everything built
@@ -78,8 +78,19 @@ quietly inside cmake --build /packages/build --parallel 2
 inside /packages/build/superellipsoid 1 1 1 4 1 || fail "superellipsoid"
 inside /packages/build/mesh_and_shape /packages/pebble.obj sphere:1 || fail "mesh_and_shape"
 
+step "python3-vex, with its dependencies, and the tests of the package"
+quietly inside sh -c 'apt-get install -y --no-install-recommends /packages/python3-vex_*.deb python3-matplotlib \
+  python3-pytest python3-hypothesis python3-scipy'
+mkdir -p "$root/packages/vex/meshes" "$root/packages/vex/docs"
+cp -R "$source_dir/tests" "$root/packages/vex/tests"
+cp -R "$source_dir/meshes/data" "$root/packages/vex/meshes/data"
+cp -R "$source_dir/docs/notebooks" "$root/packages/vex/docs/notebooks"
+cp "$source_dir/docs/python.md" "$root/packages/vex/docs/"
+inside sh -c 'cd /packages/vex/tests/python && VEX_PROGRAMS=/usr/bin MPLBACKEND=agg python3 -m pytest -q' ||
+  fail "the tests of the Python package"
+
 step "removed cleanly"
-quietly inside apt-get purge -y vex libvex-dev
+quietly inside apt-get purge -y vex libvex-dev python3-vex
 if find "$root/usr" "$root/etc" "$root/var" -name '*vex*' ! -path '*/var/log/*' ! -path '*/var/cache/*' | grep .; then
   fail "these were left"
 fi

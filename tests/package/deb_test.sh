@@ -1,12 +1,13 @@
 #!/bin/sh
 # Makes the Debian packages and looks at what is in them. Needs neither root nor network.
 #
-#   sh tests/package/deb_test.sh BUILD_DIR CPACK VERSION PROGRAM...
+#   sh tests/package/deb_test.sh BUILD_DIR CPACK VERSION PYTHON PROGRAM...      PYTHON is -, where the package is not built
 set -eu
 build_dir=$1
 cpack=$2
 version=$3
-shift 3
+python=$4
+shift 4
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -19,7 +20,7 @@ fail() {
 }
 step() { printf -- '- %s\n' "$*"; }
 
-step "CPack makes both packages, whatever the umask"
+step "CPack makes the packages, whatever the umask"
 if ! (cd "$scratch" && umask 077 && "$cpack" -G DEB -B "$scratch" --config "$build_dir/CPackConfig.cmake") >"$scratch/log" 2>&1
 then
   cat "$scratch/log"
@@ -36,7 +37,18 @@ for package in "$scratch"/*.deb; do cmp "$package" "$scratch/again/$(basename "$
 architecture=$(dpkg --print-architecture)
 vex=$scratch/vex_$version-1_$architecture.deb
 dev=$scratch/libvex-dev_$version-1_$architecture.deb
-for package in "$vex" "$dev"; do [ -f "$package" ] || fail "no $package"; done
+set -- "$vex" "$dev" -- "$@"
+if [ "$python" != - ]; then
+  module=$scratch/python3-vex_$version-1_$architecture.deb
+  set -- "$module" "$@"
+fi
+packages=
+while [ "$1" != -- ]; do
+  [ -f "$1" ] || fail "no $1"
+  packages="$packages $1"
+  shift
+done
+shift
 
 # field PACKAGE NAME PATTERN: an extended regular expression for the whole field.
 field() {
@@ -45,7 +57,8 @@ field() {
 }
 
 step "control fields"
-for package in "$vex" "$dev"; do
+# shellcheck disable=SC2086  # one word a package: their folder is mktemp's
+for package in $packages; do
   field "$package" Version "$version-1"
   field "$package" Architecture "$architecture"
   field "$package" Maintainer '[A-Z][^<]* <[^@]+@[^>]+>'
@@ -61,8 +74,17 @@ field "$dev" Package libvex-dev
 field "$dev" Section libdevel
 for library in libassimp-dev libeigen3-dev libqhull-dev zlib1g-dev; do field "$dev" Depends "(.*, )?$library( .*|,.*)?"; done
 
+if [ "$python" != - ]; then
+  field "$module" Package python3-vex
+  field "$module" Section python
+  field "$module" Depends '.*libassimp5.*'
+  field "$module" Depends '.*python3 \(<< 3\.[0-9]+\).*'
+  field "$module" Depends '.*python3-numpy.*'
+fi
+
 step "files, their owners and permissions"
-for package in "$vex" "$dev"; do
+# shellcheck disable=SC2086
+for package in $packages; do
   dpkg-deb -c "$package" >"$scratch/files"
   if grep -vE '^(drwxr-xr-x|-rw-r--r--|-rwxr-xr-x) root/root ' "$scratch/files"; then
     fail "$(basename "$package"): unusual owners or permissions"
@@ -73,7 +95,7 @@ for package in "$vex" "$dev"; do
     grep -qF "./usr/share/doc/$name/$file" "$scratch/files" || fail "$name: no $file"
   done
   dpkg-deb --fsys-tarfile "$package" | tar -xO "./usr/share/doc/$name/copyright" >"$scratch/copyright"
-  for library in vex CLI11 Random123 nlohmann_json Eigen Boost.Math FCL libccd assimp; do
+  for library in vex CLI11 Random123 nlohmann_json Eigen Boost.Math FCL libccd assimp pybind11; do
     grep -qxE "(Upstream-Name: |Files: )$library(/\*)?" "$scratch/copyright" || fail "$name: no licence of $library"
   done
   # shellcheck disable=SC2013  # licence names have no blanks
@@ -147,6 +169,21 @@ for program; do
   [ "$(env -i "$path" --version)" = "$program $version" ] || fail "--version"
 done
 
+if [ "$python" != - ]; then
+  step "the Python package works from its .deb alone"
+  dpkg-deb -x "$module" "$scratch/python"
+  folder=$scratch/python/usr/lib/python3/dist-packages
+  [ -f "$folder/vex/py.typed" ] || fail "no py.typed"
+  if find "$scratch/python" -name '__pycache__' | grep .; then fail "compiled files of somebody's Python"; fi
+  if grep -rlF -e "$build_dir" "$scratch/python"; then fail "these name the build folder"; fi
+  if readelf -d "$folder"/vex/_vex*.so | grep -E 'RPATH|RUNPATH'; then fail "it looks for libraries in folders of its own"; fi
+  env -i PYTHONPATH="$folder" PYTHONDONTWRITEBYTECODE=1 "$python" -c '
+import vex
+assert vex.__file__.startswith("'"$folder"'"), vex.__file__
+r = vex.excluded_volume("box:1,1,1", trials=20000)
+assert r.formula == 11.0 and abs(r.z) < 6, r' || fail "import vex"
+fi
+
 step "vex_mesh measures a body in an empty environment"
 env -i "$scratch/root/usr/bin/vex_mesh" box:1,1,1 --trials 20000 >"$scratch/report" || fail "exit code $?"
 grep -qE '^ *<V_ex>, formula +11(\.0*)?$' "$scratch/report" || { cat "$scratch/report"; fail "two unit cubes: 11"; }
@@ -170,6 +207,6 @@ if command -v lintian >/dev/null; then
   # initial-upload-closes-no-bugs: the package is not uploaded to Debian.
   # wrong-name-for-upstream-changelog: the documentation's links call it CHANGELOG.md.
   lintian $allow_root --suppress-tags initial-upload-closes-no-bugs,wrong-name-for-upstream-changelog \
-    --fail-on error,warning "$vex" "$dev" || fail "lintian"
+    --fail-on error,warning $packages || fail "lintian"
 fi
 echo "all expectations met"

@@ -60,8 +60,9 @@ TEST(Structure, EveryRoomSeesOnlyTheRoomsBelowIt) {
       {"apps/peers", {"engine/", "shapes/", "meshes/", "apps/peers/"}},
       {"apps/referees", {"engine/", "shapes/", "meshes/", "apps/referees/"}},
       {"apps", {"engine/", "shapes/", "meshes/", "apps/"}},
+      {"python", {"engine/", "shapes/", "meshes/", "python/"}},
   };
-  const std::vector<std::string> rooms = {"engine/", "shapes/", "meshes/", "apps/", "tests/"};
+  const std::vector<std::string> rooms = {"engine/", "shapes/", "meshes/", "apps/", "python/", "tests/"};
   for (const auto& [room, may_see] : allowed) {
     const std::vector<Include> includes = includes_below(room);
     ASSERT_FALSE(includes.empty()) << room << ": nothing was looked at";
@@ -87,9 +88,10 @@ TEST(Structure, EveryThirdPartyHasItsOnePlace) {
         "apps/referees/", "apps/vex_paper/"}},
       {"CLI/", {"apps/common/"}},
       {"nlohmann/", {"apps/"}},
+      {"pybind11/", {"python/bindings/"}},
   };
   std::set<std::string> seen;
-  for (const std::string& room : std::vector<std::string>{"engine", "shapes", kEstimators, "meshes", "apps"}) {
+  for (const std::string& room : std::vector<std::string>{"engine", "shapes", kEstimators, "meshes", "apps", "python"}) {
     for (const Include& include : includes_below(room)) {
       for (const auto& [library, files] : places) {
         if (include.what.rfind(library, 0) != 0) continue;
