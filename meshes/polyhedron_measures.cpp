@@ -84,6 +84,28 @@ void for_each_edge(const Triangles& triangles, const Visit& visit) {
 
 }  // namespace
 
+SolidMoments solid_moments(const Triangles& triangles) {
+  const VolumeAndCentroid solid = volume_and_centroid(triangles);
+  SolidMoments moments{solid.volume, solid.centroid.value(), {}};
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    std::array<Vec3d, 3> corners;
+    Vec3d sum;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const DoubleDoubleVec3 from_centroid = solid.centroid.to(triangles.corner(t, k));
+      corners[k] = {from_centroid.x.value(), from_centroid.y.value(), from_centroid.z.value()};
+      sum = sum + corners[k];
+    }
+    // Of a tetrahedron with a corner at the origin: V/20 of the sums of v v^T over the corners and of their sum's.
+    const double share = dot(corners[0], cross(corners[1], corners[2])) / 120.0;
+    for (const Vec3d& v : {corners[0], corners[1], corners[2], sum}) {
+      moments.second[0] = moments.second[0] + (share * v.x) * v;
+      moments.second[1] = moments.second[1] + (share * v.y) * v;
+      moments.second[2] = moments.second[2] + (share * v.z) * v;
+    }
+  }
+  return moments;
+}
+
 double surface_area(const Triangles& triangles) {
   DoubleDouble twice_area;
   for (std::size_t t = 0; t < triangles.size(); ++t) {

@@ -7,6 +7,7 @@
 #include "meshes/triangles.h"
 #include "shapes/measures.h"
 #include "shapes/normal_measure.h"
+#include "shapes/solid_moments.h"
 
 namespace vex {
 
@@ -35,6 +36,9 @@ struct VolumeAndCentroid {
   LocalPoint centroid;
 };
 VolumeAndCentroid volume_and_centroid(const Triangles& triangles);
+
+/// Second moments about the centroid, tetrahedron by tetrahedron from there: of a convex surface nothing cancels.
+SolidMoments solid_moments(const Triangles& triangles);
 
 /// Sum of the triangles' areas.
 double surface_area(const Triangles& triangles);

@@ -3,6 +3,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "shapes/measures.h"
 #include "shapes/normal_measure.h"
 #include "shapes/polytope.h"
+#include "shapes/solid_moments.h"
 
 namespace vex {
 
@@ -21,6 +23,8 @@ struct Body {
   Measures measures = Measures::unknown();
   std::size_t n_faces = 0;   // of a polytope, sides of a plate; 0 for what has curved parts
   NormalMeasures normals{};  // none of a body that somebody made without
+  std::optional<SolidMoments>
+      moments{};  // of the named bodies with curved parts; those of a polytope are its vertices'
 
   /// Of a class that computes its measures these, and its measures on normals; of another support mapping, as a user's
   /// own, no measures are known. A class made of a shape, with a mapping of its own, does not inherit what the shape
@@ -35,6 +39,9 @@ struct Body {
     constexpr bool has_old_normals = requires { requires is_of_older_mapping<Shape>(&Shape::area_measure); }
     || requires { requires is_of_older_mapping<Shape>(&Shape::mean_curvature_measure); };
     if constexpr (HasNormalMeasures<Shape> && !has_old_normals) normals = normal_measures_of(shape);
+    constexpr bool has_old_moments = requires { requires is_of_older_mapping<Shape>(&Shape::solid_moments); };
+    if constexpr (requires { SolidMoments(shape.solid_moments()); } && !has_old_moments)
+      moments = shape.solid_moments();
   }
   Body(ConvexBody convex) : body(std::move(convex)) {}  // NOLINT(google-explicit-constructor): likewise
   Body(std::string kind_of_body, ConvexBody convex, const Measures& of_body, std::size_t n_of_faces = 0,

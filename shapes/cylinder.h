@@ -9,6 +9,7 @@
 #include "engine/support/combinators.h"
 #include "shapes/measures.h"
 #include "shapes/normal_measure.h"
+#include "shapes/solid_moments.h"
 
 namespace vex {
 
@@ -39,6 +40,11 @@ class Cylinder {
     constexpr double pi = std::numbers::pi;
     const double l = length(), r = radius_;
     return {pi * r * r * l, 2.0 * pi * r * (l + r), pi * (l + pi * r)};
+  }
+
+  SolidMoments solid_moments() const {
+    const double volume = measures().volume, across = volume * (0.25 * radius_ * radius_);
+    return SolidMoments::diagonal(volume, {}, {across, across, volume * (half_length_ * half_length_ / 3.0)});
   }
 
   NormalMeasure area_measure() const {

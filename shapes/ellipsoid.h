@@ -7,6 +7,7 @@
 #include "engine/support/combinators.h"
 #include "shapes/measures.h"
 #include "shapes/normal_measure.h"
+#include "shapes/solid_moments.h"
 
 namespace vex {
 
@@ -45,6 +46,12 @@ class Ellipsoid {
   /// S = 4 pi R_G(a^2 b^2, a^2 c^2, b^2 c^2) and M = 4 pi R_G(a^2, b^2, c^2), Carlson's symmetric integral
   /// (DLMF 19.33).
   Measures measures() const;
+
+  SolidMoments solid_moments() const {
+    const double volume = measures().volume;
+    const auto square = [volume](double semi_axis) { return volume * (0.2 * semi_axis * semi_axis); };
+    return SolidMoments::diagonal(volume, {}, {square(axes_.x), square(axes_.y), square(axes_.z)});
+  }
 
   NormalMeasure area_measure() const {
     NormalMeasure area;

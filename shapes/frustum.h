@@ -9,6 +9,7 @@
 #include "engine/support/combinators.h"
 #include "shapes/measures.h"
 #include "shapes/normal_measure.h"
+#include "shapes/solid_moments.h"
 
 namespace vex {
 
@@ -57,6 +58,19 @@ class Frustum {
     const double lower_angle = std::atan2(h, q - p), upper_angle = std::atan2(h, p - q);  // pi/2 +- alpha
     return {pi / 3.0 * h * (p * p + p * q + q * q), pi * (p * p + q * q + (p + q) * slant),
             pi * (h + p * lower_angle + q * upper_angle)};
+  }
+
+  /// Disc by disc, of radius p + (q - p) s at the height s H above the base: the integrals of r^2, s r^2 and s^2 r^2,
+  /// and of r^4 / 4 across.
+  SolidMoments solid_moments() const {
+    constexpr double pi = std::numbers::pi;
+    const double h = height_, p = lower_radius_, q = upper_radius_;
+    const double zeroth = (p * p + p * q + q * q) / 3.0, first = (p * p + 2.0 * p * q + 3.0 * q * q) / 12.0;
+    const double second = (p * p + 3.0 * p * q + 6.0 * q * q) / 30.0, mean = first / zeroth;
+    const double across =
+        pi * h / 20.0 * (p * p * p * p + p * p * p * q + p * p * q * q + p * q * q * q + q * q * q * q);
+    return SolidMoments::diagonal(measures().volume, {0.0, 0.0, h * (mean - 0.5)},
+                                  {across, across, pi * h * h * h * (second - mean * first)});
   }
 
   NormalMeasure area_measure() const {

@@ -8,6 +8,7 @@
 #include "engine/support/combinators.h"
 #include "shapes/measures.h"
 #include "shapes/normal_measure.h"
+#include "shapes/solid_moments.h"
 
 namespace vex {
 
@@ -33,6 +34,13 @@ class Hemisphere {
     constexpr double pi = std::numbers::pi;
     const double r = radius_;
     return {2.0 / 3.0 * pi * r * r * r, 3.0 * pi * r * r, pi * r * (2.0 + 0.5 * pi)};
+  }
+
+  /// About the flat face's middle as of the whole ball; the centroid is 3/8 R above it.
+  SolidMoments solid_moments() const {
+    const double volume = measures().volume, square = radius_ * radius_, across = volume * (0.2 * square);
+    return SolidMoments::diagonal(volume, {0.0, 0.0, 0.375 * radius_},
+                                  {across, across, volume * (19.0 / 320.0 * square)});
   }
 
   NormalMeasure area_measure() const {

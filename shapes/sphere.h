@@ -7,6 +7,7 @@
 #include "engine/support/combinators.h"
 #include "shapes/measures.h"
 #include "shapes/normal_measure.h"
+#include "shapes/solid_moments.h"
 
 namespace vex {
 
@@ -38,6 +39,11 @@ class Sphere {
   Measures measures() const {
     constexpr double pi = std::numbers::pi;
     return {4.0 / 3.0 * pi * radius_ * radius_ * radius_, 4.0 * pi * radius_ * radius_, 4.0 * pi * radius_};
+  }
+
+  SolidMoments solid_moments() const {
+    const double volume = measures().volume, square = volume * (0.2 * radius_ * radius_);
+    return SolidMoments::diagonal(volume, {}, {square, square, square});
   }
 
   NormalMeasure area_measure() const { return uniform_normals(measures().surface_area); }

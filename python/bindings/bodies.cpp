@@ -8,6 +8,7 @@
 #include "engine/support/validate.h"
 #include "meshes/body_mesh.h"
 #include "meshes/hull_of_points.h"
+#include "meshes/polyhedron_measures.h"
 #include "meshes/reader.h"
 #include "python/bindings/body.h"
 #include "shapes/any_shape.h"
@@ -183,6 +184,17 @@ Indices hull_triangles(const Floats& array) {
   return triangles;
 }
 
+/// Volume, centroid (3,) and second moments (3, 3) about it, of unit density; none where they are not known.
+py::object moments_of(const PyBody& body) {
+  std::optional<SolidMoments> moments = body.body.moments;
+  const std::vector<Vec3d> vertices = vertices_of(body.body.body);
+  if (!vertices.empty() && body.body.measures.volume > 0.0) {
+    moments = solid_moments(hull_of_points(vertices).triangles);
+  }
+  if (!moments) return py::none();
+  return py::make_tuple(moments->volume, array_of(std::span(&moments->centroid, 1)), array_of(moments->second));
+}
+
 /// For pictures: points (N, 3), normals, indices of triangles or of one line.
 py::tuple picture_mesh(const PyBody& body, int n_around) {
   BodyMesh mesh = mesh_of(body.body.body, n_around);
@@ -231,6 +243,7 @@ void bind_bodies(py::module_& module) {
       .def("violations", &violations, py::arg("n_directions"), py::arg("seed"));
 
   module.def("hull_triangles", &hull_triangles, py::arg("points"));
+  module.def("moments", &moments_of, py::arg("body"));
   module.def("picture_mesh", &picture_mesh, py::arg("body"), py::arg("n_around"));
   module.def("named_body", &named_body, py::arg("text"), py::arg("scale"), py::arg("unit_volume"));
   module.def(

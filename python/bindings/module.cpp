@@ -38,4 +38,5 @@ PYBIND11_MODULE(_vex, module) {
   vex::python::bind_excluded_volume(module);
   vex::python::bind_queries(module);
   vex::python::bind_scenes(module);
+  vex::python::bind_percolation(module);
 }

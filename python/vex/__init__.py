@@ -16,6 +16,7 @@ from ._vex import version as __version__
 from .average import (ExcludedVolume, Interrupted, Reference, estimators, excluded_volume, excluded_volume_at,
                       excluded_volume_of_angle, formula)
 from .bodies import Body, BodyLike, from_support, hull, load, named_shapes, rounded
+from .percolation import Percolation, percolation
 from .queries import (Manifold, Proof, contact_manifold, depth, distance, linear_cast, overlap, overlap_certificate,
                       ray_cast, signed_distance, time_of_impact, within)
 from .scenes import Clusters, Hit, Neighbour, Scene, UndecidedWarning
@@ -24,10 +25,10 @@ from .shapes import (box, capsule, cone, cylinder, disc, dodecahedron, ellipsoid
 
 __all__ = [
     "Body", "BodyLike", "Clusters", "Error", "ExcludedVolume", "Hit", "InputError", "Interrupted", "Manifold",
-    "Neighbour", "OrientationLaw", "Proof", "Reference", "Scene", "UndecidedWarning", "UsageError", "__version__",
+    "Neighbour", "OrientationLaw", "Percolation", "Proof", "Reference", "Scene", "UndecidedWarning", "UsageError", "__version__",
     "box", "capsule", "cone", "contact_manifold", "cylinder", "depth", "disc", "distance", "dodecahedron", "ellipsoid",
     "estimators", "excluded_volume", "excluded_volume_at", "excluded_volume_of_angle", "formula", "from_support",
     "frustum", "hemisphere", "hull", "icosahedron", "linear_cast", "load", "named_shapes", "needle", "octahedron",
-    "overlap", "overlap_certificate", "plate", "plot", "ray_cast", "rounded", "signed_distance", "sphere",
+    "overlap", "overlap_certificate", "percolation", "plate", "plot", "ray_cast", "rounded", "signed_distance", "sphere",
     "stream_version", "tetrahedron", "time_of_impact", "within",
 ]

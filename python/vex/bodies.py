@@ -140,6 +140,25 @@ class Body:
         return faces_of(self.vertices)
 
     @property
+    def centroid(self) -> Floats:
+        """The centre of mass (3,) at uniform density."""
+        return self._moments()[1]
+
+    @property
+    def moment_of_inertia(self) -> Floats:
+        """The tensor (3, 3) about the centroid, of unit density, length^5: the mass is `volume`."""
+        second = self._moments()[2]
+        return np.trace(second) * np.eye(3) - second
+
+    def _moments(self) -> Tuple[float, Floats, Floats]:
+        moments = _vex.moments(self._core)
+        if moments is None:
+            raise _vex.UsageError(f"moments of {self!r} are not known - they are of solid polytopes and of the named "
+                                  "bodies that are neither flat nor rounded by `rounded:`")
+        volume, centroid, second = moments
+        return volume, centroid[0], second
+
+    @property
     def support_error(self) -> float:
         """How far rounding can put a point of `support` off, length."""
         return self._core.support_error

@@ -249,11 +249,10 @@ class _Solids:
     def add_polygons(self, polygons: List[Floats], normals: Optional[Floats], color: str, alpha: float,
                      edge: Any) -> None:
         from matplotlib.colors import to_rgb
-        if normals is None or not np.abs(normals).max() > 0.0:
-            normals = np.stack([np.cross(np.roll(p, -1, axis=0) - p[0], p - p[0]).sum(axis=0) * -1.0
-                                for p in polygons])
-        length = np.linalg.norm(normals, axis=1, keepdims=True)
-        unit = normals / np.where(length > 0.0, length, 1.0)
+        across = normals if normals is not None and np.abs(normals).max() > 0.0 else np.stack(
+            [np.cross(p - p[0], np.roll(p, -1, axis=0) - p[0]).sum(axis=0) for p in polygons])
+        length = np.linalg.norm(across, axis=1, keepdims=True)
+        unit = across / np.where(length > 0.0, length, 1.0)
         shade = 0.62 + 0.38 * (unit @ _LIGHT)
         colors = np.clip(shade[:, None] * np.array(to_rgb(color)) + 0.18 * np.clip(shade - 0.75, 0.0, 1.0)[:, None],
                          0.0, 1.0)

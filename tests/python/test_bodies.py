@@ -171,3 +171,27 @@ def test_pictures_for_notebooks():
     for body in (vex.box(1, 2, 3), vex.sphere(1), vex.disc(1), vex.needle(1)):
         html = body._repr_html_()
         assert "data:image/png;base64," in html and "volume" in html
+
+
+def test_moments_of_inertia():
+    box = vex.box(1, 2, 3)
+    assert box.moment_of_inertia == pytest.approx(np.diag([6 * 13 / 12, 6 * 10 / 12, 6 * 5 / 12]), rel=1e-13)
+    assert vex.sphere(2).moment_of_inertia == pytest.approx(np.eye(3) * 0.4 * 4 * vex.sphere(2).volume, rel=1e-14)
+    shifted = vex.hull(box.vertices + [10, 20, 30])
+    assert shifted.centroid == pytest.approx([10, 20, 30], rel=1e-14)
+    assert shifted.moment_of_inertia == pytest.approx(box.moment_of_inertia, rel=1e-12, abs=1e-12)
+    # Of what is curved: the hull of many of its points, from within.
+    directions = np.random.default_rng(4).normal(size=(20000, 3))
+    for text in ("ellipsoid:1,2,3", "capsule:2,0.5", "cylinder:2,1", "cone:2,1", "frustum:2,1,0.5", "hemisphere:1"):
+        body = vex.Body(text)
+        rim = [[r * math.cos(a), r * math.sin(a), z] for a in np.linspace(0, 2 * math.pi, 400) for z in (-1.0, 1.0)
+               for r in (1.0, 0.5)] if text[0] in "cf" and text[1] != "a" else np.empty((0, 3))
+        support = np.concatenate([body.support(directions)] + ([body.support(np.array(rim) + [0, 0, 0])] if len(rim) else []))
+        inner = vex.hull(support)
+        assert 0.99 * body.volume < inner.volume <= body.volume
+        assert body.centroid == pytest.approx(inner.centroid, abs=5e-3)
+        assert body.moment_of_inertia == pytest.approx(inner.moment_of_inertia, rel=2e-2, abs=1e-2 * body.volume)
+        assert (np.diag(body.moment_of_inertia) >= np.diag(inner.moment_of_inertia) * (1 - 1e-9)).all()
+    for flat in (vex.disc(1), vex.rounded("box:1,1,1", 0.1)):
+        with pytest.raises(vex.UsageError):
+            flat.moment_of_inertia

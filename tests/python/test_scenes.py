@@ -105,3 +105,26 @@ def test_what_makes_no_sense_is_refused():
     with pytest.raises(vex.InputError):
         scene.add("box:1,1,1", [pose, [0] * 7])
     assert len(scene) == 1
+
+
+def test_percolation_is_the_programs(program):
+    import json
+    document = json.loads(program("vex_percolate", "box:1,1,1", "--sizes", "3,5", "--realisations", 200, "--seed", 4,
+                                  "--json", "-"))
+    for threads in (1, 3):
+        found = vex.percolation("box:1,1,1", sizes=(3, 5), realisations=200, seed=4, threads=threads)
+        assert found.eta_c == pytest.approx(document["eta_c"]["value"], rel=1e-14)
+        assert found.std_error == pytest.approx(document["eta_c"]["std_error"], rel=1e-12)
+        assert found.b_c == pytest.approx(document["b_c"]["value"], rel=1e-14)
+        assert [len(rows) for rows in found.numbers] == [200, 200]
+    assert abs(found.eta_c - 0.2444) < 5 * found.std_error and "eta_c" in str(found)
+    mixed = vex.percolation(["sphere:0.5", "disc:0.5"], [3, 1], sizes=(3,), realisations=50, law="cone:60")
+    assert 0 < mixed.phi_c < mixed.eta_c < 1 and mixed.b_c > 1
+    assert np.isnan(vex.percolation("disc:1", sizes=(3,), realisations=50).eta_c)
+    assert vex.percolation("box:1,1,1", sizes=(3,), realisations=100, shell=0.2).eta_c < found.eta_c
+    for arguments in (dict(sizes=()), dict(sizes=(3, 3)), dict(sizes=(-1,)), dict(realisations=1), dict(law="fixed:1,0,0,0"),
+                      dict(law="angle:30"), dict(shell=-1.0), dict(fractions=[0]), dict(std_error=0.0)):
+        with pytest.raises((vex.UsageError, vex.InputError)):
+            vex.percolation("box:1,1,1", **arguments)
+    with pytest.raises(vex.InputError, match="never overlap"):
+        vex.percolation("needle:1")

@@ -1,0 +1,126 @@
+// Percolation of overlapping bodies: realisations, and what follows from them.
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <thread>
+
+#include "engine/sampling/percolation/extrapolation.h"
+#include "engine/sampling/percolation/realisation.h"
+#include "engine/sampling/percolation/threshold.h"
+#include "python/bindings/body.h"
+
+namespace vex::python {
+namespace {
+
+using Numbers = py::array_t<std::uint32_t, py::array::c_style>;
+
+/// One size of the periodic cube.
+class PySystem {
+ public:
+  PySystem(const std::vector<std::pair<const PyBody*, double>>& parts, const OrientationLaw& law, std::uint64_t seed,
+           double edge, std::uint32_t size, double usual_bodies)
+      : system_{Placements(parts_of(parts), {law}, seed), edge, size} {
+    if (!(edge > 0.0) || !std::isfinite(edge)) throw UsageError("an edge is a finite length above 0");
+    if (!(usual_bodies <= kMostBodies)) {
+      throw InputError("a cube of " + std::to_string(edge) + " holds too many bodies - give a smaller size");
+    }
+    system_.most_bodies = static_cast<std::uint32_t>(std::fmin(1e9, 1000.0 + kMoreThanUsual * usual_bodies));
+  }
+
+  /// Realisations first ... first + n - 1: with how many bodies a cluster wrapped along x, y and z (n, 3); and pairs
+  /// seen, skipped and undecided.
+  py::tuple run(std::uint32_t first, std::uint32_t n, int threads) {
+    PercolationCounts counts;
+    std::vector<WrappingNumbers> found;
+    SignalWatch watch;
+    const std::thread::id caller = std::this_thread::get_id();
+    std::atomic<bool> is_stopped{false};
+    const StopQuestion stop = [&] {
+      if (std::this_thread::get_id() == caller && watch.has_thrown()) is_stopped = true;
+      return is_stopped.load();
+    };
+    {
+      const py::gil_scoped_release without_gil;
+      found = run_realisations(system_, first, n, number_of_threads(threads), counts, stop);
+      watch.rethrow();
+    }
+    Numbers numbers({static_cast<py::ssize_t>(found.size()), py::ssize_t{3}});
+    std::uint32_t* to = numbers.mutable_data();
+    for (const WrappingNumbers& wraps : found) {
+      for (const std::uint32_t along : wraps.along) *to++ = along;
+    }
+    return py::make_tuple(numbers, counts.n_bodies, counts.n_undecided);
+  }
+
+ private:
+  static constexpr double kMostBodies = 5e7, kMoreThanUsual = 20.0;
+
+  static std::vector<BodyPart> parts_of(const std::vector<std::pair<const PyBody*, double>>& parts) {
+    std::vector<BodyPart> result;
+    for (const auto& [body, fraction] : parts) result.push_back({body->body.body, fraction});
+    return result;
+  }
+
+  PercolationSystem system_;
+};
+
+std::vector<WrappingNumbers> wrapping_numbers(const Numbers& numbers) {
+  if (numbers.ndim() != 2 || numbers.shape(1) != 3) throw UsageError("not an array (N, 3) of numbers of bodies");
+  std::vector<WrappingNumbers> result(static_cast<std::size_t>(numbers.shape(0)));
+  const std::uint32_t* from = numbers.data();
+  for (WrappingNumbers& wraps : result) {
+    for (std::uint32_t& along : wraps.along) {
+      along = *from++;
+      if (along == 0) throw UsageError("a cluster of no bodies does not wrap - give numbers from 1 on");
+    }
+  }
+  return result;
+}
+
+/// Of sizes, edges and realisations: number densities at the threshold of each size by each criterion, and of infinite
+/// space.
+py::tuple percolation_threshold(const std::vector<double>& sizes, const std::vector<double>& edges,
+                                const std::vector<Numbers>& numbers) {
+  if (edges.size() != numbers.size() || sizes.size() != edges.size() || sizes.empty()) {
+    throw UsageError("not as many sizes as arrays of realisations");
+  }
+  std::vector<SizedThreshold> thresholds;
+  py::list rows;
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    const double volume = edges[k] * edges[k] * edges[k];
+    thresholds.push_back(sized_threshold(size_threshold(wrapping_numbers(numbers[k])), sizes[k], volume));
+    py::dict row;
+    for (std::size_t c = 0; c < kNWrappingCriteria; ++c) {
+      if (!(thresholds.back().covariance[c][c] > 0.0)) {
+        throw UsageError("too few realisations to tell their scatter - make more");
+      }
+      row[py::str(std::string(name_of(static_cast<WrappingCriterion>(c))))] =
+          py::make_tuple(thresholds.back().density[c], std::sqrt(thresholds.back().covariance[c][c]));
+    }
+    rows.append(row);
+  }
+  const Extrapolation found = extrapolate(thresholds);
+  py::dict result;
+  result["density"] = found.density;
+  result["std_error"] = found.std_error;
+  result["scatter_error"] = found.scatter_error;
+  result["exponent_error"] = found.exponent_error;
+  result["universal_error"] = found.universal_error;
+  result["is_extrapolated"] = found.is_extrapolated;
+  result["p_value"] = found.p_value;
+  result["without_smallest"] = found.without_smallest;
+  return py::make_tuple(rows, result);
+}
+
+}  // namespace
+
+void bind_percolation(py::module_& module) {
+  py::class_<PySystem>(module, "PercolationSystem", "Bodies placed in a periodic cube of one size.")
+      .def(py::init<const std::vector<std::pair<const PyBody*, double>>&, const OrientationLaw&, std::uint64_t, double,
+                    std::uint32_t, double>(),
+           py::arg("parts"), py::arg("law"), py::arg("seed"), py::arg("edge"), py::arg("size"), py::arg("usual_bodies"))
+      .def("run", &PySystem::run, py::arg("first"), py::arg("n"), py::arg("threads"));
+  module.def("percolation_threshold", &percolation_threshold, py::arg("sizes"), py::arg("edges"), py::arg("numbers"));
+}
+
+}  // namespace vex::python
