@@ -51,6 +51,11 @@ std::string HelpFormatter::make_usage(const CLI::App* app, std::string name) con
   return "\n" + CLI::Formatter::make_usage(app, std::move(name)) + "\n";
 }
 
+std::string HelpFormatter::make_option_usage(const CLI::Option* option) const {
+  const std::string usage = CLI::Formatter::make_option_usage(option);
+  return option->get_type_name() == "..." ? usage + " ..." : usage;
+}
+
 std::string HelpFormatter::make_group(std::string group, bool is_positional,
                                       std::vector<const CLI::Option*> options) const {
   std::string out = group + ":\n";

@@ -21,7 +21,7 @@ constexpr const char* kOneSided = "one-sided-edges";
 constexpr double kSmallestSize = 2.0;
 
 std::vector<double> sizes_of(const std::string& word) {
-  if (word.empty()) return {4.0, 6.0, 10.0};
+  if (word.empty()) return {4.0, 6.0, 12.0};
   std::vector<double> sizes;
   for (std::size_t begin = 0; begin <= word.size();) {
     const std::size_t comma = std::min(word.find(',', begin), word.size());
@@ -77,7 +77,7 @@ void declare_system(OptionParser& options, PercolateCommandLine& words) {
   options
       .add_option("--sizes", words.sizes,
                   "Edges of the periodic cube, in units of the largest body's extent (twice its circumradius); default "
-                  "4,6,10. From several sizes the threshold is extrapolated to infinite space")
+                  "4,6,12. From several sizes the threshold is extrapolated to infinite space")
       .type_name("L1,L2,...")
       .group(system);
   options
@@ -160,7 +160,7 @@ void declare_options(OptionParser& options, PercolateCommandLine& words) {
       .add_option("BODY", words.bodies,
                   "A mesh file, - for standard input, or a named body such as box:1,2,3; several are a mixture, each "
                   "with its part of the number of bodies behind a colon: sphere:0.5:0.3 (equal parts without)")
-      .type_name("")
+      .type_name("...")
       .required();
   declare_stop_rules(options, words);
   declare_system(options, words);

@@ -41,8 +41,9 @@ Json fit_json(const PercolateRun& run) {
   const Extrapolation& fit = *run.threshold;
   const double unit = run.eta_unit();
   Json json = {{"extrapolated", fit.is_extrapolated},
-               {"exponent", kSizeExponent},
-               {"exponent_error", kSizeExponentError},
+               {"exponent", fit.exponent},
+               {"exponent_error", fit.exponent_std_error},
+               {"exponent_beforehand", estimated_json(Estimated{kSizeExponent, kSizeExponentError})},
                {"scatter_error", fit.scatter_error * unit},
                {"from_exponent", fit.exponent_error * unit},
                {"from_universal_values", fit.universal_error * unit},

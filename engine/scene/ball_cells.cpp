@@ -57,20 +57,33 @@ void BallCells::build(const SceneBodies& bodies, double reach, double farthest) 
   farthest_ = 2.0 * std::fmax(farthest_, farthest);
   layout_ = CellLayout::make(bodies.box(), bodies.box() ? bounds : bounds_of_most(bodies, bounds), farthest_, reach,
                              bodies.size());
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    stencils_[axis].clear();
-    for (int at = 0; at < layout_.n_cells[axis]; ++at) {
-      for (int by = -layout_.stencil[axis]; by <= layout_.stencil[axis]; ++by) {
-        stencils_[axis].push_back(layout_.moved(axis, at, by));
-      }
-    }
-  }
   shifts_ = ShiftTable(layout_.box, layout_.n_images);
+  for (std::size_t axis = 0; axis < 3; ++axis) stencils_[axis] = stencil_along(axis);
   shift_error_ = 0x1p-46 * 3.0 * shifts_.largest_shift();
   clear();
   for (BodyId body = 0; body < bodies.end(); ++body) {
     if (bodies.has(body)) add(bodies, body);
   }
+}
+
+// The number of a cell, and that of a shift, is linear in its three coordinates.
+BallCells::Stencil BallCells::stencil_along(std::size_t axis) const {
+  const std::array<int, 3>& n_images = shifts_.n_images();
+  Stencil stencil;
+  stencil.first.push_back(0);
+  for (int at = 0; at < layout_.n_cells[axis]; ++at) {
+    for (int by = -layout_.stencil[axis]; by <= layout_.stencil[axis]; ++by) {
+      const CellLayout::Moved moved = layout_.moved(axis, at, by);
+      if (!moved.is_any) continue;
+      std::array<int, 3> cell{};
+      ImageOffset image{-n_images[0], -n_images[1], -n_images[2]};
+      cell[axis] = moved.cell;
+      image[axis] = moved.image;
+      stencil.steps.push_back({layout_.number(cell), shifts_.number(image)});
+    }
+    stencil.first.push_back(static_cast<std::uint32_t>(stencil.steps.size()));
+  }
+  return stencil;
 }
 
 void BallCells::clear() {

@@ -45,15 +45,24 @@ class BallCells {
   struct Seat {
     std::uint32_t block = kNone, lane = 0;
   };
-  // Of one axis: the cells about a cell, and their images.
-  std::span<const CellLayout::Moved> stencil(std::size_t axis, int at) const {
-    const std::size_t width = 2 * static_cast<std::size_t>(layout_.stencil[axis]) + 1;
-    return std::span(stencils_[axis]).subspan(static_cast<std::size_t>(at) * width, width);
-  }
+  // A step along one axis from a cell to one about it: what the numbers of a cell and of a shift are sums of.
+  struct Step {
+    std::uint32_t cell, shift;
+  };
+  // All cells along an axis: the steps from the cell `at` are first[at] ... first[at + 1] - 1.
+  struct Stencil {
+    std::vector<Step> steps;
+    std::vector<std::uint32_t> first;
+    std::span<const Step> about(int at) const {
+      const std::size_t k = static_cast<std::size_t>(at);
+      return {steps.data() + first[k], steps.data() + first[k + 1]};
+    }
+  };
+  Stencil stencil_along(std::size_t axis) const;
   void take_seat(std::uint32_t block, BodyId body, const Vec3d& centre, double radius);
 
   CellLayout layout_;
-  std::array<std::vector<CellLayout::Moved>, 3> stencils_;  // of all cells along an axis
+  std::array<Stencil, 3> stencils_;
   ShiftTable shifts_;
   double reach_ = 0.0, farthest_ = 0.0, shift_error_ = 0.0;
   std::vector<BallBlock> blocks_;         // the first of each cell, then others
@@ -66,30 +75,35 @@ template <class Take>
 void BallCells::near(const SceneKernel& kernel, std::uint64_t place, const Vec3d& centre, double radius,
                      NearPairs& near, Take&& take) const {
   const std::array<int, 3> own = layout_.coordinates(centre);
-  const std::span<const CellLayout::Moved> xs = stencil(0, own[0]), ys = stencil(1, own[1]), zs = stencil(2, own[2]);
-  const std::array<int, 3>& n_images = shifts_.n_images();
+  const std::span<const Step> xs = stencils_[0].about(own[0]);
   std::array<BallBlockAt, kMostAtOnce> at;
-  BallQuery query{at.data(), 0, place, centre, radius + 0x1p-46 * norm_1(centre)};
+  BallQuery query{blocks_.data(), shifts_.rows(), at.data(), 0, place, centre, radius + 0x1p-46 * norm_1(centre)};
+  std::uint64_t n_seen = 0;
+  std::size_t n = 0;
   const auto ask = [&] {
+    near.n_seen += n_seen;
+    n_seen = 0;
+    query.n = n;
     kernel.find_in_blocks(query, near);
-    query.n = 0;
+    n = 0;
     if (near.n >= NearPairs::kMost) take();
   };
-  for (const CellLayout::Moved& z : zs) {
-    if (!z.is_any) continue;
-    for (const CellLayout::Moved& y : ys) {
-      if (!y.is_any) continue;
-      const std::uint32_t row = layout_.number({0, y.cell, z.cell});
-      const std::uint32_t shift_of_row = shifts_.number({-n_images[0], y.image, z.image});
-      for (const CellLayout::Moved& x : xs) {
-        if (!x.is_any) continue;
-        std::uint32_t block = row + static_cast<std::uint32_t>(x.cell);
-        if (n_[block] == 0) continue;
-        const std::uint32_t shift = shift_of_row + static_cast<std::uint32_t>(x.image + n_images[0]);
-        for (; block != kNone; block = after_[block]) {
-          near.n_seen += n_[block];
-          at[query.n++] = {&blocks_[block], shift, shifts_.shift(shift)};
-          if (query.n == kMostAtOnce) ask();
+  for (const Step& z : stencils_[2].about(own[2])) {
+    for (const Step& y : stencils_[1].about(own[1])) {
+      const std::uint32_t row = z.cell + y.cell, shift_of_row = z.shift + y.shift;
+      for (const Step& x : xs) {
+        // Whether a cell is empty is as good as random: written in any case, it needs no branch.
+        std::uint32_t block = row + x.cell;
+        const std::uint32_t shift = shift_of_row + x.shift;
+        n_seen += n_[block];
+        at[n] = {block, shift};
+        n += n_[block] != 0 ? 1u : 0u;
+        while (true) {
+          if (n == kMostAtOnce) ask();
+          block = after_[block];
+          if (block == kNone) break;
+          n_seen += n_[block];
+          at[n++] = {block, shift};
         }
       }
     }

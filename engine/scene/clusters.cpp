@@ -37,8 +37,7 @@ void Clusters::leave_out(BodyId body) {
   --n_clusters_;
 }
 
-BodyId Clusters::find(BodyId body) {
-  VEX_EXPECT(body < parent_.size());
+BodyId Clusters::find_far(BodyId body) {
   path_.clear();
   while (parent_[body] != body) {
     path_.push_back(body);

@@ -76,7 +76,12 @@ class Clusters {
   SceneCounts counts;
 
  private:
-  BodyId find(BodyId body);  // flattens the way; offset_ is from the root afterwards
+  // The root; flattens the way: offset_ is from the root afterwards.
+  BodyId find(BodyId body) {
+    const BodyId parent = parent_[body];
+    return parent_[parent] == parent ? parent : find_far(body);
+  }
+  BodyId find_far(BodyId body);
 
   std::vector<BodyId> parent_;
   std::vector<ImageOffset> offset_;            // from the parent's copy

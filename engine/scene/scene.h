@@ -102,8 +102,8 @@ class Scene {
   /// What bodies that were added one after another met: the pairs of each body from `first` on with those before it,
   /// and with its own copies. One thread does it. `joined`, where there is one, knows all bodies and what those before
   /// `first` are joined by; it is told of each pair, does not have those tested that it joins already, with this image,
-  /// and the results are the pairs that changed it. `judge`, where there is one, decides all pairs
-  /// whose circumscribed balls may meet instead of the engine; they count as `scalar`.
+  /// and the results are the pairs that changed it, in the order in which they did, not sorted. `judge`, where there is
+  /// one, decides all pairs whose circumscribed balls may meet instead of the engine; they count as `scalar`.
   void overlaps_of_added(BodyId first, ScenePairs& out, Clusters* joined = nullptr, const PairJudge* judge = nullptr);
   /// The bodies that a visitor overlaps, which are `b`; `a` is kNoBody.
   void overlaps_of(const ConvexBody& visitor, const Pose& world_from_body, ScenePairs& out);
@@ -120,9 +120,9 @@ class Scene {
   SceneHit linear_cast(const ConvexBody& visitor, const Pose& world_from_body, const Vec3d& motion,
                        double until = HUGE_VAL);
 
-  /// Clusters of bodies that overlap, or are within a distance (as hard cores with a soft shell), and which of them wrap
-  /// around the box. Pairs that are in one cluster already are
-  /// not tested. Numbers below `end` that no body has are left out: their label is kNoCluster.
+  /// Clusters of bodies that overlap, or are within a distance (as hard cores with a soft shell), and which of them
+  /// wrap around the box. Pairs that are in one cluster already are not tested. Numbers below `end` that no body has
+  /// are left out: their label is kNoCluster.
   void clusters(Clusters& out, double distance = 0.0);
 
  private:

@@ -245,18 +245,20 @@ __attribute__((flatten)) void find_near(const NearQuery& asked, NearPairs& out) 
   out.n_seen += n_seen;
 }
 
-__attribute__((flatten)) void find_in_blocks(const BallQuery& query, NearPairs& out) {
+__attribute__((flatten)) void find_in_blocks(const BallQuery& asked, NearPairs& out) {
   static_assert(BallBlock::kLanes % W == 0);
+  const BallQuery query = asked;  // as in find_near
   const Vec centre = broadcast<L>(query.centre);
   const L radius(query.radius);
   const Bits place(query.place);
   std::size_t n = out.n;
   for (std::size_t b = 0; b < query.n; ++b) {
-    const BallBlockAt& at = query.blocks[b];
-    const Vec from = centre - broadcast<L>(at.by);
+    const BallBlockAt at = query.at[b];
+    const double* const by = query.shifts + 4 * std::size_t{at.shift};
+    const Vec from = centre - Vec{L(by[0]), L(by[1]), L(by[2])};
     const Bits shift(at.shift);
+    const BallBlock& balls = query.blocks[at.block];
     for (std::size_t k = 0; k < BallBlock::kLanes; k += W) {
-      const BallBlock& balls = *at.block;
       const Vec d = Vec{L::load(balls.x + k), L::load(balls.y + k), L::load(balls.z + k)} - from;
       const L reach = radius + L::load(balls.radius + k);
       const Compaction<W> kept(dot(d, d) <= reach * reach);

@@ -48,16 +48,16 @@ struct BallBlock {
   std::uint64_t body[kLanes];
 };
 
-/// A block moved by a shift of this number.
+/// The block of this number moved by the shift of this number.
 struct BallBlockAt {
-  const BallBlock* block;
-  std::uint64_t shift;
-  Vec3d by;
+  std::uint32_t block, shift;
 };
 
 /// One ball against blocks; `place` is the first of each pair.
 struct BallQuery {
-  const BallBlockAt* blocks;
+  const BallBlock* blocks;  // of all numbers
+  const double* shifts;     // rows of four doubles, one a number
+  const BallBlockAt* at;
   std::size_t n;
   std::uint64_t place;
   Vec3d centre;

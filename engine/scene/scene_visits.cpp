@@ -122,7 +122,11 @@ void Scene::overlaps_of_added(BodyId first, ScenePairs& out, Clusters* joined, c
                      " bodies, and the scene has numbers up to " + std::to_string(end()) +
                      " - add the missing ones to the clusters first");
   }
-  take_sorted(impl_->find_pairs_of_added(first, joined, judge), out);
+  const PairSearch& search = impl_->find_pairs_of_added(first, joined, judge);
+  if (joined == nullptr) return take_sorted(search, out);
+  out.pairs = search.pairs;
+  out.undecided = search.undecided;
+  out.counts = search.counts;
 }
 
 Outcome Scene::would_overlap(BodyId body, const Pose& world_from_body) {

@@ -12,62 +12,117 @@ namespace {
 
 constexpr Eigen::Index kN = static_cast<Eigen::Index>(kNWrappingCriteria);
 
-struct Fit {
-  Eigen::VectorXd values;  // the density, then the amplitudes, in units of the first threshold and of the largest size
-  double error, universal_error, chi_square;
+// Sizes in units of the largest and densities in units of the first, so that the equations are well scaled.
+struct Units {
+  explicit Units(std::span<const SizedThreshold> sizes) : density(sizes.front().density.front()) {
+    for (const SizedThreshold& one : sizes) size = std::fmax(size, one.size);
+  }
+  double density, size = 0.0;
 };
 
-// Least squares with the covariance of each size's criteria. Sizes are in units of the largest and densities in units
-// of the first, so that the equations are well scaled.
-Fit fit(std::span<const SizedThreshold> sizes, double exponent) {
+// What is fitted: the density, then the criteria's amplitudes and theta, where there are several sizes.
+struct Fit {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd covariance;
+  double universal_error = 0.0;
+  double chi_square = 0.0;  // what is known of theta beforehand counts as a datum
+  double theta_step = 0.0;  // by which theta is off its best value, to first order
+};
+
+// Least squares with the covariance of each size's criteria, at one theta; its column, and what is known of it, come in
+// where the amplitudes are known. Linear but for theta.
+Fit fit_at(std::span<const SizedThreshold> sizes, const Units& units, double theta) {
   const bool has_amplitudes = sizes.size() > 1;
-  const Eigen::Index n_values = has_amplitudes ? 1 + kN : 1;
-  double largest = 0.0;
-  for (const SizedThreshold& size : sizes) largest = std::fmax(largest, size.size);
-  const double unit = sizes.front().density.front();
-  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n_values, n_values);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(n_values);
+  const Eigen::Index n_linear = has_amplitudes ? 1 + kN : 1, n_values = has_amplitudes ? n_linear + 1 : 1;
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n_linear, n_linear);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(n_linear);
+  struct Size {
+    Eigen::Matrix3d weight, universal;
+    Eigen::MatrixXd design;
+    Eigen::Vector3d density;
+    double log_size;
+  };
+  std::vector<Size> rows;
+  for (const SizedThreshold& one : sizes) {
+    Size& row = rows.emplace_back();
+    Eigen::Matrix3d covariance;
+    row.universal = Eigen::Matrix3d::Zero();
+    row.design = Eigen::MatrixXd::Zero(kN, n_values);
+    row.log_size = std::log(one.size / units.size);
+    for (Eigen::Index c = 0; c < kN; ++c) {
+      const std::size_t k = static_cast<std::size_t>(c);
+      row.density[c] = one.density[k] / units.density;
+      row.universal(c, c) = one.universal_error[k] / units.density;
+      for (Eigen::Index d = 0; d < kN; ++d) {
+        covariance(c, d) = one.covariance[k][static_cast<std::size_t>(d)] / (units.density * units.density);
+      }
+      row.design(c, 0) = 1.0;
+      if (has_amplitudes) row.design(c, 1 + c) = std::exp(-theta * row.log_size);
+    }
+    row.weight = covariance.ldlt().solve(Eigen::Matrix3d::Identity());
+    const Eigen::MatrixXd linear = row.design.leftCols(n_linear);
+    normal += linear.transpose() * row.weight * linear;
+    right += linear.transpose() * row.weight * row.density;
+  }
+  Fit result;
+  result.values = Eigen::VectorXd::Constant(n_values, theta);
+  result.values.head(n_linear) = normal.ldlt().solve(right);
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(n_values, n_values);
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(n_values);
   // How the solution moves with each criterion's universal value, which is common to all sizes.
   Eigen::MatrixXd by_universal = Eigen::MatrixXd::Zero(n_values, kN);
-  std::vector<Eigen::Matrix3d> weights;
-  std::vector<Eigen::MatrixXd> designs;
-  std::vector<Eigen::Vector3d> data;
-  for (const SizedThreshold& size : sizes) {
-    Eigen::Matrix3d covariance;
-    Eigen::Vector3d density;
-    Eigen::Matrix3d universal = Eigen::Matrix3d::Zero();
-    Eigen::MatrixXd design = Eigen::MatrixXd::Zero(kN, n_values);
-    for (Eigen::Index c = 0; c < kN; ++c) {
-      const std::size_t row = static_cast<std::size_t>(c);
-      density[c] = size.density[row] / unit;
-      universal(c, c) = size.universal_error[row] / unit;
-      for (Eigen::Index d = 0; d < kN; ++d) {
-        covariance(c, d) = size.covariance[row][static_cast<std::size_t>(d)] / (unit * unit);
+  for (Size& row : rows) {
+    const Eigen::Vector3d residual = row.density - row.design.leftCols(n_linear) * result.values.head(n_linear);
+    result.chi_square += residual.dot(row.weight * residual);
+    if (has_amplitudes) {
+      for (Eigen::Index c = 0; c < kN; ++c) {
+        row.design(c, n_linear) = -row.log_size * row.design(c, 1 + c) * result.values[1 + c];
       }
-      design(c, 0) = 1.0;
-      if (has_amplitudes) design(c, 1 + c) = std::pow(size.size / largest, -exponent);
     }
-    const Eigen::Matrix3d weight = covariance.ldlt().solve(Eigen::Matrix3d::Identity());
-    normal += design.transpose() * weight * design;
-    right += design.transpose() * weight * density;
-    by_universal += design.transpose() * weight * universal;
-    weights.push_back(weight);
-    designs.push_back(design);
-    data.push_back(density);
+    information += row.design.transpose() * row.weight * row.design;
+    gradient += row.design.transpose() * row.weight * residual;
+    by_universal += row.design.transpose() * row.weight * row.universal;
   }
-  const Eigen::MatrixXd inverse = normal.ldlt().solve(Eigen::MatrixXd::Identity(n_values, n_values));
-  Fit result;
-  result.values = inverse * right;
-  result.error = std::sqrt(std::fmax(0.0, inverse(0, 0))) * unit;
-  result.universal_error = (inverse * by_universal).row(0).norm() * unit;
-  result.chi_square = 0.0;
-  for (std::size_t k = 0; k < sizes.size(); ++k) {
-    const Eigen::Vector3d residual = data[k] - designs[k] * result.values;
-    result.chi_square += residual.dot(weights[k] * residual);
+  if (has_amplitudes) {
+    information(n_linear, n_linear) += 1.0 / (kSizeExponentError * kSizeExponentError);
+    const double off = (theta - kSizeExponent) / kSizeExponentError;
+    result.chi_square += off * off;
+    gradient[n_linear] -= off / kSizeExponentError;
   }
-  result.values *= unit;
-  if (has_amplitudes) result.values.tail(kN) *= std::pow(largest, exponent);
+  result.covariance = information.ldlt().solve(Eigen::MatrixXd::Identity(n_values, n_values));
+  if (has_amplitudes) result.theta_step = result.covariance.row(n_linear).dot(gradient);
+  result.universal_error = (result.covariance * by_universal).row(0).norm();
   return result;
+}
+
+// Theta where chi^2 is least: by the golden section, which finds it whatever the start, then by Gauss and Newton's
+// steps.
+Fit fit(std::span<const SizedThreshold> sizes, const Units& units) {
+  if (sizes.size() < 2) return fit_at(sizes, units, kSizeExponent);
+  constexpr double kGolden = 0.6180339887498949, kMostOff = 4.0 * kSizeExponentError, kClose = 1e-3;
+  double lower = kSizeExponent - kMostOff, upper = kSizeExponent + kMostOff;
+  double left = upper - kGolden * (upper - lower), right = lower + kGolden * (upper - lower);
+  double at_left = fit_at(sizes, units, left).chi_square, at_right = fit_at(sizes, units, right).chi_square;
+  while (upper - lower > kClose) {
+    if (at_left < at_right) {
+      upper = right;
+      right = left;
+      at_right = at_left;
+      left = upper - kGolden * (upper - lower);
+      at_left = fit_at(sizes, units, left).chi_square;
+    } else {
+      lower = left;
+      left = right;
+      at_left = at_right;
+      right = lower + kGolden * (upper - lower);
+      at_right = fit_at(sizes, units, right).chi_square;
+    }
+  }
+  Fit best = fit_at(sizes, units, 0.5 * (lower + upper));
+  for (int k = 0; k < 4 && std::fabs(best.theta_step) < 10.0 * kClose; ++k) {
+    best = fit_at(sizes, units, best.values[1 + kN] + best.theta_step);
+  }
+  return best;
 }
 
 }  // namespace
@@ -94,29 +149,38 @@ Extrapolation extrapolate(std::span<const SizedThreshold> sizes) {
       }
     }
   }
-  const Fit best = fit(sizes, kSizeExponent);
+  const Units units(sizes);
+  const Fit best = fit(sizes, units);
   Extrapolation result;
-  result.density = best.values[0];
-  result.scatter_error = best.error;
-  result.universal_error = best.universal_error;
+  result.density = best.values[0] * units.density;
+  result.universal_error = best.universal_error * units.density;
   result.chi_square = best.chi_square;
   result.is_extrapolated = sizes.size() > 1;
-  result.degrees_of_freedom =
-      static_cast<int>(kNWrappingCriteria * sizes.size()) - static_cast<int>(best.values.size());
+  // Criteria and sizes, and theta; of as many as are fitted.
+  result.degrees_of_freedom = static_cast<int>(kNWrappingCriteria * sizes.size()) + (result.is_extrapolated ? 1 : 0) -
+                              static_cast<int>(best.values.size());
   result.p_value = boost::math::gamma_q(0.5 * result.degrees_of_freedom, 0.5 * result.chi_square);
+  double variance = std::fmax(0.0, best.covariance(0, 0));
   if (result.is_extrapolated) {
-    for (std::size_t c = 0; c < kNWrappingCriteria; ++c) {
-      result.amplitude[c] = best.values[1 + static_cast<Eigen::Index>(c)];
+    const Eigen::Index theta = 1 + kN;
+    for (Eigen::Index c = 0; c < kN; ++c) {
+      result.amplitude[static_cast<std::size_t>(c)] =
+          best.values[1 + c] * units.density * std::pow(units.size, best.values[theta]);
     }
-    const double more = fit(sizes, kSizeExponent + kSizeExponentError).values[0];
-    const double less = fit(sizes, kSizeExponent - kSizeExponentError).values[0];
-    result.exponent_error = 0.5 * std::fabs(more - less);
+    result.exponent = best.values[theta];
+    result.exponent_std_error = std::sqrt(std::fmax(0.0, best.covariance(theta, theta)));
+    // How the density moves with what is known of theta beforehand, times the error of that.
+    const double by_exponent = best.covariance(0, theta) / kSizeExponentError;
+    variance = std::fmax(0.0, variance - by_exponent * by_exponent);
+    result.exponent_error = std::fabs(by_exponent) * units.density;
   }
+  result.scatter_error = std::sqrt(variance) * units.density;
   result.std_error = std::hypot(result.scatter_error, result.exponent_error, result.universal_error);
   if (sizes.size() > 2) {
     std::vector<SizedThreshold> larger(sizes.begin(), sizes.end());
     larger.erase(std::ranges::min_element(larger, {}, &SizedThreshold::size));
-    result.without_smallest = fit(larger, kSizeExponent).values[0];
+    const Units their_units(larger);
+    result.without_smallest = fit(larger, their_units).values[0] * their_units.density;
   }
   return result;
 }

@@ -13,7 +13,8 @@
 
 namespace vex {
 
-/// What all criteria and sizes say together.
+/// What is known of theta beforehand; the fit has it as a datum beside the thresholds, so that these correct it where
+/// they know better, and the criteria that it moves least count most where they do not.
 inline constexpr double kSizeExponent = 2.34, kSizeExponentError = 0.2;
 
 /// Thresholds of one size as densities, of whatever the caller counts by.
@@ -29,7 +30,9 @@ SizedThreshold sized_threshold(const SizeThreshold& threshold, double size, doub
 struct Extrapolation {
   double density = 0.0;
   double std_error = 0.0;  // all below, as independent errors
-  double scatter_error = 0.0, exponent_error = 0.0, universal_error = 0.0;
+  double scatter_error = 0.0, exponent_error = 0.0,
+         universal_error = 0.0;  // of realisations; of what is known of theta
+  double exponent = kSizeExponent, exponent_std_error = kSizeExponentError;  // theta as fitted
   bool is_extrapolated = false;                        // false: one size, and the weighted mean of its criteria is all
   std::array<double, kNWrappingCriteria> amplitude{};  // a, in density times size^theta
   double chi_square = 0.0;                             // of the scatter about the fit

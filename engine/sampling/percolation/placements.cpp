@@ -27,23 +27,34 @@ Placements::Placements(std::vector<BodyPart> parts, const BodyOrientations& orie
     sum += part.fraction;
   }
   double so_far = 0.0;
-  for (const BodyPart& part : parts_) up_to_.push_back((so_far += part.fraction) / sum);
+  for (const BodyPart& part : parts_) {
+    up_to_.push_back((so_far += part.fraction) / sum);
+    is_ball_.push_back(part.body.inradius() >= part.body.circumradius());
+  }
+  if (parts_.size() > 1) {
+    n_drawn_ = kDimension;
+  } else if (is_ball_.front()) {
+    n_drawn_ = 3;
+  } else {
+    n_drawn_ = orientations_.law.kind() == OrientationLaw::Kind::aligned && !orientations_.uniform_polar_angle ? 3 : 6;
+  }
 }
 
 Placements::Placed Placements::operator()(const RealisationId& id, std::uint32_t k, double edge) const {
-  const bool is_mixture = parts_.size() > 1;
-  // Position, rotation, and of a mixture the part.
-  std::array<double, 7> u;
+  // Position, rotation, and of a mixture the part; what is not drawn is not used.
+  std::array<double, kDimension> u{};
   const std::uint64_t index = (std::uint64_t{id.size} << 58) | (std::uint64_t{id.realisation} << 32) | std::uint64_t{k};
-  draw_unit_cube(seed_, Stream::percolation, index, std::span(u).first(is_mixture ? 7 : 6));
+  draw_unit_cube(seed_, Stream::percolation, index, std::span(u).first(n_drawn_));
   Placed placed{0, {}};
-  if (is_mixture) {
+  if (parts_.size() > 1) {
     const auto at = std::upper_bound(up_to_.begin(), up_to_.end() - 1, u[6]);
     placed.part = static_cast<std::uint32_t>(at - up_to_.begin());
   }
   const std::span<const double> turn = std::span<const double>(u).subspan(3, 3);
   Transformd rotation;
-  if (orientations_.uniform_polar_angle) {
+  if (is_ball_[placed.part]) {
+    rotation = Transformd{};
+  } else if (orientations_.uniform_polar_angle) {
     const SinCos<double> theta = sincospi(u[3]);
     rotation = rotation_of_axis(theta.sin, theta.cos, u[4], u[5]);
   } else {

@@ -42,7 +42,7 @@ class Placements {
     std::uint32_t part;
     Transformd world_from_body;
   };
-  /// The k-th body: its centre is uniform in a cube of this edge about the origin.
+  /// The k-th body: its centre is uniform in a cube of this edge about the origin. Balls are not turned.
   Placed operator()(const RealisationId& realisation, std::uint32_t k, double edge) const;
 
   const std::vector<BodyPart>& parts() const { return parts_; }
@@ -51,7 +51,10 @@ class Placements {
 
  private:
   std::vector<BodyPart> parts_;
-  std::vector<double> up_to_;  // sums of the fractions, of 1
+  static constexpr std::size_t kDimension = 7;  // coordinates of a body, at most
+  std::vector<double> up_to_;                   // sums of the fractions, of 1
+  std::vector<bool> is_ball_;                   // of each part: it need not be turned
+  std::size_t n_drawn_ = kDimension;            // coordinates that are used
   BodyOrientations orientations_;
   std::uint64_t seed_;
 };

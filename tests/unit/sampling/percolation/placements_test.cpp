@@ -46,7 +46,7 @@ TEST(Placements, KindsComeInTheirFractions) {
 
 // cos^2 of the polar angle of each body's z axis: its mean, and that of its square for the error.
 double mean_square_of_cosine(const BodyOrientations& orientations, std::uint32_t n_bodies) {
-  const Placements placements({{Sphere(1.0), 1.0}}, orientations, 3);
+  const Placements placements({{Box(1.0, 1.0, 1.0), 1.0}}, orientations, 3);
   double sum = 0.0;
   for (std::uint32_t k = 0; k < n_bodies; ++k) {
     const Transformd pose = placements({}, k, 1.0).world_from_body;
@@ -74,7 +74,7 @@ TEST(Placements, OneBodyAlonePicturesTwo) {
   // R_A^T R_B of two placed bodies is distributed as OrientationLaw::rotation is: <P_2> of their z axes is the square
   // of the order parameter.
   const OrientationLaw law = OrientationLaw::onsager(3.0);
-  const Placements placements({{Sphere(1.0), 1.0}}, {law}, 11);
+  const Placements placements({{Box(1.0, 1.0, 1.0), 1.0}}, {law}, 11);
   constexpr std::uint32_t kPairs = 40000;
   double sum = 0.0;
   for (std::uint32_t k = 0; k < kPairs; ++k) {
@@ -83,6 +83,28 @@ TEST(Placements, OneBodyAlonePicturesTwo) {
     sum += 1.5 * cosine * cosine - 0.5;
   }
   EXPECT_NEAR(sum / kPairs, *law.order_parameter() * *law.order_parameter(), 5.0 * 0.5 / std::sqrt(1.0 * kPairs));
+}
+
+TEST(Placements, WhatIsNotDrawnChangesNothingElse) {
+  // Balls and aligned bodies need no rotation; where they are does not depend on that.
+  const Placements turned({{Box(1.0, 1.0, 1.0), 1.0}}, {}, 4),
+      aligned({{Box(1.0, 1.0, 1.0), 1.0}}, {OrientationLaw::aligned()}, 4), balls({{Sphere(1.0), 1.0}}, {}, 4),
+      mixture({{Sphere(1.0), 1.0}, {Box(1.0, 1.0, 1.0), 1.0}}, {}, 4);
+  std::uint32_t n_boxes = 0;
+  for (std::uint32_t k = 0; k < 100; ++k) {
+    const Transformd pose = turned({1, 2}, k, 3.0).world_from_body;
+    for (const Placements* const other : {&aligned, &balls}) {
+      const Transformd its = (*other)({1, 2}, k, 3.0).world_from_body;
+      EXPECT_EQ(norm_1(its.translation - pose.translation), 0.0);
+      EXPECT_EQ(its.row_x.x, 1.0);
+    }
+    const Placements::Placed one = mixture({1, 2}, k, 3.0);
+    EXPECT_EQ(norm_1(one.world_from_body.translation - pose.translation), 0.0);
+    EXPECT_EQ(one.world_from_body.row_x.x, one.part == 1 ? pose.row_x.x : 1.0);
+    n_boxes += one.part;
+  }
+  EXPECT_GT(n_boxes, 20u);
+  EXPECT_LT(n_boxes, 80u);
 }
 
 TEST(Placements, WhatIsNoMixtureIsRefused) {

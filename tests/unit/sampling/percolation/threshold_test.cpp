@@ -83,14 +83,14 @@ TEST(SizeThreshold, OneRealisationIsNone) {
 }
 
 // Thresholds with these amplitudes and a covariance that shrinks with the size.
-std::vector<SizedThreshold> sized(std::span<const double> sizes, double density,
-                                  const std::array<double, 3>& amplitude) {
+std::vector<SizedThreshold> sized(std::span<const double> sizes, double density, const std::array<double, 3>& amplitude,
+                                  double exponent = kSizeExponent) {
   std::vector<SizedThreshold> all;
   for (const double size : sizes) {
     SizedThreshold one;
     one.size = size;
     for (std::size_t c = 0; c < 3; ++c) {
-      one.density[c] = density + amplitude[c] * std::pow(size, -kSizeExponent);
+      one.density[c] = density + amplitude[c] * std::pow(size, -exponent);
       for (std::size_t d = 0; d < 3; ++d) one.covariance[c][d] = (c == d ? 1.0 : 0.6) * 1e-8 * std::pow(size, -2.2);
       one.universal_error[c] = 1e-7;
     }
@@ -110,11 +110,24 @@ TEST(Extrapolation, FindsTheThresholdBehindItsSizes) {
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found.amplitude[c], amplitude[c], 1e-9);
   ASSERT_TRUE(found.without_smallest.has_value());
   EXPECT_NEAR(*found.without_smallest, 0.25, 1e-12);
-  EXPECT_GT(found.exponent_error, 1e-6);
-  EXPECT_GE(found.std_error, found.scatter_error);
+  EXPECT_NEAR(found.exponent, kSizeExponent, 1e-9);
+  EXPECT_GT(found.exponent_error, 0.0);
+  EXPECT_GE(found.std_error, std::hypot(found.scatter_error, found.exponent_error));
   // Units of length and of density are the caller's.
   const Extrapolation scaled = extrapolate(sized(std::array{4e-9, 6e-9, 1e-8}, 0.25, {}));
   EXPECT_NEAR(scaled.density, 0.25, 1e-12);
+}
+
+TEST(Extrapolation, LearnsTheExponentWhereTheSizesTellIt) {
+  // These errors determine theta to some hundredths: what is known of it beforehand weighs little.
+  const std::array<double, 3> amplitude = {0.3, -0.2, 0.05};
+  const Extrapolation found = extrapolate(sized(std::array{4.0, 6.0, 10.0}, 0.25, amplitude, kSizeExponent + 0.2));
+  EXPECT_LT(found.exponent_std_error, 0.05);
+  EXPECT_NEAR(found.exponent, kSizeExponent + 0.2, 0.1 * kSizeExponentError);
+  EXPECT_NEAR(found.density, 0.25, 0.2 * found.std_error);
+  // Without amplitudes nothing does.
+  const Extrapolation without = extrapolate(sized(std::array{4.0, 6.0, 10.0}, 0.25, {}));
+  EXPECT_NEAR(without.exponent_std_error, kSizeExponentError, 1e-9);
 }
 
 TEST(Extrapolation, OneSizeIsTakenAsItIs) {
@@ -126,26 +139,31 @@ TEST(Extrapolation, OneSizeIsTakenAsItIs) {
 }
 
 TEST(Extrapolation, ItsErrorIsThatOfItsScatter) {
-  // Data with noise of the covariance that is told: the residual over the error has the variance 1, and chi^2 its mean.
+  // Data with noise of the covariance that is told, and with an exponent that is off by what is told: the residual over
+  // the error has the variance 1, and chi^2 its mean, whether the data determine the exponent or not.
   std::mt19937_64 random(8);
   std::normal_distribution<double> normal;
   constexpr int kRuns = 1000;
-  double sum = 0.0, chi_square = 0.0;
-  for (int run = 0; run < kRuns; ++run) {
-    std::vector<SizedThreshold> data = sized(std::array{4.0, 6.0, 10.0}, 0.25, {0.1, 0.1, 0.1});
-    for (SizedThreshold& one : data) {
-      const double common = normal(random);
-      for (std::size_t c = 0; c < 3; ++c) {
-        one.density[c] += std::sqrt(one.covariance[c][c]) * (std::sqrt(0.6) * common + std::sqrt(0.4) * normal(random));
+  for (const double amplitude : {0.01, 0.1}) {
+    double sum = 0.0, chi_square = 0.0;
+    for (int run = 0; run < kRuns; ++run) {
+      std::vector<SizedThreshold> data = sized(std::array{4.0, 6.0, 10.0}, 0.25, {amplitude, amplitude, amplitude},
+                                               kSizeExponent + kSizeExponentError * normal(random));
+      for (SizedThreshold& one : data) {
+        const double common = normal(random);
+        for (std::size_t c = 0; c < 3; ++c) {
+          one.density[c] +=
+              std::sqrt(one.covariance[c][c]) * (std::sqrt(0.6) * common + std::sqrt(0.4) * normal(random));
+        }
       }
+      const Extrapolation found = extrapolate(data);
+      const double off = (found.density - 0.25) / std::hypot(found.scatter_error, found.exponent_error);
+      sum += off * off / kRuns;
+      chi_square += found.chi_square / kRuns;
     }
-    const Extrapolation found = extrapolate(data);
-    const double off = (found.density - 0.25) / found.scatter_error;
-    sum += off * off / kRuns;
-    chi_square += found.chi_square / kRuns;
+    EXPECT_NEAR(sum, 1.0, 5.0 * std::sqrt(2.0 / kRuns));
+    EXPECT_NEAR(chi_square, 5.0, 5.0 * std::sqrt(10.0 / kRuns));
   }
-  EXPECT_NEAR(sum, 1.0, 5.0 * std::sqrt(2.0 / kRuns));
-  EXPECT_NEAR(chi_square, 5.0, 5.0 * std::sqrt(10.0 / kRuns));
 }
 
 }  // namespace
