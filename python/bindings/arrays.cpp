@@ -1,6 +1,7 @@
 #include "python/bindings/arrays.h"
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <system_error>
 #include <thread>
@@ -17,6 +18,28 @@ std::string shape_text(const py::array& array) {
     text += (k > 0 ? ", " : "") + std::to_string(array.shape(k));
   }
   return text + (array.ndim() == 1 ? ",)" : ")");
+}
+
+/// Pose's own check of columns of rotations: whether all pass it. What is near the tolerance may fail here, by rounding
+/// in another order, and is looked at one by one then.
+bool are_rotations(const double* columns, std::size_t stride, std::size_t n) {
+  constexpr double kSure = 0.5 * Pose::kRotationTolerance;
+  const auto column = [&](std::size_t i) { return columns + i * stride; };
+  const double *xx = column(0), *xy = column(1), *xz = column(2), *yx = column(3), *yy = column(4), *yz = column(5);
+  const double *zx = column(6), *zy = column(7), *zz = column(8);
+  int n_unsure = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto off = [k](const double* a0, const double* a1, const double* a2, const double* b0, const double* b1,
+                         const double* b2,
+                         double one) { return std::fabs((a0[k] * b0[k] + a1[k] * b1[k]) + a2[k] * b2[k] - one); };
+    const double sum = (off(xx, yx, zx, xx, yx, zx, 1.0) + off(xy, yy, zy, xy, yy, zy, 1.0)) +
+                       (off(xz, yz, zz, xz, yz, zz, 1.0) + off(xx, yx, zx, xy, yy, zy, 0.0)) +
+                       (off(xx, yx, zx, xz, yz, zz, 0.0) + off(xy, yy, zy, xz, yz, zz, 0.0));
+    const double determinant = ((xy[k] * yz[k] - xz[k] * yy[k]) * zx[k] + (xz[k] * yx[k] - xx[k] * yz[k]) * zy[k]) +
+                               (xx[k] * yy[k] - xy[k] * yx[k]) * zz[k];
+    n_unsure += sum <= kSure && determinant > 0.0 ? 0 : 1;
+  }
+  return n_unsure == 0;
 }
 
 }  // namespace
@@ -70,27 +93,34 @@ Pose PoseRows::operator[](std::size_t k) const {
 
 void PoseRows::set_columns(std::size_t first, std::size_t last, double* columns) const {
   constexpr std::size_t kStride = PacketOverlap::kStride;
+  const std::size_t n = last - first;
+  bool are_poses = true;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double* const t = translations_ != nullptr ? translations_ + 3 * (first + k) : rows_ + 7 * (first + k);
+    for (std::size_t i = 0; i < 3; ++i) columns[(9 + i) * kStride + k] = t[i];
+    are_poses &= is_finite(vec3_at(t));
+  }
   if (translations_ != nullptr) {
-    for (std::size_t k = first; k < last; ++k) set_pose(columns, kStride, k - first, (*this)[k].a_from_b());
-    return;
+    for (std::size_t k = 0; k < n; ++k) {
+      for (std::size_t i = 0; i < 9; ++i) columns[i * kStride + k] = rows_[9 * (first + k) + i];
+    }
+    are_poses = are_poses && are_rotations(columns, kStride, n);
+  } else if (are_poses) {
+    std::array<std::array<double, kStride>, 4> quaternion;
+    for (std::size_t k = 0; k < n; ++k) {
+      for (std::size_t i = 0; i < 4; ++i) quaternion[i][k] = rows_[7 * (first + k) + 3 + i];
+    }
+    try {
+      // Of any quaternion these are rotations to some roundings: nothing else is to be checked.
+      rotations_from_quaternions(
+          {quaternion[0].data(), quaternion[1].data(), quaternion[2].data(), quaternion[3].data()}, n, columns,
+          kStride);
+    } catch (const InputError&) {
+      are_poses = false;
+    }
   }
-  std::array<std::array<double, kStride>, 4> quaternion;
-  bool are_finite = true;
-  for (std::size_t k = first; k < last; ++k) {
-    const double* const row = rows_ + 7 * k;
-    for (std::size_t i = 0; i < 3; ++i) columns[(9 + i) * kStride + (k - first)] = row[i];
-    for (std::size_t i = 0; i < 4; ++i) quaternion[i][k - first] = row[3 + i];
-    are_finite &= is_finite(vec3_at(row));
-  }
-  try {
-    if (!are_finite) throw InputError("a translation is not finite");
-    // Of any quaternion these are rotations to some roundings: nothing else is to be checked.
-    rotations_from_quaternions({quaternion[0].data(), quaternion[1].data(), quaternion[2].data(), quaternion[3].data()},
-                               last - first, columns, kStride);
-  } catch (const InputError&) {
-    for (std::size_t k = first; k < last; ++k) (*this)[k];  // throws, and names the row
-    throw;
-  }
+  if (are_poses) return;
+  for (std::size_t k = first; k < last; ++k) (*this)[k];  // throws for one of them, and names the row
 }
 
 int number_of_threads(int threads) {

@@ -164,7 +164,7 @@ void over_rows(std::size_t n, int threads, std::size_t block, const Make& make) 
   detail::BlockLoop<Make>(n, block, make).run(n_threads);
 }
 
-/// Of queries that take a microsecond or more.
+/// Of queries that take a tenth of a microsecond or more.
 inline constexpr std::size_t kRowsABlock = 32;
 
 /// work(k) for each row.
@@ -173,6 +173,19 @@ void over_each_row(std::size_t n, int threads, const Work& work) {
   over_rows(n, threads, kRowsABlock, [&work] {
     return [&work](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) work(k);
+    };
+  });
+}
+
+/// work(k, pose) for each pose.
+template <class Work>
+void over_each_pose(const PoseRows& poses, int threads, const Work& work) {
+  over_rows(poses.size(), threads, kRowsABlock, [&] {
+    return [&](std::size_t first, std::size_t last) {
+      alignas(64) double columns[kPoseColumns][PacketOverlap::kStride];
+      poses.set_columns(first, last, columns[0]);
+      const PoseTable table{columns[0], PacketOverlap::kStride, last - first};
+      for (std::size_t k = first; k < last; ++k) work(k, Pose::unchecked(table.pose(k - first)));
     };
   });
 }

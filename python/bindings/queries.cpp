@@ -89,8 +89,7 @@ py::tuple certified_overlap_of_poses(const PyBody& a, const PyBody& b, const Flo
   Verdicts verdicts(static_cast<py::ssize_t>(poses.size()));
   std::int8_t* const to = verdicts.mutable_data();
   Proofs proofs(true, poses.size());
-  over_each_row(poses.size(), threads, [&](std::size_t k) {
-    const Pose pose = poses[k];
+  over_each_pose(poses, threads, [&](std::size_t k, const Pose& pose) {
     OverlapCertificate certificate;
     const Outcome outcome = overlap(a.body, b.body, pose, &certificate).outcome;
     to[k] = number_of(outcome);
@@ -110,8 +109,8 @@ Verdicts within_of_poses(const PyBody& a, const PyBody& b, const Floats& rows,
   Verdicts verdicts(static_cast<py::ssize_t>(poses.size()));
   std::int8_t* const to = verdicts.mutable_data();
   const MarginPairs pairs(a.body, b.body, margin);
-  over_each_row(poses.size(), threads,
-                [&](std::size_t k) { to[k] = number_of(within_margin(pairs, poses[k]).outcome); });
+  over_each_pose(poses, threads,
+                 [&](std::size_t k, const Pose& pose) { to[k] = number_of(within_margin(pairs, pose).outcome); });
   return verdicts;
 }
 
@@ -157,8 +156,7 @@ py::tuple separation_of_poses(const PyBody& a, const PyBody& b, const Floats& ro
   settings.relative_gap = relative_gap;
   settings.max_distance = max_distance;
   Proofs proofs(certify_answers, poses.size());
-  over_each_row(poses.size(), threads, [&](std::size_t k) {
-    const Pose pose = poses[k];
+  over_each_pose(poses, threads, [&](std::size_t k, const Pose& pose) {
     constexpr auto query = wanted == Wanted::signed_distance ? signed_distance
                            : wanted == Wanted::distance      ? distance
                                                              : penetration_depth;
@@ -274,8 +272,7 @@ py::tuple manifolds(const PyBody& a, const PyBody& b, const Floats& rows, const 
   const PoseRows poses(rows, translations);
   std::vector<ContactManifold> found(poses.size());
   Proofs proofs(certify_answers, poses.size());
-  over_each_row(poses.size(), threads, [&](std::size_t k) {
-    const Pose pose = poses[k];
+  over_each_pose(poses, threads, [&](std::size_t k, const Pose& pose) {
     found[k] = contact_manifold(a.body, b.body, pose, margin, feature_angle);
     if (proofs.is_wanted()) {
       const ManifoldCertificate certificate = certify(a.body, b.body, pose, found[k]);
