@@ -1,7 +1,10 @@
 #!/bin/sh
 # Measures the table of docs/percolation.md, body by body, and writes docs/percolation/table.md.
 #
-#   sh docs/percolation/measure.sh [SECONDS [NAME]]    SECONDS more of each body (60), or of the one of this name alone
+#   sh docs/percolation/measure.sh [SECONDS [NAME [ERROR]]]
+#
+# SECONDS more of each body (60), or of the one of this name alone ('' is each); of those alone, and no longer, whose
+# error of eta_c is above ERROR, where it is given. A SECONDS of 0 only writes the table.
 #
 # Each run goes on where the last one ended: what it has is kept in build/percolation. The bodies are those of
 # docs/percolation/bodies.txt.
@@ -9,6 +12,7 @@ set -eu
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd -P)
 seconds=${1:-60}
 only=${2:-}
+error=${3:-}
 cd -- "$root"
 sh cmake/prepare.sh release vex_percolate
 runs=$root/build/percolation
@@ -38,12 +42,19 @@ new=$runs/table.md
 grep -v '^#' docs/percolation/bodies.txt | while IFS='|' read -r name arguments published; do
   name=$(printf '%s' "$name" | sed 's/ *$//')
   file=$(printf '%s' "$name" | tr -c 'A-Za-z0-9\n' '_')
-  if [ -z "$only" ] || [ "$only" = "$name" ]; then
+  wanted=1
+  if [ "$seconds" = 0 ] || { [ -n "$only" ] && [ "$only" != "$name" ]; }; then wanted=''; fi
+  goal=''
+  if [ -n "$error" ]; then
+    # eta of flat bodies is 0, and has no error.
+    case $arguments in *disc:* | *plate:*) wanted='' ;; *) goal="--std-error $error" ;; esac
+  fi
+  if [ -n "$wanted" ]; then
     resume=''
     if [ -f "$runs/$file.csv" ]; then resume="--resume $runs/$file.csv"; fi
     printf '%s\n' "$name" >&2
     # shellcheck disable=SC2086
-    build/release/bin/vex_percolate $arguments $resume --seconds "$seconds" --checkpoint "$runs/$file.csv" \
+    build/release/bin/vex_percolate $arguments $resume $goal --seconds "$seconds" --checkpoint "$runs/$file.csv" \
       --json "$runs/$file.json" --quiet
   fi
   json=$runs/$file.json

@@ -20,9 +20,9 @@ BallBlock empty_block() {
 
 // Of open space: where nearly all bodies are, so that a few which are far away do not make all cells large. What is
 // beyond the outermost cells is held by them (BallCells::takes).
-Aabb bounds_of_most(const SceneBodies& bodies, const Aabb& all) {
+Aabb bounds_of_most(const SceneBodies& bodies, const Aabb& all, std::array<std::vector<double>, 3>& along) {
   constexpr std::size_t kSample = 1024, kBeyond = 16;
-  std::array<std::vector<double>, 3> along;
+  for (std::vector<double>& values : along) values.clear();
   const std::size_t step = std::max<std::size_t>(bodies.end() / kSample, 1);
   for (std::size_t k = 0; k < bodies.end(); k += step) {
     const BodyId body = static_cast<BodyId>(k);
@@ -49,16 +49,17 @@ Aabb bounds_of_most(const SceneBodies& bodies, const Aabb& all) {
 
 }  // namespace
 
-void BallCells::build(const SceneBodies& bodies, double reach, double farthest) {
+void BallCells::build(const SceneBodies& bodies, double reach, double farthest, double offset, std::size_t n_bodies) {
   reach_ = reach;
   const Aabb bounds = bodies.box() ? Aabb{} : bounds_of_centres(bodies, 1);
   // Room for bodies that move, twice as far out as they are.
-  farthest_ = std::fmax(norm_1(bounds.lower), norm_1(bounds.upper)) + bodies.largest_offset() + reach;
+  farthest_ = std::fmax(norm_1(bounds.lower), norm_1(bounds.upper)) + offset + reach;
   farthest_ = 2.0 * std::fmax(farthest_, farthest);
-  layout_ = CellLayout::make(bodies.box(), bodies.box() ? bounds : bounds_of_most(bodies, bounds), farthest_, reach,
-                             bodies.size());
-  shifts_ = ShiftTable(layout_.box, layout_.n_images);
-  for (std::size_t axis = 0; axis < 3; ++axis) stencils_[axis] = stencil_along(axis);
+  layout_ = CellLayout::make(bodies.box(), bodies.box() ? bounds : bounds_of_most(bodies, bounds, sample_), farthest_,
+                             reach, n_bodies);
+  merge_cells(n_bodies);
+  shifts_.assign(layout_.box, layout_.n_images);
+  for (std::size_t axis = 0; axis < 3; ++axis) make_stencil(axis);
   shift_error_ = 0x1p-46 * 3.0 * shifts_.largest_shift();
   clear();
   for (BodyId body = 0; body < bodies.end(); ++body) {
@@ -66,28 +67,54 @@ void BallCells::build(const SceneBodies& bodies, double reach, double farthest) 
   }
 }
 
-// The number of a cell, and that of a shift, is linear in its three coordinates.
-BallCells::Stencil BallCells::stencil_along(std::size_t axis) const {
+// Where cells are nearly empty two along each axis are held as one (of an odd number the last alone). What is near a
+// cell is then in two of these along the axis, not in three: eight are looked at instead of 27, and about as many
+// blocks have anything in them.
+void BallCells::merge_cells(std::size_t n_bodies) {
+  constexpr std::size_t kFew = 2;  // bodies a cell
+  const bool are_few = n_bodies <= kFew * layout_.size();
+  n_held_ = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int n = layout_.n_cells[axis];
+    merged_[axis] = are_few && n > 1 && layout_.stencil[axis] == 1 ? 1 : 0;
+    held_stride_[axis] = static_cast<std::uint32_t>(n_held_);
+    n_held_ *= static_cast<std::size_t>((n + merged_[axis]) >> merged_[axis]);
+  }
+}
+
+std::uint32_t BallCells::holder_of(const Vec3d& centre) const {
+  const std::array<int, 3> cell = layout_.coordinates(centre);
+  std::uint32_t number = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    number += static_cast<std::uint32_t>(cell[axis] >> merged_[axis]) * held_stride_[axis];
+  }
+  return number;
+}
+
+// The number of what holds a cell, and that of a shift, are linear in three coordinates.
+void BallCells::make_stencil(std::size_t axis) {
   const std::array<int, 3>& n_images = shifts_.n_images();
-  Stencil stencil;
-  stencil.first.push_back(0);
+  Stencil& stencil = stencils_[axis];
+  stencil.steps.clear();
+  stencil.first.assign(1, 0);
   for (int at = 0; at < layout_.n_cells[axis]; ++at) {
     for (int by = -layout_.stencil[axis]; by <= layout_.stencil[axis]; ++by) {
       const CellLayout::Moved moved = layout_.moved(axis, at, by);
       if (!moved.is_any) continue;
-      std::array<int, 3> cell{};
       ImageOffset image{-n_images[0], -n_images[1], -n_images[2]};
-      cell[axis] = moved.cell;
       image[axis] = moved.image;
-      stencil.steps.push_back({layout_.number(cell), shifts_.number(image)});
+      const Step step{static_cast<std::uint32_t>(moved.cell >> merged_[axis]) * held_stride_[axis],
+                      shifts_.number(image)};
+      // Of two cells that are held as one the second follows the first.
+      const bool is_there = stencil.steps.size() > stencil.first.back() && stencil.steps.back() == step;
+      if (!is_there) stencil.steps.push_back(step);
     }
     stencil.first.push_back(static_cast<std::uint32_t>(stencil.steps.size()));
   }
-  return stencil;
 }
 
 void BallCells::clear() {
-  blocks_.assign(layout_.size(), empty_block());
+  blocks_.assign(n_held_, empty_block());
   n_.assign(blocks_.size(), 0);
   after_.assign(blocks_.size(), kNone);
   free_.clear();
@@ -118,7 +145,7 @@ void BallCells::add(const SceneBodies& bodies, BodyId body) {
   const ShapeBounds& bounds = bodies.bounds(bodies.shape_of()[body]);
   // As SortedBodies::fill.
   const double radius = bounds.radius + 0x1p-46 * (norm_1(centre) + norm_1(bounds.centre)) + shift_error_ + kTrifle;
-  const std::uint32_t first = layout_.number(layout_.coordinates(centre));
+  const std::uint32_t first = holder_of(centre);
   if (n_[first] == kLanes) {
     std::uint32_t full = static_cast<std::uint32_t>(blocks_.size());
     if (free_.empty()) {
@@ -143,8 +170,8 @@ void BallCells::add(const SceneBodies& bodies, BodyId body) {
 void BallCells::remove(BodyId body) {
   const Seat seat = seats_[body];
   // The last ball of the cell's first block takes the seat.
-  const std::uint32_t first = layout_.number(layout_.coordinates(
-      {blocks_[seat.block].x[seat.lane], blocks_[seat.block].y[seat.lane], blocks_[seat.block].z[seat.lane]}));
+  const std::uint32_t first =
+      holder_of({blocks_[seat.block].x[seat.lane], blocks_[seat.block].y[seat.lane], blocks_[seat.block].z[seat.lane]});
   BallBlock& from = blocks_[first];
   BallBlock& to = blocks_[seat.block];
   const std::uint32_t last = --n_[first];

@@ -17,8 +17,9 @@ namespace vex {
 /// Holds the circumscribed ball of every body, those of a cell in blocks that a kernel reads.
 class BallCells {
  public:
-  /// For queries of balls whose centres are up to `reach` apart.
-  void build(const SceneBodies& bodies, double reach, double farthest);
+  /// For queries of balls whose centres are up to `reach` apart; with cells for so many bodies, whose centres are no
+  /// farther than `offset` from the origins of their frames.
+  void build(const SceneBodies& bodies, double reach, double farthest, double offset, std::size_t n_bodies);
   double reach() const { return reach_; }
   /// Whether rounding is allowed for as far out as this, in the 1-norm: of a body or of a query. In a box it always is.
   bool goes_as_far_as(double distance) const { return layout_.box || distance <= farthest_; }
@@ -45,9 +46,10 @@ class BallCells {
   struct Seat {
     std::uint32_t block = kNone, lane = 0;
   };
-  // A step along one axis from a cell to one about it: what the numbers of a cell and of a shift are sums of.
+  // A step along one axis from a cell to one about it: what the numbers of its holder and of a shift are sums of.
   struct Step {
-    std::uint32_t cell, shift;
+    std::uint32_t holder, shift;
+    friend bool operator==(const Step&, const Step&) = default;
   };
   // All cells along an axis: the steps from the cell `at` are first[at] ... first[at + 1] - 1.
   struct Stencil {
@@ -58,17 +60,24 @@ class BallCells {
       return {steps.data() + first[k], steps.data() + first[k + 1]};
     }
   };
-  Stencil stencil_along(std::size_t axis) const;
+  void make_stencil(std::size_t axis);
+  void merge_cells(std::size_t n_bodies);
+  // The number of the first block of the cell, or of the cells that are held as one.
+  std::uint32_t holder_of(const Vec3d& centre) const;
   void take_seat(std::uint32_t block, BodyId body, const Vec3d& centre, double radius);
 
   CellLayout layout_;
+  std::array<int, 3> merged_{};  // along each axis: 1 where two cells are held as one, else 0
+  std::array<std::uint32_t, 3> held_stride_{};
+  std::size_t n_held_ = 0;
   std::array<Stencil, 3> stencils_;
   ShiftTable shifts_;
   double reach_ = 0.0, farthest_ = 0.0, shift_error_ = 0.0;
-  std::vector<BallBlock> blocks_;         // the first of each cell, then others
-  std::vector<std::uint32_t> n_, after_;  // of each block: how many balls; the next block of the cell
-  std::vector<std::uint32_t> free_;       // blocks that no cell has
-  std::vector<Seat> seats_;               // of each body
+  std::vector<BallBlock> blocks_;              // the first of each cell, then others
+  std::vector<std::uint32_t> n_, after_;       // of each block: how many balls; the next block of the cell
+  std::vector<std::uint32_t> free_;            // blocks that no cell has
+  std::array<std::vector<double>, 3> sample_;  // of bounds_of_most
+  std::vector<Seat> seats_;                    // of each body
 };
 
 template <class Take>
@@ -90,10 +99,10 @@ void BallCells::near(const SceneKernel& kernel, std::uint64_t place, const Vec3d
   };
   for (const Step& z : stencils_[2].about(own[2])) {
     for (const Step& y : stencils_[1].about(own[1])) {
-      const std::uint32_t row = z.cell + y.cell, shift_of_row = z.shift + y.shift;
+      const std::uint32_t row = z.holder + y.holder, shift_of_row = z.shift + y.shift;
       for (const Step& x : xs) {
-        // Whether a cell is empty is as good as random: written in any case, it needs no branch.
-        std::uint32_t block = row + x.cell;
+        // Whether it is empty is as good as random: written in any case, it needs no branch.
+        std::uint32_t block = row + x.holder;
         const std::uint32_t shift = shift_of_row + x.shift;
         n_seen += n_[block];
         at[n] = {block, shift};

@@ -29,6 +29,7 @@ BodyId Scene::add(ShapeId shape, const Pose& pose) { return impl_->add(shape, po
 BodyId Scene::add(const ConvexBody& body, const Pose& pose) { return impl_->add(impl_->add_shape(body), pose); }
 void Scene::remove(BodyId body) { impl_->remove(body); }
 void Scene::clear() { impl_->clear(); }
+void Scene::expect(std::size_t n_bodies) { impl_->expect(n_bodies); }
 void Scene::move(BodyId body, const Pose& pose) { impl_->move(body, pose); }
 void Scene::move_all(std::span<const Pose> poses) { impl_->move_all(poses); }
 

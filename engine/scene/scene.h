@@ -70,6 +70,9 @@ class Scene {
   void remove(BodyId body);
   /// Removes all bodies; shapes stay, and memory is kept for the next ones.
   void clear();
+  /// In a periodic box: about so many bodies will come, one after another, of the shapes that there are. It changes
+  /// nothing but the time of queries of one body and of added ones.
+  void expect(std::size_t n_bodies);
   void move(BodyId body, const Pose& world_from_body);
   /// Of all bodies, poses[k] of body k; throws UsageError where bodies are missing between.
   void move_all(std::span<const Pose> world_from_body);

@@ -274,6 +274,18 @@ double SceneBodies::largest_radius() const {
   return largest;
 }
 
+double SceneBodies::largest_radius_of_shapes() const {
+  double largest = 0.0;
+  for (const ShapeBounds& bounds : bounds_) largest = std::fmax(largest, bounds.radius);
+  return largest;
+}
+
+double SceneBodies::largest_offset_of_shapes() const {
+  double largest = 0.0;
+  for (const ShapeBounds& bounds : bounds_) largest = std::fmax(largest, norm_1(bounds.centre));
+  return largest;
+}
+
 void SceneBodies::remove(BodyId body) {
   --n_of_shape_[shape_of_[body]];
   shape_of_[body] = kNoShape;

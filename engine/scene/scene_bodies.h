@@ -78,6 +78,9 @@ class SceneBodies {
   /// their frames.
   double largest_radius() const;
   double largest_offset() const;
+  /// The same of all shapes, whether there are bodies of them or not.
+  double largest_radius_of_shapes() const;
+  double largest_offset_of_shapes() const;
   /// Of the balls about the points of their cores.
   double largest_ball() const;
   /// Of the centres themselves (in the 1-norm).

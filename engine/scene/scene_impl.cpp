@@ -64,7 +64,20 @@ void Scene::Impl::clear() {
   bodies_.clear();
   phases_.bodies_changed();
   memory_.forget();
-  if (are_cells_true_) cells_.clear();
+  // Cells are cut anew as bodies come, but for those that would be the same again. Were others kept, the order in which
+  // pairs are found, and so which of them others spare, would hang on what the scene held before.
+  if (are_cells_true_ && are_cells_as_expected_) {
+    cells_.clear();
+    return;
+  }
+  are_cells_true_ = false;
+  n_in_cells_ = 0;
+}
+
+void Scene::Impl::expect(std::size_t n_bodies) {
+  n_expected_ = n_bodies;
+  are_cells_true_ = false;
+  n_in_cells_ = 0;
 }
 
 void Scene::Impl::move(BodyId body, const Pose& pose) {
@@ -109,11 +122,16 @@ double Scene::Impl::checked_reach(double margin) const {
 
 // Made for single queries, and kept up to date from then on; anew where bodies have become many more or larger.
 BallCells& Scene::Impl::ball_cells(double farthest) {
-  const double needed = 2.0 * bodies_.largest_radius() * (1.0 + 0x1p-18);
+  const bool is_expected = n_expected_ > 0 && bodies_.box();
+  const double radius = is_expected ? bodies_.largest_radius_of_shapes() : bodies_.largest_radius();
+  const double needed = 2.0 * radius * (1.0 + 0x1p-18);
   const bool is_small = bodies_.size() > 2 * n_in_cells_ + 64;
   if (!are_cells_true_ || needed > cells_.reach() || is_small || !cells_.goes_as_far_as(farthest)) {
-    cells_.build(bodies_, needed, farthest);
-    n_in_cells_ = bodies_.size();
+    // In a box they do not hang on where bodies are.
+    are_cells_as_expected_ = is_expected && bodies_.size() <= 2 * n_expected_ + 64;
+    n_in_cells_ = are_cells_as_expected_ ? n_expected_ : bodies_.size();
+    const double offset = is_expected ? bodies_.largest_offset_of_shapes() : bodies_.largest_offset();
+    cells_.build(bodies_, needed, is_expected ? 0.0 : farthest, offset, n_in_cells_);
     are_cells_true_ = true;
   }
   return cells_;

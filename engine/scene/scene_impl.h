@@ -24,6 +24,7 @@ class Scene::Impl {
   BodyId add(ShapeId shape, const Pose& pose);
   void remove(BodyId body);
   void clear();
+  void expect(std::size_t n_bodies);
   void move(BodyId body, const Pose& pose);
   void move_all(std::span<const Pose> poses);
   /// Throws UsageError where there is no such body.
@@ -84,7 +85,8 @@ class Scene::Impl {
   PairMemory memory_;
   BallCells cells_;
   bool are_cells_true_ = false;
-  std::size_t n_in_cells_ = 0;
+  std::size_t n_in_cells_ = 0, n_expected_ = 0;
+  bool are_cells_as_expected_ = false;  // they are what they would be for another set of bodies
 
   std::vector<PairSearch> searches_[2];  // one a thread: without and with a margin
   bool last_had_margin_ = false;         // of the last query, and its threads

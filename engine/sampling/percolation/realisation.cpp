@@ -41,6 +41,7 @@ Realisation::Realisation(const PercolationSystem& system)
     : system_(system),
       scene_(PeriodicBox::cube(system.edge), scene_settings(system)),
       shapes_(add_shapes(system.placements, scene_)) {
+  if (system.usual_bodies > 0) scene_.expect(system.usual_bodies);
   if (system.size >= kMostSizes) throw UsageError("there are more than 64 sizes - give fewer");
   if (!system.backend) return;
   for (ShapeId a = 0; a < scene_.n_shapes(); ++a) {
@@ -80,8 +81,6 @@ void Realisation::note_wrapping(const ScenePair& pair, WrappingNumbers& numbers)
 
 void Realisation::ask_pairs(BodyId first, Clusters* joined) {
   scene_.overlaps_of_added(first, pairs_, joined, judge_ ? &judge_ : nullptr);
-  // How many balls were looked at hangs on cells that earlier realisations have made.
-  pairs_.counts[SceneStage::balls] = {};
 }
 
 // Pairs in the order of the bodies that brought them, none left out.

@@ -46,6 +46,7 @@ struct PercolationSystem {
   /// Decides whether two bodies are connected, the one placed first being A; none: the engine, by packets.
   std::optional<BackendKind> backend{};
   std::uint32_t most_bodies = 1u << 30;  // a realisation that needs more is refused
+  std::uint32_t usual_bodies = 0;        // about as many as one takes, or 0: it is made faster by that alone
 };
 
 /// Whether to stop; called by several threads at once.

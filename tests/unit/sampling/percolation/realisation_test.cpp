@@ -148,6 +148,12 @@ TEST(Realisation, ThreadsSetsAndBackendsChangeNothing) {
   PercolationCounts counts;
   const std::vector<WrappingNumbers> wanted = run_realisations(system, 5, 40, 1, counts);
   ASSERT_EQ(wanted.size(), 40u);
+  for (const std::uint32_t usual : {100u, 5000u}) {
+    PercolationCounts other;
+    system.usual_bodies = usual;
+    EXPECT_EQ(run_realisations(system, 5, 40, 2, other), wanted);
+    system.usual_bodies = 0;
+  }
   for (const int n_threads : {2, 3, 8}) {
     PercolationCounts other;
     EXPECT_EQ(run_realisations(system, 5, 40, n_threads, other), wanted);
