@@ -25,6 +25,7 @@ class PySystem {
       throw InputError("a cube of " + std::to_string(edge) + " holds too many bodies - give a smaller size");
     }
     system_.most_bodies = static_cast<std::uint32_t>(std::fmin(1e9, 1000.0 + kMoreThanUsual * usual_bodies));
+    system_.usual_bodies = static_cast<std::uint32_t>(usual_bodies);
   }
 
   /// Realisations first ... first + n - 1: with how many bodies a cluster wrapped along x, y and z (n, 3); and pairs
