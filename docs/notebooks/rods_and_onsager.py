@@ -25,12 +25,12 @@ assert (np.abs(found["value"] - onsager) < 5 * found["error"] + 1e-9).all()
 # The mean over random directions, of density sin γ, is the isotropic average, which the formula knows.
 
 # %%
-nodes, weights = np.polynomial.legendre.leggauss(40)
+nodes, weights = np.polynomial.legendre.leggauss(16)
 mean = (vex.excluded_volume_of_angle(rod, rod, np.degrees(np.arccos(nodes)))["value"] * weights).sum() / 2
 print(f"mean {mean:.4f}, formula {vex.formula(rod):.4f}")
 
 # %%
-ax = vex.plot.excluded_volume_of_angle(rod, label="cylinder 5:1")
-vex.plot.excluded_volume_of_angle("capsule:5,0.5", ax=ax, label="capsule, L = 5 D")
-vex.plot.excluded_volume_of_angle("box:1,1,5", ax=ax, label="box 1:1:5")
+ax = vex.plot.excluded_volume_of_angle(rod, n=13, label="cylinder 5:1")
+vex.plot.excluded_volume_of_angle("capsule:5,0.5", n=13, ax=ax, label="capsule, L = 5 D")
+vex.plot.excluded_volume_of_angle("box:1,1,5", n=13, ax=ax, label="box 1:1:5")
 vex.plot.excluded_volume(rod, rod, [np.cos(0.6), np.sin(0.6), 0, 0])
