@@ -41,6 +41,7 @@ Json fit_json(const PercolateRun& run) {
   const Extrapolation& fit = *run.threshold;
   const double unit = run.eta_unit();
   Json json = {{"extrapolated", fit.is_extrapolated},
+               {"terms", fit.n_terms},
                {"exponent", fit.exponent},
                {"exponent_error", fit.exponent_std_error},
                {"exponent_beforehand", estimated_json(Estimated{kSizeExponent, kSizeExponentError})},

@@ -20,7 +20,7 @@ struct Units {
   double density, size = 0.0;
 };
 
-// What is fitted: the density, then the criteria's amplitudes and theta, where there are several sizes.
+// What is fitted: the density, then the criteria's amplitudes of the terms, and theta, where there are several sizes.
 struct Fit {
   Eigen::VectorXd values;
   Eigen::MatrixXd covariance;
@@ -29,11 +29,17 @@ struct Fit {
   double theta_step = 0.0;  // by which theta is off its best value, to first order
 };
 
+// One term needs two sizes, both need three.
+Eigen::Index n_terms_of(std::span<const SizedThreshold> sizes) {
+  return std::min<Eigen::Index>(2, static_cast<Eigen::Index>(sizes.size()) - 1);
+}
+
 // Least squares with the covariance of each size's criteria, at one theta; its column, and what is known of it, come in
 // where the amplitudes are known. Linear but for theta.
 Fit fit_at(std::span<const SizedThreshold> sizes, const Units& units, double theta) {
   const bool has_amplitudes = sizes.size() > 1;
-  const Eigen::Index n_linear = has_amplitudes ? 1 + kN : 1, n_values = has_amplitudes ? n_linear + 1 : 1;
+  const Eigen::Index n_terms = n_terms_of(sizes), n_linear = 1 + kN * n_terms,
+                     n_values = n_linear + (n_terms > 0 ? 1 : 0);
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n_linear, n_linear);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(n_linear);
   struct Size {
@@ -57,7 +63,8 @@ Fit fit_at(std::span<const SizedThreshold> sizes, const Units& units, double the
         covariance(c, d) = one.covariance[k][static_cast<std::size_t>(d)] / (units.density * units.density);
       }
       row.design(c, 0) = 1.0;
-      if (has_amplitudes) row.design(c, 1 + c) = std::exp(-theta * row.log_size);
+      if (n_terms > 0) row.design(c, 1 + c) = std::exp(-theta * row.log_size);
+      if (n_terms > 1) row.design(c, 1 + kN + c) = std::exp(-kNextSizeExponent * row.log_size);
     }
     row.weight = covariance.ldlt().solve(Eigen::Matrix3d::Identity());
     const Eigen::MatrixXd linear = row.design.leftCols(n_linear);
@@ -120,7 +127,7 @@ Fit fit(std::span<const SizedThreshold> sizes, const Units& units) {
   }
   Fit best = fit_at(sizes, units, 0.5 * (lower + upper));
   for (int k = 0; k < 4 && std::fabs(best.theta_step) < 10.0 * kClose; ++k) {
-    best = fit_at(sizes, units, best.values[1 + kN] + best.theta_step);
+    best = fit_at(sizes, units, best.values[best.values.size() - 1] + best.theta_step);
   }
   return best;
 }
@@ -162,7 +169,8 @@ Extrapolation extrapolate(std::span<const SizedThreshold> sizes) {
   result.p_value = boost::math::gamma_q(0.5 * result.degrees_of_freedom, 0.5 * result.chi_square);
   double variance = std::fmax(0.0, best.covariance(0, 0));
   if (result.is_extrapolated) {
-    const Eigen::Index theta = 1 + kN;
+    const Eigen::Index theta = best.values.size() - 1;
+    result.n_terms = static_cast<int>(n_terms_of(sizes));
     for (Eigen::Index c = 0; c < kN; ++c) {
       result.amplitude[static_cast<std::size_t>(c)] =
           best.values[1 + c] * units.density * std::pow(units.size, best.values[theta]);
