@@ -19,10 +19,12 @@ namespace vex {
 /// they know better, and the criteria that it moves least count most where they do not.
 inline constexpr double kSizeExponent = 2.34, kSizeExponentError = 0.2;
 inline constexpr double kNextSizeExponent = 3.141;  // theta'
+/// b beforehand is 0 to within this part of the threshold, sizes being in extents of a body: of spheres it is 0.4.
+inline constexpr double kNextAmplitudeError = 0.5;
 
 /// Thresholds of one size as densities, of whatever the caller counts by.
 struct SizedThreshold {
-  double size = 0.0;  // L, in any unit of length
+  double size = 0.0;  // L, in extents of the largest body
   std::array<double, kNWrappingCriteria> density{};
   std::array<std::array<double, kNWrappingCriteria>, kNWrappingCriteria> covariance{};
   std::array<double, kNWrappingCriteria> universal_error{};
@@ -33,10 +35,9 @@ SizedThreshold sized_threshold(const SizeThreshold& threshold, double size, doub
 struct Extrapolation {
   double density = 0.0;
   double std_error = 0.0;  // all below, as independent errors
-  double scatter_error = 0.0, exponent_error = 0.0,
-         universal_error = 0.0;  // of realisations; of what is known of theta
+  double scatter_error = 0.0, offset_error = 0.0,
+         universal_error = 0.0;  // of realisations; of what is known of theta and b
   double exponent = kSizeExponent, exponent_std_error = kSizeExponentError;  // theta as fitted
-  int n_terms = 0;                                     // that the offset is made of: one of two sizes, both of more
   bool is_extrapolated = false;                        // false: one size, and the weighted mean of its criteria is all
   std::array<double, kNWrappingCriteria> amplitude{};  // a, in density times size^theta
   double chi_square = 0.0;                             // of the scatter about the fit
