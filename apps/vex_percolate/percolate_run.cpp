@@ -133,7 +133,7 @@ bool is_exact_enough(PercolateRun& run) {
   const Extrapolation& threshold = *run.threshold;
   const double unit = run.eta_unit();
   if (threshold.std_error * unit <= goal) return true;
-  const double rest = std::hypot(threshold.exponent_error, threshold.universal_error) * unit;
+  const double rest = std::hypot(threshold.offset_error, threshold.universal_error) * unit;
   if (rest < goal || threshold.scatter_error * unit > 0.25 * goal) return false;
   run.stopped_because = "the extrapolation alone is uncertain by " + short_number(rest, 2) +
                         ": larger sizes are needed for --std-error " + short_number(goal, 3);

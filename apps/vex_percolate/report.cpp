@@ -70,12 +70,13 @@ std::string fit_text(const PercolateRun& run) {
   if (!fit.is_extrapolated) {
     return "One size: not extrapolated, and the offset of its size is not in the errors. Give several --sizes.\n";
   }
-  std::string text = "Extrapolated by L^-theta, theta = " + with_error(fit.exponent, fit.exponent_std_error) +
+  std::string text = "Extrapolated by a L^-theta + b L^-" + short_number(kNextSizeExponent) +
+                     ", theta = " + with_error(fit.exponent, fit.exponent_std_error) +
                      ", in one fit of all criteria and sizes: chi^2 " + short_number(fit.chi_square, 3) + " of " +
                      std::to_string(fit.degrees_of_freedom) +
                      " degrees of freedom (p = " + short_number(fit.p_value, 2) + ")\n";
-  text += "errors: scatter " + short_number(fit.scatter_error * unit, 2) + ", exponent " +
-          short_number(fit.exponent_error * unit, 2) + ", universal values " +
+  text += "errors: scatter " + short_number(fit.scatter_error * unit, 2) + ", offset " +
+          short_number(fit.offset_error * unit, 2) + ", universal values " +
           short_number(fit.universal_error * unit, 2) + "\n";
   if (fit.without_smallest) {
     text += "without the smallest size: " + short_number(*fit.without_smallest * unit, 8) + ", " +

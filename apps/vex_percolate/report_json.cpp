@@ -45,7 +45,7 @@ Json fit_json(const PercolateRun& run) {
                {"exponent_error", fit.exponent_std_error},
                {"exponent_beforehand", estimated_json(Estimated{kSizeExponent, kSizeExponentError})},
                {"scatter_error", fit.scatter_error * unit},
-               {"from_exponent", fit.exponent_error * unit},
+               {"from_offset", fit.offset_error * unit},
                {"from_universal_values", fit.universal_error * unit},
                {"chi_square", fit.chi_square},
                {"degrees_of_freedom", fit.degrees_of_freedom},

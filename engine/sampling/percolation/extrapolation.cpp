@@ -20,12 +20,13 @@ struct Units {
   double density, size = 0.0;
 };
 
-// What is fitted: the density, then the criteria's amplitudes and theta, where there are several sizes.
+// What is fitted: the density, then the criteria's amplitudes of the terms, and theta, where there are several sizes.
 struct Fit {
   Eigen::VectorXd values;
   Eigen::MatrixXd covariance;
   double universal_error = 0.0;
-  double chi_square = 0.0;  // what is known of theta beforehand counts as a datum
+  double next_error = 0.0;  // of b beforehand
+  double chi_square = 0.0;  // what is known of theta and b beforehand counts as data
   double theta_step = 0.0;  // by which theta is off its best value, to first order
 };
 
@@ -33,7 +34,8 @@ struct Fit {
 // where the amplitudes are known. Linear but for theta.
 Fit fit_at(std::span<const SizedThreshold> sizes, const Units& units, double theta) {
   const bool has_amplitudes = sizes.size() > 1;
-  const Eigen::Index n_linear = has_amplitudes ? 1 + kN : 1, n_values = has_amplitudes ? n_linear + 1 : 1;
+  const Eigen::Index n_terms = has_amplitudes ? 2 : 0, n_linear = 1 + kN * n_terms,
+                     n_values = n_linear + (n_terms > 0 ? 1 : 0);
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n_linear, n_linear);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(n_linear);
   struct Size {
@@ -58,13 +60,19 @@ Fit fit_at(std::span<const SizedThreshold> sizes, const Units& units, double the
       }
       row.design(c, 0) = 1.0;
       if (has_amplitudes) row.design(c, 1 + c) = std::exp(-theta * row.log_size);
+      if (has_amplitudes) row.design(c, 1 + kN + c) = std::exp(-kNextSizeExponent * row.log_size);
     }
     row.weight = covariance.ldlt().solve(Eigen::Matrix3d::Identity());
     const Eigen::MatrixXd linear = row.design.leftCols(n_linear);
     normal += linear.transpose() * row.weight * linear;
     right += linear.transpose() * row.weight * row.density;
   }
+  // Of b, which is 0 to within this.
+  const double next_error = kNextAmplitudeError * std::pow(units.size, -kNextSizeExponent);
+  const double next_weight = 1.0 / (next_error * next_error);
+  for (Eigen::Index c = 0; has_amplitudes && c < kN; ++c) normal(1 + kN + c, 1 + kN + c) += next_weight;
   Fit result;
+  result.next_error = next_error;
   result.values = Eigen::VectorXd::Constant(n_values, theta);
   result.values.head(n_linear) = normal.ldlt().solve(right);
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(n_values, n_values);
@@ -88,6 +96,12 @@ Fit fit_at(std::span<const SizedThreshold> sizes, const Units& units, double the
     const double off = (theta - kSizeExponent) / kSizeExponentError;
     result.chi_square += off * off;
     gradient[n_linear] -= off / kSizeExponentError;
+    for (Eigen::Index c = 0; c < kN; ++c) {
+      const Eigen::Index at = 1 + kN + c;
+      information(at, at) += next_weight;
+      gradient[at] -= next_weight * result.values[at];
+      result.chi_square += next_weight * result.values[at] * result.values[at];
+    }
   }
   result.covariance = information.ldlt().solve(Eigen::MatrixXd::Identity(n_values, n_values));
   if (has_amplitudes) result.theta_step = result.covariance.row(n_linear).dot(gradient);
@@ -120,7 +134,7 @@ Fit fit(std::span<const SizedThreshold> sizes, const Units& units) {
   }
   Fit best = fit_at(sizes, units, 0.5 * (lower + upper));
   for (int k = 0; k < 4 && std::fabs(best.theta_step) < 10.0 * kClose; ++k) {
-    best = fit_at(sizes, units, best.values[1 + kN] + best.theta_step);
+    best = fit_at(sizes, units, best.values[best.values.size() - 1] + best.theta_step);
   }
   return best;
 }
@@ -156,26 +170,28 @@ Extrapolation extrapolate(std::span<const SizedThreshold> sizes) {
   result.universal_error = best.universal_error * units.density;
   result.chi_square = best.chi_square;
   result.is_extrapolated = sizes.size() > 1;
-  // Criteria and sizes, and theta; of as many as are fitted.
-  result.degrees_of_freedom = static_cast<int>(kNWrappingCriteria * sizes.size()) + (result.is_extrapolated ? 1 : 0) -
+  // Criteria and sizes, theta and each b; less as many as are fitted.
+  result.degrees_of_freedom = static_cast<int>(kNWrappingCriteria * sizes.size()) +
+                              (result.is_extrapolated ? 1 + static_cast<int>(kN) : 0) -
                               static_cast<int>(best.values.size());
   result.p_value = boost::math::gamma_q(0.5 * result.degrees_of_freedom, 0.5 * result.chi_square);
   double variance = std::fmax(0.0, best.covariance(0, 0));
   if (result.is_extrapolated) {
-    const Eigen::Index theta = 1 + kN;
+    const Eigen::Index theta = best.values.size() - 1;
     for (Eigen::Index c = 0; c < kN; ++c) {
       result.amplitude[static_cast<std::size_t>(c)] =
           best.values[1 + c] * units.density * std::pow(units.size, best.values[theta]);
     }
     result.exponent = best.values[theta];
     result.exponent_std_error = std::sqrt(std::fmax(0.0, best.covariance(theta, theta)));
-    // How the density moves with what is known of theta beforehand, times the error of that.
-    const double by_exponent = best.covariance(0, theta) / kSizeExponentError;
-    variance = std::fmax(0.0, variance - by_exponent * by_exponent);
-    result.exponent_error = std::fabs(by_exponent) * units.density;
+    // How the density moves with what is known of theta and of each b beforehand, times the error of that.
+    double offset = best.covariance(0, theta) / kSizeExponentError;
+    for (Eigen::Index c = 0; c < kN; ++c) offset = std::hypot(offset, best.covariance(0, 1 + kN + c) / best.next_error);
+    variance = std::fmax(0.0, variance - offset * offset);
+    result.offset_error = offset * units.density;
   }
   result.scatter_error = std::sqrt(variance) * units.density;
-  result.std_error = std::hypot(result.scatter_error, result.exponent_error, result.universal_error);
+  result.std_error = std::hypot(result.scatter_error, result.offset_error, result.universal_error);
   if (sizes.size() > 2) {
     std::vector<SizedThreshold> larger(sizes.begin(), sizes.end());
     larger.erase(std::ranges::min_element(larger, {}, &SizedThreshold::size));

@@ -101,30 +101,38 @@ std::vector<SizedThreshold> sized(std::span<const double> sizes, double density,
 
 TEST(Extrapolation, FindsTheThresholdBehindItsSizes) {
   const std::array<double, 3> amplitude = {0.3, -0.2, 0.05};
-  const Extrapolation found = extrapolate(sized(std::array{4.0, 6.0, 10.0}, 0.25, amplitude));
+  const Extrapolation found = extrapolate(sized(std::array{4.0, 6.0, 8.0, 10.0}, 0.25, amplitude));
   EXPECT_TRUE(found.is_extrapolated);
-  EXPECT_NEAR(found.density, 0.25, 1e-12);
+  EXPECT_NEAR(found.density, 0.25, 1e-10);
   EXPECT_NEAR(found.chi_square, 0.0, 1e-9);
-  EXPECT_EQ(found.degrees_of_freedom, 5);
+  EXPECT_EQ(found.degrees_of_freedom, 8);
   EXPECT_NEAR(found.p_value, 1.0, 1e-6);
-  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found.amplitude[c], amplitude[c], 1e-9);
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found.amplitude[c], amplitude[c], 1e-6);
   ASSERT_TRUE(found.without_smallest.has_value());
-  EXPECT_NEAR(*found.without_smallest, 0.25, 1e-12);
-  EXPECT_NEAR(found.exponent, kSizeExponent, 1e-9);
-  EXPECT_GT(found.exponent_error, 0.0);
-  EXPECT_GE(found.std_error, std::hypot(found.scatter_error, found.exponent_error));
-  // Units of length and of density are the caller's.
-  const Extrapolation scaled = extrapolate(sized(std::array{4e-9, 6e-9, 1e-8}, 0.25, {}));
-  EXPECT_NEAR(scaled.density, 0.25, 1e-12);
+  EXPECT_NEAR(*found.without_smallest, 0.25, 1e-9);
+  EXPECT_NEAR(found.exponent, kSizeExponent, 1e-5);
+  EXPECT_GT(found.offset_error, 0.0);
+  EXPECT_GE(found.std_error, std::hypot(found.scatter_error, found.offset_error));
+}
+
+TEST(Extrapolation, FindsTheThresholdBehindBothTerms) {
+  std::vector<SizedThreshold> data = sized(std::array{4.0, 6.0, 16.0}, 0.25, {0.01, 0.02, -0.01});
+  for (SizedThreshold& one : data) {
+    for (double& density : one.density) density += 0.13 * std::pow(one.size, -kNextSizeExponent);
+  }
+  const Extrapolation found = extrapolate(data);
+  // What is known of b beforehand draws it to 0, by next to nothing where the sizes tell it.
+  EXPECT_NEAR(found.density, 0.25, 0.5 * found.std_error);
+  EXPECT_EQ(found.degrees_of_freedom, 5);
 }
 
 TEST(Extrapolation, LearnsTheExponentWhereTheSizesTellIt) {
-  // These errors determine theta to some hundredths: what is known of it beforehand weighs little.
+  // These errors determine theta to less than a tenth: what is known of it beforehand weighs little.
   const std::array<double, 3> amplitude = {0.3, -0.2, 0.05};
-  const Extrapolation found = extrapolate(sized(std::array{4.0, 6.0, 10.0}, 0.25, amplitude, kSizeExponent + 0.2));
-  EXPECT_LT(found.exponent_std_error, 0.05);
-  EXPECT_NEAR(found.exponent, kSizeExponent + 0.2, 0.1 * kSizeExponentError);
-  EXPECT_NEAR(found.density, 0.25, 0.2 * found.std_error);
+  const Extrapolation found = extrapolate(sized(std::array{4.0, 10.0}, 0.25, amplitude, kSizeExponent + 0.2));
+  EXPECT_LT(found.exponent_std_error, 0.1);
+  EXPECT_NEAR(found.exponent, kSizeExponent + 0.2, 0.2 * kSizeExponentError);
+  EXPECT_NEAR(found.density, 0.25, 0.5 * found.std_error);
   // Without amplitudes nothing does.
   const Extrapolation without = extrapolate(sized(std::array{4.0, 6.0, 10.0}, 0.25, {}));
   EXPECT_NEAR(without.exponent_std_error, kSizeExponentError, 1e-9);
@@ -149,7 +157,10 @@ TEST(Extrapolation, ItsErrorIsThatOfItsScatter) {
     for (int run = 0; run < kRuns; ++run) {
       std::vector<SizedThreshold> data = sized(std::array{4.0, 6.0, 10.0}, 0.25, {amplitude, amplitude, amplitude},
                                                kSizeExponent + kSizeExponentError * normal(random));
+      std::array<double, 3> next;
+      for (double& b : next) b = kNextAmplitudeError * 0.25 * normal(random);
       for (SizedThreshold& one : data) {
+        for (std::size_t c = 0; c < 3; ++c) one.density[c] += next[c] * std::pow(one.size, -kNextSizeExponent);
         const double common = normal(random);
         for (std::size_t c = 0; c < 3; ++c) {
           one.density[c] +=
@@ -157,7 +168,7 @@ TEST(Extrapolation, ItsErrorIsThatOfItsScatter) {
         }
       }
       const Extrapolation found = extrapolate(data);
-      const double off = (found.density - 0.25) / std::hypot(found.scatter_error, found.exponent_error);
+      const double off = (found.density - 0.25) / std::hypot(found.scatter_error, found.offset_error);
       sum += off * off / kRuns;
       chi_square += found.chi_square / kRuns;
     }
