@@ -105,7 +105,7 @@ py::tuple percolation_threshold(const std::vector<double>& sizes, const std::vec
   result["density"] = found.density;
   result["std_error"] = found.std_error;
   result["scatter_error"] = found.scatter_error;
-  result["exponent_error"] = found.exponent_error;
+  result["offset_error"] = found.offset_error;
   result["universal_error"] = found.universal_error;
   result["is_extrapolated"] = found.is_extrapolated;
   result["p_value"] = found.p_value;

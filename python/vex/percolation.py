@@ -114,7 +114,7 @@ def percolation(bodies: Union[BodyLike, Sequence[BodyLike]], fractions: Optional
             _, found = _vex.percolation_threshold(list(edges_of), edges, numbers)
             if found["std_error"] * mean_volume <= std_error:
                 break
-            rest = math.hypot(found["exponent_error"], found["universal_error"]) * mean_volume
+            rest = math.hypot(found["offset_error"], found["universal_error"]) * mean_volume
             if rest >= std_error and found["scatter_error"] * mean_volume <= 0.25 * std_error:
                 break  # the extrapolation alone is more uncertain
         goal = min(most, fewest + max(64, fewest // 8))
