@@ -35,6 +35,7 @@ def stub() -> str:
     text = text[:law] + block + text[end:]
     text = text.replace("(self, *args, **kwargs) -> None: ...", "(self, *args: Any, **kwargs: Any) -> None: ...")
     text = text.replace("(*args, **kwargs) -> Any: ...", "(*args: Any, **kwargs: Any) -> Any: ...")
+    text = text.replace("def __eq__(self, arg0: OrientationLaw)", "def __eq__(self, other: object)")
     text = text.replace("support: function", "support: Any")
     text = text.replace("import numpy\n", "import numpy\nimport numpy.typing as npt\n\n", 1)
     text = re.sub(r"\bobject\b(?=\)|, |: \.\.\.)", "Any", text)

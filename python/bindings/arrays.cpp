@@ -133,11 +133,27 @@ int number_of_threads(int threads) {
   return n_cores == 0 ? 1 : static_cast<int>(std::min<unsigned>(n_cores, kMostThreads));
 }
 
+void sleep_if_ending() {
+#if PY_VERSION_HEX >= 0x030d0000
+  const auto is_ending = [] { return Py_IsFinalizing() != 0; };
+#else
+  const auto is_ending = [] { return _Py_IsFinalizing() != 0; };
+#endif
+  // The main thread itself ends the interpreter with the GIL; it comes here from destructors then.
+  while (is_ending() && PyGILState_Check() == 0) std::this_thread::sleep_for(std::chrono::hours(1));
+}
+
+SignalWatch::SignalWatch() {
+  const py::object main_thread = py::module_::import("threading").attr("main_thread")();
+  is_main_ = main_thread.attr("ident").cast<unsigned long>() == PyThread_get_thread_ident();
+}
+
 bool SignalWatch::has_thrown() {
+  if (!is_main_) return false;
   const auto now = std::chrono::steady_clock::now();
   if (now < next_) return false;
   next_ = now + std::chrono::milliseconds(100);
-  const py::gil_scoped_acquire with_gil;
+  const WithGil with_gil;
   if (PyErr_CheckSignals() == 0) return false;
   try {
     throw py::error_already_set();

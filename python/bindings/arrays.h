@@ -23,6 +23,37 @@ namespace vex::python {
 
 namespace py = pybind11;
 
+/// Whether the interpreter is ending: then no thread but the main one may have the GIL, and who asks for it is unwound
+/// through C++ by force, which ends the process. Such a thread sleeps instead, until the process has ended.
+void sleep_if_ending();
+
+/// As py::gil_scoped_release, but for that.
+class WithoutGil {
+ public:
+  WithoutGil() : state_(PyEval_SaveThread()) {}
+  WithoutGil(const WithoutGil&) = delete;
+  WithoutGil& operator=(const WithoutGil&) = delete;
+  ~WithoutGil() {
+    sleep_if_ending();
+    PyEval_RestoreThread(state_);
+  }
+
+ private:
+  PyThreadState* state_;
+};
+
+/// As py::gil_scoped_acquire, but for that.
+class WithGil {
+ public:
+  WithGil() {
+    sleep_if_ending();
+    gil_.emplace();
+  }
+
+ private:
+  std::optional<py::gil_scoped_acquire> gil_;
+};
+
 /// A verdict in arrays.
 inline std::int8_t number_of(Outcome outcome) {
   return outcome == Outcome::overlap ? 1 : outcome == Outcome::disjoint ? 0 : -1;
@@ -76,9 +107,11 @@ class PoseRows {
 /// As many threads as there are cores where `threads` is 0. Throws UsageError where it is below 0 or far too many.
 int number_of_threads(int threads);
 
-/// Asks the interpreter for signals now and then, on the thread that made it.
+/// Asks the interpreter for signals now and then, on the thread that made it: made with the GIL, and asked without. On
+/// other threads than Python's main one there are none.
 class SignalWatch {
  public:
+  SignalWatch();
   /// Whether a signal's handler has thrown; then `rethrow` does. Takes the GIL, at most ten times a second.
   bool has_thrown();
   void rethrow() {
@@ -86,6 +119,7 @@ class SignalWatch {
   }
 
  private:
+  bool is_main_;
   std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now();
   std::exception_ptr error_;
 };
@@ -98,7 +132,7 @@ class BlockLoop {
  public:
   BlockLoop(std::size_t n, std::size_t block, const Make& make) : n_(n), block_(block), make_(make) {}
 
-  void run(int n_threads);
+  void run(int n_threads, SignalWatch& watch);
 
  private:
   void work(SignalWatch* watch);
@@ -142,9 +176,8 @@ void BlockLoop<Make>::work(SignalWatch* watch) {
 }
 
 template <class Make>
-void BlockLoop<Make>::run(int n_threads) {
+void BlockLoop<Make>::run(int n_threads, SignalWatch& watch) {
   const std::size_t n_blocks = (n_ + block_ - 1) / block_;
-  SignalWatch watch;
   on_threads(static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(n_threads), n_blocks)),
              [&](int k) { work(k == 0 ? &watch : nullptr); });
   watch.rethrow();
@@ -160,8 +193,9 @@ template <class Make>
 void over_rows(std::size_t n, int threads, std::size_t block, const Make& make) {
   const int n_threads = number_of_threads(threads);
   if (n == 0) return;
-  const py::gil_scoped_release without_gil;
-  detail::BlockLoop<Make>(n, block, make).run(n_threads);
+  SignalWatch watch;
+  const WithoutGil without_gil;
+  detail::BlockLoop<Make>(n, block, make).run(n_threads, watch);
 }
 
 /// Of queries that take a tenth of a microsecond or more.

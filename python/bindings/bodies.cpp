@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "engine/query/separation.h"
 #include "engine/support/validate.h"
 #include "meshes/body_mesh.h"
 #include "meshes/hull_of_points.h"
@@ -99,7 +100,7 @@ PyBody mesh_body(const PolygonSoup& soup, bool hull, std::optional<double> conve
   if (scale != 1.0 || unit_volume) {
     options.scale = [&](const Measures& measures) { return scale_factor(scale, unit_volume, measures); };
   }
-  const py::gil_scoped_release without_gil;
+  const WithoutGil without_gil;
   ConvexMesh mesh = convex_mesh_from(soup, options);
   require_size_in_range(mesh.body, mesh.measures, "the mesh");
   MeshReport report = std::move(mesh.report);
@@ -160,7 +161,7 @@ py::object exact_form(const PyBody& body) {
 }
 
 std::vector<std::string> violations(const PyBody& body, std::size_t n_directions, std::uint64_t seed) {
-  const py::gil_scoped_release without_gil;
+  const WithoutGil without_gil;
   std::vector<std::string> texts;
   for (const Violation& violation : validate(body.body.body, {n_directions, seed})) texts.push_back(violation.text);
   return texts;
@@ -216,7 +217,7 @@ void bind_bodies(py::module_& module) {
   module.def(
       "read_surface",
       [](const std::string& path, const std::string& format) {
-        const py::gil_scoped_release without_gil;
+        const WithoutGil without_gil;
         return read_polygon_soup(path, {.format = format});
       },
       py::arg("path"), py::arg("format"));
@@ -248,6 +249,14 @@ void bind_bodies(py::module_& module) {
   module.def("named_body", &named_body, py::arg("text"), py::arg("scale"), py::arg("unit_volume"));
   module.def(
       "names_a_shape", [](const std::string& text) { return names_a_shape(text); }, py::arg("text"));
+  module.def(
+      "parse_rounded",
+      [](const std::string& text) -> py::object {
+        const std::optional<RoundedText> round = parse_rounded(text);
+        if (!round) return py::none();
+        return py::make_tuple(round->radius, std::string(round->body));
+      },
+      py::arg("text"));
   module.def("named_shapes", [] {
     std::vector<std::tuple<std::string, std::string, std::string>> lines;
     for (const NamedShape& shape : named_shapes()) {
@@ -261,7 +270,7 @@ void bind_bodies(py::module_& module) {
       "hull_body",
       [](const Floats& array) -> PyBody {
         const std::vector<Vec3d> points = points_of(array);
-        const py::gil_scoped_release without_gil;
+        const WithoutGil without_gil;
         ConvexMesh mesh = hull_of(points);
         require_size_in_range(mesh.body, mesh.measures, "the hull");
         MeshReport report = std::move(mesh.report);
@@ -271,6 +280,7 @@ void bind_bodies(py::module_& module) {
   module.def(
       "rounded_body",
       [](const PyBody& body, double radius, const std::string& source) {
+        if (!body.body.measures.are_known()) return PyBody{Body(with_margin(body.body.body, radius))};
         return PyBody{rounded(body.body, radius, source), body.report};
       },
       py::arg("body"), py::arg("radius"), py::arg("source"));

@@ -11,10 +11,17 @@ namespace {
 std::shared_ptr<const py::function> shared_function(py::function function) {
   return {new py::function(std::move(function)), [](const py::function* held) {
             if (Py_IsInitialized() == 0) return;  // the interpreter has ended, and with it the function
-            const py::gil_scoped_acquire with_gil;
+            const WithGil with_gil;
             delete held;
           }};
 }
+
+thread_local int depth_of_calls = 0;
+
+struct Call {
+  Call() { ++depth_of_calls; }
+  ~Call() { --depth_of_calls; }
+};
 
 class CallableSupport {
  public:
@@ -26,11 +33,14 @@ class CallableSupport {
         inradius_(inradius) {}
 
   Vec3d support(const Vec3d& dir) const {
-    const py::gil_scoped_acquire with_gil;
+    const WithGil with_gil;
     py::array_t<double> dirs({1, 3});
     // What has no direction is asked for any point, which a function that divides by the length has none for.
     put(dirs.mutable_data(), norm_1(dir) > 0.0 ? dir : Vec3d{0.0, 0.0, 1.0});
-    const py::object answer = (*function_)(std::move(dirs));
+    const py::object answer = [&] {
+      const Call call;
+      return (*function_)(std::move(dirs));
+    }();
     const auto points = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(answer);
     if (!points) throw py::error_already_set();
     if (points.ndim() != 2 || points.shape(0) != 1 || points.shape(1) != 3) {
@@ -56,6 +66,8 @@ class CallableSupport {
 };
 
 }  // namespace
+
+bool is_in_support_function() { return depth_of_calls > 0; }
 
 ConvexBody callable_body(py::function support, double support_error, const Vec3d& centre, double circumradius,
                          double inradius) {

@@ -107,7 +107,7 @@ py::tuple run(const PyBody& a, const PyBody& b, const py::dict& options, const p
     try {
       if (watch.has_thrown()) watch.rethrow();
       if (progress.is_none()) return;
-      const py::gil_scoped_acquire with_gil;
+      const WithGil with_gil;
       progress(now.tally.n_trials, now.relative_error, now.seconds);
     } catch (...) {
       thrown = std::current_exception();
@@ -116,7 +116,7 @@ py::tuple run(const PyBody& a, const PyBody& b, const py::dict& options, const p
   };
   ExcludedVolume result;
   {
-    const py::gil_scoped_release without_gil;
+    const WithoutGil without_gil;
     result = excluded_volume(a.body, b.body, settings);
   }
   py::object error = py::none();
@@ -186,6 +186,10 @@ void bind_excluded_volume(py::module_& module) {
       .def_static("cone", &OrientationLaw::cone, py::arg("degrees"))
       .def_static("angle", &OrientationLaw::angle, py::arg("degrees"))
       .def_static("onsager", &OrientationLaw::onsager, py::arg("alpha"))
+      .def("__repr__", [](const OrientationLaw& law) { return "<vex.OrientationLaw " + law.name() + ">"; })
+      .def(
+          "__eq__", [](const OrientationLaw& x, const OrientationLaw& y) { return x == y; }, py::is_operator())
+      .def("__hash__", [](const OrientationLaw& law) { return std::hash<std::string>()(law.name()); })
       .def_property_readonly("name", &OrientationLaw::name)
       .def_property_readonly("order_parameter", &OrientationLaw::order_parameter);
 

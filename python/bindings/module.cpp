@@ -2,11 +2,35 @@
 // arrays; names, units and what is checked for the user are told there.
 #include <pybind11/pybind11.h>
 
+#include <algorithm>
+#include <regex>
+#include <string>
+
 #include "engine/numeric/errors.h"
 #include "engine/sampling/points/random_stream.h"
 #include "python/bindings/body.h"
 
 namespace py = pybind11;
+
+namespace {
+
+/// Options of the programs are parameters here: "--convex-tolerance 1e-3" is "convex_tolerance=1e-3".
+std::string in_python_words(const std::string& message) {
+  std::string text = std::regex_replace(message, std::regex("--hull\\b"), "hull=True");
+  text = std::regex_replace(text, std::regex("--unit-volume\\b"), "unit_volume=True");
+  std::string result;
+  const std::regex option("--([a-z]+(?:-[a-z]+)*)(?: (?=[0-9A-Z.]))?");
+  std::size_t from = 0;
+  for (std::sregex_iterator match(text.begin(), text.end(), option), end; match != end; ++match) {
+    std::string name = (*match)[1];
+    std::replace(name.begin(), name.end(), '-', '_');
+    result += text.substr(from, static_cast<std::size_t>(match->position()) - from) + name + "=";
+    from = static_cast<std::size_t>(match->position() + match->length());
+  }
+  return result + text.substr(from);
+}
+
+}  // namespace
 
 PYBIND11_MODULE(_vex, module) {
   module.doc() = "The compiled part of vex; use the package vex.";
@@ -26,11 +50,11 @@ PYBIND11_MODULE(_vex, module) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const vex::UsageError& e) {
-      usage_error(e.what());
+      usage_error(in_python_words(e.what()).c_str());
     } catch (const vex::InputError& e) {
-      input_error(e.what());
+      input_error(in_python_words(e.what()).c_str());
     } catch (const vex::Error& e) {
-      error(e.what());
+      error(in_python_words(e.what()).c_str());
     }
   });
 

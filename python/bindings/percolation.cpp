@@ -18,8 +18,8 @@ using Numbers = py::array_t<std::uint32_t, py::array::c_style>;
 class PySystem {
  public:
   PySystem(const std::vector<std::pair<const PyBody*, double>>& parts, const OrientationLaw& law, std::uint64_t seed,
-           double edge, std::uint32_t size, double usual_bodies)
-      : system_{Placements(parts_of(parts), {law}, seed), edge, size} {
+           bool uniform_angle, double edge, std::uint32_t size, double usual_bodies)
+      : system_{Placements(parts_of(parts), {law, uniform_angle}, seed), edge, size} {
     if (!(edge > 0.0) || !std::isfinite(edge)) throw UsageError("an edge is a finite length above 0");
     if (!(usual_bodies <= kMostBodies)) {
       throw InputError("a cube of " + std::to_string(edge) + " holds too many bodies - give a smaller size");
@@ -41,7 +41,7 @@ class PySystem {
       return is_stopped.load();
     };
     {
-      const py::gil_scoped_release without_gil;
+      const WithoutGil without_gil;
       found = run_realisations(system_, first, n, number_of_threads(threads), counts, stop);
       watch.rethrow();
     }
@@ -117,9 +117,10 @@ py::tuple percolation_threshold(const std::vector<double>& sizes, const std::vec
 
 void bind_percolation(py::module_& module) {
   py::class_<PySystem>(module, "PercolationSystem", "Bodies placed in a periodic cube of one size.")
-      .def(py::init<const std::vector<std::pair<const PyBody*, double>>&, const OrientationLaw&, std::uint64_t, double,
-                    std::uint32_t, double>(),
-           py::arg("parts"), py::arg("law"), py::arg("seed"), py::arg("edge"), py::arg("size"), py::arg("usual_bodies"))
+      .def(py::init<const std::vector<std::pair<const PyBody*, double>>&, const OrientationLaw&, std::uint64_t, bool,
+                    double, std::uint32_t, double>(),
+           py::arg("parts"), py::arg("law"), py::arg("seed"), py::arg("uniform_angle"), py::arg("edge"),
+           py::arg("size"), py::arg("usual_bodies"))
       .def("run", &PySystem::run, py::arg("first"), py::arg("n"), py::arg("threads"));
   module.def("percolation_threshold", &percolation_threshold, py::arg("sizes"), py::arg("edges"), py::arg("numbers"));
 }

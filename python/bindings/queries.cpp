@@ -306,7 +306,7 @@ py::dict overlap_certificate(const PyBody& a, const PyBody& b, const Floats& row
   Verdict verdict;
   CertificateCheck check{false, "undecided"};
   {
-    const py::gil_scoped_release without_gil;
+    const WithoutGil without_gil;
     verdict = overlap(a.body, b.body, pose, &certificate);
     if (verdict.outcome != Outcome::undecided) {
       check = check_certificate(a.body, b.body, pose.a_from_b(), verdict.outcome, certificate);

@@ -13,11 +13,11 @@ namespace vex::python {
 namespace {
 
 struct PairRow {
-  std::uint32_t a, b;
+  std::int64_t a, b;  // -1: no body
   std::int32_t image[3];
 };
 struct DistanceRow {
-  std::uint32_t a, b;
+  std::int64_t a, b;
   std::int32_t image[3];
   double distance, lower, upper;
   double normal[3], point_a[3], point_b[3];
@@ -27,12 +27,14 @@ void put(std::int32_t* to, const ImageOffset& image) {
   for (std::size_t k = 0; k < 3; ++k) to[k] = image[k];
 }
 
+std::int64_t body_number(BodyId body) { return body == kNoBody ? -1 : static_cast<std::int64_t>(body); }
+
 py::array_t<PairRow> array_of(const std::vector<ScenePair>& pairs) {
   py::array_t<PairRow> array(static_cast<py::ssize_t>(pairs.size()));
   PairRow* to = array.mutable_data();
   for (const ScenePair& pair : pairs) {
-    to->a = pair.a;
-    to->b = pair.b;
+    to->a = body_number(pair.a);
+    to->b = body_number(pair.b);
     put(to->image, pair.image);
     ++to;
   }
@@ -49,14 +51,18 @@ py::dict dict_of(const SceneCounts& counts) {
   return dict;
 }
 
-std::int64_t body_number(BodyId body) { return body == kNoBody ? -1 : static_cast<std::int64_t>(body); }
-
 /// One at a time: Python's threads may share a scene, whose queries release the GIL.
 class PyScene {
+  /// Waits for other threads; but a support function that asks the scene that asks it would wait for itself.
   template <class Work>
   auto exclusively(const Work& work) {
-    const py::gil_scoped_release without_gil;
-    const std::lock_guard lock(*mutex_);
+    const WithoutGil without_gil;
+    std::unique_lock lock(*mutex_, std::defer_lock);
+    if (!is_in_support_function()) {
+      lock.lock();
+    } else if (!lock.try_lock()) {
+      throw UsageError("a support function asks a scene that is busy, with it perhaps - ask another one");
+    }
     return work();
   }
 
@@ -126,20 +132,19 @@ class PyScene {
   }
 
   py::tuple pairs(double distance) {
-    exclusively([&] {
-      distance > 0.0 || distance < 0.0 || std::isnan(distance) ? scene_.pairs_within(distance, pairs_)
-                                                               : scene_.overlapping_pairs(pairs_);
-    });
-    return answer(pairs_);
+    ScenePairs found;
+    exclusively([&] { distance == 0.0 ? scene_.overlapping_pairs(found) : scene_.pairs_within(distance, found); });
+    return answer(found);
   }
   py::tuple distances(double distance) {
-    exclusively([&] { scene_.distances_within(distance, distances_); });
-    py::array_t<DistanceRow> array(static_cast<py::ssize_t>(distances_.entries.size()));
+    SceneDistances distances;
+    exclusively([&] { scene_.distances_within(distance, distances); });
+    py::array_t<DistanceRow> array(static_cast<py::ssize_t>(distances.entries.size()));
     DistanceRow* to = array.mutable_data();
-    for (const auto& [pair, found] : distances_.entries) {
+    for (const auto& [pair, found] : distances.entries) {
       *to = {};
-      to->a = pair.a;
-      to->b = pair.b;
+      to->a = body_number(pair.a);
+      to->b = body_number(pair.b);
       put(to->image, pair.image);
       to->distance = std::max(found.signed_distance, 0.0);
       to->lower = std::max(found.lower, 0.0);
@@ -153,20 +158,26 @@ class PyScene {
       }
       ++to;
     }
-    return py::make_tuple(array, array_of(distances_.undecided), dict_of(distances_.counts));
+    return py::make_tuple(array, array_of(distances.undecided), dict_of(distances.counts));
   }
-  std::int8_t any_overlap() {
-    return number_of(exclusively([&] { return scene_.any_overlap().outcome; }));
+  /// The answer, an undecided pair where that is the answer, counts.
+  py::tuple any_overlap() {
+    const SceneAnswer found = exclusively([&] { return scene_.any_overlap(); });
+    std::vector<ScenePair> undecided;
+    if (found.outcome == Outcome::undecided) undecided.push_back(found.pair);
+    return py::make_tuple(number_of(found.outcome), array_of(undecided), dict_of(found.counts));
   }
   py::tuple overlaps_of(BodyId body) {
-    exclusively([&] { scene_.overlaps_of(known(body), pairs_); });
-    return answer(pairs_);
+    ScenePairs found;
+    exclusively([&] { scene_.overlaps_of(known(body), found); });
+    return answer(found);
   }
   py::tuple overlaps_of_visitor(const PyBody& visitor, const Floats& rows, const std::optional<Floats>& translations) {
     const PoseRows poses(rows, translations);
     if (poses.size() != 1) throw UsageError("not one pose - give one");
-    exclusively([&] { scene_.overlaps_of(visitor.body.body, poses[0], pairs_); });
-    return answer(pairs_);
+    ScenePairs found;
+    exclusively([&] { scene_.overlaps_of(visitor.body.body, poses[0], found); });
+    return answer(found);
   }
   std::int8_t would_overlap(BodyId body, const Floats& rows, const std::optional<Floats>& translations) {
     const PoseRows poses(rows, translations);
@@ -198,20 +209,18 @@ class PyScene {
   }
   /// Labels, number of clusters, whether each wraps along a, b, c; undecided pairs, counts.
   py::tuple clusters(double distance) {
-    std::vector<std::uint32_t> labels;
-    exclusively([&] {
-      scene_.clusters(clusters_, distance);
-      labels = clusters_.labels();
-    });
+    Clusters clusters;
+    exclusively([&] { scene_.clusters(clusters, distance); });
+    const std::vector<std::uint32_t> labels = clusters.labels();
     py::array_t<std::int64_t> label(static_cast<py::ssize_t>(labels.size()));
-    py::array_t<bool> wraps({static_cast<py::ssize_t>(clusters_.n_clusters()), py::ssize_t{3}});
+    py::array_t<bool> wraps({static_cast<py::ssize_t>(clusters.n_clusters()), py::ssize_t{3}});
     for (std::size_t k = 0; k < labels.size(); ++k) {
       label.mutable_data()[k] = labels[k] == kNoCluster ? -1 : static_cast<std::int64_t>(labels[k]);
       if (labels[k] == kNoCluster) continue;
-      const std::array<bool, 3> along = clusters_.wraps(static_cast<BodyId>(k));
+      const std::array<bool, 3> along = clusters.wraps(static_cast<BodyId>(k));
       for (std::size_t i = 0; i < 3; ++i) wraps.mutable_data()[3 * labels[k] + i] = along[i];
     }
-    return py::make_tuple(label, wraps, array_of(clusters_.undecided), dict_of(clusters_.counts));
+    return py::make_tuple(label, wraps, array_of(clusters.undecided), dict_of(clusters.counts));
   }
 
  private:
@@ -256,9 +265,6 @@ class PyScene {
   }
 
   Scene scene_;
-  ScenePairs pairs_;
-  SceneDistances distances_;
-  Clusters clusters_;
   std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
 };
 

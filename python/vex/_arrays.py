@@ -35,7 +35,7 @@ def as_rows(values: npt.ArrayLike, width: int, what: str) -> Tuple[Floats, bool]
 
 def as_poses(poses: Poses) -> Tuple[Floats, Optional[Floats], bool]:
     """Rows and translations as the compiled part takes them, and whether there was one pose without an axis for it."""
-    if isinstance(poses, tuple) and len(poses) == 2:
+    if isinstance(poses, tuple) and len(poses) == 2 and np.ndim(poses[0]) >= 2:
         rotations = as_floats(poses[0], "rotations")
         translations = as_floats(poses[1], "translations")
         if rotations.shape[-2:] != (3, 3) or rotations.ndim not in (2, 3) or translations.ndim not in (1, 2) \
@@ -95,7 +95,10 @@ def threads_of(threads: Optional[int]) -> int:
     """0, which stands for all cores, where there is none."""
     if threads is None:
         return 0
-    n = int(threads)
+    try:
+        n = int(threads)
+    except (TypeError, ValueError, OverflowError):
+        n = 0
     if n < 1 or n != threads:
         raise _vex.UsageError(f"threads: {threads!r} - give a whole number from 1 on, or None for one a core")
     return min(n, 1024)

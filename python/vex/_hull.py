@@ -13,26 +13,28 @@ from ._arrays import Floats
 _ONE_PLANE = 1e-9  # of the size
 
 
-def faces_of(vertices: Floats) -> List[npt.NDArray[np.intp]]:
+def faces_of(vertices: Floats, one_plane: float = _ONE_PLANE) -> List[npt.NDArray[np.intp]]:
     """Faces of the convex hull of points that are all its corners, counter-clockwise seen from outside.
 
-    Triangles of the hull whose planes are one, to within 1e-9 of the size, are one face. Of points in one plane two
-    faces, one for each side; of two points none.
+    Triangles of the hull whose planes are one, to within 1e-9 of the size and less of a thin body, are one face. Of
+    points in one plane two faces, one for each side; of two points none.
     """
     if len(vertices) < 3:
         return []
     points = vertices - vertices.mean(axis=0)
     size = float(np.abs(points).max())
     singular, axes = np.linalg.svd(points / size, full_matrices=False)[1:]
-    if singular[1] < _ONE_PLANE:
-        return []
-    if singular[2] < _ONE_PLANE:
+    try:
+        triangles = _vex.hull_triangles(vertices).astype(np.intp)
+    except _vex.InputError:  # of no volume, by exact signs
+        if len(vertices) < 3 or not singular[1] > 0.0 or np.linalg.matrix_rank(points / size) < 2:
+            return []
         face = np.argsort(np.arctan2(points @ axes[1], points @ axes[0]))
         if np.cross(axes[0], axes[1]) @ axes[2] < 0.0:
             face = face[::-1]
         return [face, face[::-1]]
 
-    triangles = _vex.hull_triangles(vertices).astype(np.intp)
+    one_plane = min(one_plane, 1e-3 * float(singular[2]) / np.sqrt(len(points)))
     edges: Dict[Tuple[int, int], int] = {}
     for t, (i, j, k) in enumerate(triangles.tolist()):
         edges[i, j] = edges[j, k] = edges[k, i] = t
@@ -56,7 +58,7 @@ def faces_of(vertices: Floats) -> List[npt.NDArray[np.intp]]:
                 if face_of[other] >= 0:
                     continue
                 off = (corner[other] - corner[seed, 0]) @ normals[seed]
-                if np.abs(off).max() <= _ONE_PLANE:
+                if np.abs(off).max() <= one_plane:
                     face_of[other] = len(faces)
                     members.append(other)
                     todo.append(other)

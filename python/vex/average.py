@@ -25,7 +25,7 @@ class Reference:
     b2: float  #: value / 2
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ExcludedVolume:
     """The volume that A forbids to B's centre, averaged over their relative orientation. Volumes in length^3."""
 
@@ -149,7 +149,7 @@ def excluded_volume(a: BodyLike, b: Optional[BodyLike] = None, *, rel_error: Opt
                     trials: Optional[int] = None, seconds: Optional[float] = None,
                     law: Union[str, "_vex.OrientationLaw"] = "isotropic", estimator: str = "", sequence: str = "",
                     domain: str = "", seed: int = 1, threads: Optional[int] = None, max_trials: Optional[int] = None,
-                    control_variate: Sequence[BodyLike] = (), verify: bool = False, quick_verdicts: bool = True,
+                    control_variate: Union[BodyLike, Sequence[BodyLike]] = (), verify: bool = False, quick_verdicts: bool = True,
                     exact_average: bool = True, progress: Union[None, bool, Progress] = None,
                     on_interrupt: str = "raise") -> ExcludedVolume:
     """The average excluded volume of two bodies, by Monte Carlo, beside its known value.
@@ -175,7 +175,8 @@ def excluded_volume(a: BodyLike, b: Optional[BodyLike] = None, *, rel_error: Opt
         True: a bar by tqdm, where that is installed. Or a function of trials, relative error and seconds.
     on_interrupt
         What Ctrl-C does: ``"raise"`` raises `Interrupted`, a KeyboardInterrupt that has the partial result;
-        ``"return"`` returns it, ``complete`` being False.
+        ``"return"`` returns it, ``complete`` being False. Of a body of one's own whose function is interrupted there
+        is none: its value is NaN.
 
     Returns
     -------
@@ -209,13 +210,16 @@ def excluded_volume(a: BodyLike, b: Optional[BodyLike] = None, *, rel_error: Opt
             raise TypeError(f"{name}: {text!r} - give a name")
         if text:
             options[name] = text
-    controls = [as_body(body)._core for body in control_variate]
+    listed = control_variate if isinstance(control_variate, (list, tuple)) else [control_variate]
+    controls = [as_body(body)._core for body in listed]
     if controls:
         options["control_variate"] = controls
 
     report, close = _progress_of(progress)
     try:
         values, error = _vex.excluded_volume(body_a._core, body_b._core, options, report)
+    except KeyboardInterrupt as raised:  # in a support function of somebody's own: the run has no result
+        values, error = _nothing_done(), raised
     finally:
         close()
     tally = values.pop("tally")
@@ -238,6 +242,14 @@ def excluded_volume(a: BodyLike, b: Optional[BodyLike] = None, *, rel_error: Opt
     return result
 
 
+def _nothing_done() -> Dict[str, Any]:
+    nan = math.nan
+    return dict(value=nan, std_error=nan, interval=(nan, nan), reduced=nan, b2=nan, reference=None,
+                reference_reason="interrupted", z=None, z_reason="interrupted", estimator=None, samples_poses=False,
+                sequence="", chosen_because="", complete=False, stopped_by="interrupted", no_run_reason="", seconds=nan,
+                sampling_volume=nan, unproven=0, tally=dict(trials=0, hits=0, undecided=0, decided_by={}))
+
+
 def _whole(value: Any, what: str) -> int:
     """10**7 and 1e7 alike."""
     try:
@@ -253,6 +265,8 @@ def _progress_of(progress: Union[None, bool, Progress]) -> Tuple[Optional[Progre
     if progress is None or progress is False:
         return None, lambda: None
     if progress is not True:
+        if not callable(progress):
+            raise TypeError(f"progress: {progress!r} - give True, or a function of trials, relative error and seconds")
         return progress, lambda: None
     try:
         from tqdm.auto import tqdm

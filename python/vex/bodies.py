@@ -47,7 +47,7 @@ class Body:
     radii. They can be pickled; a body of one's own where its function can.
     """
 
-    __slots__ = ("_core", "_recipe", "_key")
+    __slots__ = ("_core", "_recipe", "_key", "__weakref__")
 
     _core: "_vex.Body"
     _recipe: Tuple[Any, ...]
@@ -66,7 +66,12 @@ class Body:
         elif isinstance(source, (str, os.PathLike)):
             self._set(*_of_text(os.fspath(source), mesh, format))
         else:
-            self._set(*_of_recipe(("mesh", _surface_of(source, mesh), mesh)))
+            made = Body._from_recipe(("mesh", _surface_of(source, mesh), mesh))
+            radius = _rounding_radius_of(source)
+            if radius > 0.0:  # of the shape as it is scaled
+                made = made.rounded(radius * (made.volume / Body._from_recipe(
+                    ("mesh", made._recipe[1], dict(mesh, scale=1.0, unit_volume=False))).volume) ** (1.0 / 3.0))
+            self._set(made._core, made._recipe)
 
     def _set(self, core: "_vex.Body", recipe: Tuple[Any, ...]) -> None:
         self._core = core
@@ -148,7 +153,8 @@ class Body:
     def moment_of_inertia(self) -> Floats:
         """The tensor (3, 3) about the centroid, of unit density, length^5: the mass is `volume`."""
         second = self._moments()[2]
-        return np.trace(second) * np.eye(3) - second
+        x, y, z = np.diag(second)  # of sums, not of what is left of a trace: nothing cancels
+        return np.diag([y + z, x + z, x + y]) - (second - np.diag([x, y, z]))
 
     def _moments(self) -> Tuple[float, Floats, Floats]:
         moments = _vex.moments(self._core)
@@ -223,8 +229,12 @@ class Body:
         raise _vex.UsageError("a body of one's own is not scaled - scale in its support function")
 
     def rounded(self, radius: float) -> "Body":
-        """The body with a ball of this radius about each of its points."""
-        return Body._from_recipe(("rounded", float(radius), self))
+        """The body with a ball of this radius, above 0, about each of its points. Of a body of one's own its measures
+        stay unknown."""
+        radius = float(radius)
+        if not radius > 0.0 or not math.isfinite(radius):
+            raise _vex.UsageError(f"radius: {radius!r} - give a finite length above 0")
+        return Body._from_recipe(("rounded", radius, self))
 
     # As Python's objects are.
 
@@ -235,7 +245,7 @@ class Body:
             pass
         form = self._core.exact_form()
         if form is None:
-            self._key: Tuple[Any, ...] = ("own", self._recipe)
+            self._key: Tuple[Any, ...] = _own_key(self._recipe)
         else:
             points, pieces, radius = form
             points = points + 0.0  # no -0
@@ -277,6 +287,13 @@ class Body:
         return plot.body(self, ax=ax, **options)
 
 
+def _own_key(recipe: Tuple[Any, ...]) -> Tuple[Any, ...]:
+    """A function is the one that it is, whatever it says of being equal to others."""
+    if recipe[0] == "rounded":
+        return ("rounded", recipe[1], recipe[2]._exact_key())
+    return ("own", id(recipe[1]), recipe[2])
+
+
 def _body_from_recipe(recipe: Tuple[Any, ...]) -> Body:
     return Body._from_recipe(recipe)
 
@@ -306,26 +323,34 @@ def _asked_by_rows(function: Callable[..., Any]) -> Callable[[Floats], Floats]:
 
 def _of_text(text: str, mesh: Dict[str, Any], format: str) -> Tuple["_vex.Body", Tuple[Any, ...]]:
     scale, unit_volume = mesh["scale"], mesh["unit_volume"]
-    core = text
-    radius = 0.0
-    while core.startswith("rounded:") and "," in core:
-        head, _, core = core[len("rounded:"):].partition(",")
-        try:
-            radius += float(head)
-        except ValueError:
-            core = text  # malformed: the parser says how
-            break
+    core, radius = text, 0.0
+    rounded = _vex.parse_rounded(text)
+    if rounded is not None:
+        radius, core = rounded
     is_file = os.path.exists(core)
     if _vex.names_a_shape(core) or (not is_file and ":" in core[2:]):
+        given = [name for name in ("hull", "convex_tolerance", "weld", "unit") if mesh[name]] + (["format"] if format else [])
+        if given:
+            raise _vex.UsageError(f"{', '.join(given)}: of meshes alone, and {text!r} is none - leave it out")
         return _of_recipe(("named", text, scale, unit_volume))
     if not is_file and _vex.names_a_shape(core + ":"):
         parameters = {name: parameters for name, parameters, _ in _vex.named_shapes()}[core]
         raise _vex.UsageError(f"a body without its sizes ({core}) - write {core}:{parameters}")
-    if core == text:
+    if not radius > 0.0:
         return _of_recipe(("mesh", _vex.read_surface(core, format), mesh))
     if unit_volume:
-        raise _vex.UsageError("unit_volume of a rounded mesh - round the scaled one: vex.load(...).rounded(r)")
-    return _of_recipe(("rounded", radius * scale, Body(core, format=format, **mesh)))
+        as_it_is = Body(core, format=format, **dict(mesh, scale=1.0, unit_volume=False))
+        scale = scale / float(np.cbrt(as_it_is.rounded(radius).volume))
+    return _of_recipe(("rounded", radius * scale, Body(core, format=format, **dict(mesh, scale=scale,
+                                                                                   unit_volume=False))))
+
+
+def _rounding_radius_of(source: Any) -> float:
+    """Of coxeter's spheropolyhedra, which have vertices and a radius, but no faces."""
+    radius = getattr(source, "radius", None)
+    if hasattr(source, "faces") or not isinstance(radius, (int, float)):
+        return 0.0
+    return float(radius)
 
 
 def _surface_of(source: Any, mesh: Dict[str, Any]) -> "_vex.Surface":

@@ -18,7 +18,7 @@ from .bodies import Body, BodyLike, as_body
 _USUAL_B = 3.0  # others that a body overlaps at the threshold: of most bodies somewhat less
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Percolation:
     """What `percolation` found; errors are standard errors."""
 
@@ -62,6 +62,7 @@ def percolation(bodies: Union[BodyLike, Sequence[BodyLike]], fractions: Optional
         is given.
     law
         How each body is turned, on its own: as of `excluded_volume`, but for "fixed" and "angle", which are about two.
+        "uniform-angle": the polar angle is uniform, as some have drawn it; B_c is not known then.
     shell
         Bodies connect where their gap is at most this.
     seed, threads
@@ -75,9 +76,11 @@ def percolation(bodies: Union[BodyLike, Sequence[BodyLike]], fractions: Optional
     shares = shares / shares.sum()
     if not shell >= 0.0 or not math.isfinite(shell):
         raise _vex.UsageError("shell: give a finite length from 0 on")
-    edges_of = tuple(float(size) for size in sizes)
-    if not edges_of or not all(math.isfinite(size) and size > 0 for size in edges_of) or len(set(edges_of)) < len(edges_of):
-        raise _vex.UsageError("sizes: give different numbers above 0")
+    if not made:
+        raise _vex.UsageError("bodies: give one")
+    edges_of = tuple(sorted(float(size) for size in sizes))
+    if not edges_of or not all(2.0 <= size < math.inf for size in edges_of) or len(set(edges_of)) < len(edges_of):
+        raise _vex.UsageError("sizes: give different numbers from 2 on")
     if len(edges_of) > 64:
         raise _vex.UsageError("sizes: give at most 64")
     most = 2**26 - 1 if realisations is None else _whole(realisations, "realisations")
@@ -93,13 +96,16 @@ def percolation(bodies: Union[BodyLike, Sequence[BodyLike]], fractions: Optional
     mean_volume = float(sum(share * body.volume for share, body in zip(shares, made)))
     if std_error is not None and mean_volume == 0.0:
         raise _vex.UsageError("std_error: eta of flat bodies is 0 - use realisations or seconds")
-    chosen_law = law_of(law)
+    uniform_angle = law == "uniform-angle"
+    chosen_law = law_of("isotropic" if uniform_angle else law)
     isotropic, _ = _mean_excluded_volume(connecting, shares, law_of("isotropic"), seed, threads)
+    if math.isnan(isotropic):
+        raise _vex.UsageError("bodies of one's own, whose measures are not known - give others")
     if not isotropic > 0.0:
         raise _vex.InputError("bodies that never overlap (needles have no width) - give others, or a shell")
     edges = [size * extent for size in edges_of]
     parts = [(body._core, float(share)) for body, share in zip(connecting, shares)]
-    systems = [_vex.PercolationSystem(parts, chosen_law, _whole(seed, "seed"), edge, k, _USUAL_B * edge**3 / isotropic)
+    systems = [_vex.PercolationSystem(parts, chosen_law, _whole(seed, "seed"), uniform_angle, edge, k, _USUAL_B * edge**3 / isotropic)
                for k, edge in enumerate(edges)]
 
     start = time.monotonic()
@@ -127,7 +133,9 @@ def percolation(bodies: Union[BodyLike, Sequence[BodyLike]], fractions: Optional
     spent = time.monotonic() - start
 
     mean, mean_error = isotropic, 0.0
-    if chosen_law.name != "isotropic":
+    if uniform_angle:
+        mean = math.nan
+    elif chosen_law.name != "isotropic":
         mean, mean_error = _mean_excluded_volume(connecting, shares, chosen_law, seed, threads)
     density, error = found["density"], found["std_error"]
     is_flat = mean_volume == 0.0

@@ -11,9 +11,9 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _vex
-from ._arrays import Floats, Poses, as_poses
+from ._arrays import Floats, Poses, as_poses, as_quaternions
+from ._hull import faces_of
 from .bodies import Body, BodyLike, as_body
-from .bodies import hull as hull_of
 
 _BLUE, _ORANGE, _GREY = "#3b6fb6", "#d9822b", "#7a7a7a"
 _POWERS = (2**11, 2**12, 2**13, 2**14, 2**15, 2**16, 2**17, 2**18, 2**19, 2**20)
@@ -58,7 +58,8 @@ def pair(a: BodyLike, b: BodyLike, pose: Poses, *, ax: Any = None, alpha: float 
     ax.plot(*line.T, color="black", linewidth=1.6, zorder=10)
     ax.scatter(*line.T, color="black", s=18, depthshade=False, zorder=11)
     value = float(found["value"])
-    ax.set_title(f"distance {value:.6g}" if value > 0.0 else f"penetration depth {-value:.6g}", fontsize=10)
+    ax.set_title("touching" if value == 0.0 else f"distance {value:.6g}" if value > 0.0 else
+                 f"penetration depth {-value:.6g}", fontsize=10)
     return ax
 
 
@@ -79,7 +80,9 @@ def excluded_volume(a: BodyLike, b: BodyLike, rotation: Optional[npt.ArrayLike] 
     solids = _Solids()
     solids.add_body(a, np.eye(3), np.zeros(3), _BLUE, 1.0, n_around)
     solids.add_body(b, turn, at, _ORANGE, 1.0, n_around)
-    solids.add_polygons(_difference(a, b, turn, n_around), None, _GREY, 0.16, "none")
+    surface = _difference(a, b, turn, n_around)
+    if surface:
+        solids.add_polygons(surface, None, _GREY, 0.16, "none")
     ax = solids.drawn(_axes(ax))
     ax.scatter(*at, color="black", s=18, depthshade=False, zorder=11)
     return ax
@@ -151,6 +154,7 @@ def _rotation(rotation: npt.ArrayLike) -> Floats:
         return _placed(np.concatenate([np.zeros(3), array]))[0]
     if array.shape != (3, 3):
         raise _vex.UsageError(f"rotation: an array of shape {array.shape} - give (3, 3), or a quaternion (4,)")
+    as_quaternions(array)  # refuses what is no rotation
     return array
 
 
@@ -164,22 +168,20 @@ def _placed(pose: Optional[Poses]) -> Tuple[Floats, Floats]:
     if translations is not None:
         return rows[0], translations[0]
     x, y, z, qw, qx, qy, qz = rows[0]
+    if not np.isfinite(rows[0]).all() or not np.abs(rows[0][3:]).max() > 0.0:
+        raise _vex.InputError("pose: a number that is not finite, or a quaternion of length 0")
     w, i, j, k = np.array([qw, qx, qy, qz]) / np.linalg.norm([qw, qx, qy, qz])
     return np.array([[1 - 2 * (j * j + k * k), 2 * (i * j - w * k), 2 * (i * k + w * j)],
                      [2 * (i * j + w * k), 1 - 2 * (i * i + k * k), 2 * (j * k - w * i)],
                      [2 * (i * k - w * j), 2 * (j * k + w * i), 1 - 2 * (i * i + j * j)]]), np.array([x, y, z])
 
 
-def _mesh(body: Body, n_around: int) -> Tuple[Floats, Floats, npt.NDArray[Any], bool]:
-    """Points, normals (of points), triangles, and whether it is a line."""
+def _surface_points(body: Body, n_around: int) -> Tuple[Floats, bool]:
+    """Points of a body with curved parts, no two of them one but for rounding, and whether it is a line."""
     if body._core.exact_form() is None:
-        directions = _directions(n_around)
-        points = body.support(directions)
-        points = np.unique(np.round(points / (1e-6 * body.circumradius)) * (1e-6 * body.circumradius), axis=0)
-        triangles = _vex.hull_triangles(points)
-        return points, np.zeros_like(points), triangles, False
-    points, normals, indices, _, is_line = _vex.picture_mesh(body._core, n_around)
-    return points, normals, indices.reshape(-1, 2 if is_line else 3), is_line
+        return _grid(body.support(_directions(n_around)), 1e-6), False
+    points, _, _, _, is_line = _vex.picture_mesh(body._core, n_around)
+    return np.unique(points, axis=0), is_line
 
 
 def _directions(n_around: int) -> Floats:
@@ -196,13 +198,13 @@ def _difference(a: Body, b: Body, turn: Floats, n_around: int) -> List[Floats]:
     points."""
     of_a, of_b = a.vertices, b.vertices
     if 0 < len(of_a) * len(of_b) <= 20000:
-        hull = hull_of(_grid((of_a[:, None, :] - (of_b @ turn.T)[None, :, :]).reshape(-1, 3), 2.0**-44))
-        return [hull.vertices[face] for face in hull.faces]
+        points = _grid((of_a[:, None, :] - (of_b @ turn.T)[None, :, :]).reshape(-1, 3), 2.0**-44)
+        return [points[face] for face in faces_of(points)]
     around = _directions(4)
     directions = np.concatenate([_directions(n_around)] + [
         normal + 1e-4 * around for normal in np.concatenate([_face_normals(a), -_face_normals(b) @ turn.T])])
     points = _grid(a.support(directions) - b.support(-(directions @ turn)) @ turn.T, 2.0**-22)
-    return list(points[_vex.hull_triangles(points)])
+    return [points[face] for face in faces_of(points, 1e-6)]
 
 
 def _grid(points: Floats, grain: float) -> Floats:
@@ -222,6 +224,12 @@ def _face_normals(body: Body) -> Floats:
     return np.concatenate(normals)
 
 
+def _polygon_normals(polygons: List[Floats]) -> Floats:
+    across = np.stack([np.cross(p - p[0], np.roll(p, -1, axis=0) - p[0]).sum(axis=0) for p in polygons])
+    length = np.linalg.norm(across, axis=1, keepdims=True)
+    return across / np.where(length > 0.0, length, 1.0)
+
+
 class _Solids:
     """Polygons of several bodies, sorted together by their depth when they are drawn."""
 
@@ -233,24 +241,32 @@ class _Solids:
 
     def add_body(self, body: Body, rotation: Floats, translation: Floats, color: str, alpha: float,
                  n_around: int) -> None:
-        vertices = body.vertices
-        if 2 < len(vertices) <= 400:
-            placed = vertices @ rotation.T + translation
-            self.add_polygons([placed[face] for face in body.faces], None, color, alpha, (0.0, 0.0, 0.0, 0.7))
-            return
-        points, normals, indices, is_line = _mesh(body, n_around)
-        points = points @ rotation.T + translation
+        if not 8 <= n_around <= 512 or n_around != int(n_around):
+            raise _vex.UsageError(f"n_around: {n_around!r} - give a whole number from 8 to 512")
+        points = body.vertices
+        is_curved = len(points) == 0
+        if is_curved:
+            points, is_line = _surface_points(body, n_around)
+        else:
+            is_line = len(points) == 2
+        placed = points @ rotation.T + translation
         if is_line:
-            self._lines.append((points, color))
+            self._lines.append((placed, color))
             return
-        smooth = (normals @ rotation.T)[indices].sum(axis=1) if len(normals) else None
-        self.add_polygons(list(points[indices]), smooth, color, alpha, "face" if alpha == 1.0 else "none")
+        faces = faces_of(points, 1e-6 if is_curved else 1e-9)
+        polygons = [placed[face] for face in faces]
+        normals = _polygon_normals(polygons)
+        if len(polygons) == 2 and np.allclose(normals[0], -normals[1]):  # both sides of what is flat: the one that is lit
+            lit = 0 if normals[0] @ _LIGHT > 0.0 else 1
+            polygons, normals = polygons[lit:lit + 1], normals[lit:lit + 1]
+        outline = (0.0, 0.0, 0.0, 0.7)
+        self.add_polygons(polygons, normals, color, alpha,
+                          outline if not is_curved and len(points) <= 400 else "face" if alpha == 1.0 else "none")
 
     def add_polygons(self, polygons: List[Floats], normals: Optional[Floats], color: str, alpha: float,
                      edge: Any) -> None:
         from matplotlib.colors import to_rgb
-        across = normals if normals is not None and np.abs(normals).max() > 0.0 else np.stack(
-            [np.cross(p - p[0], np.roll(p, -1, axis=0) - p[0]).sum(axis=0) for p in polygons])
+        across = _polygon_normals(polygons) if normals is None else normals
         length = np.linalg.norm(across, axis=1, keepdims=True)
         unit = across / np.where(length > 0.0, length, 1.0)
         shade = 0.62 + 0.38 * (unit @ _LIGHT)

@@ -81,6 +81,9 @@ class Scene:
     Verdicts are proven. Pairs of which nothing is proven, curved bodies that touch to within rounding, are in no
     result: they are in `undecided` after each query, and an `UndecidedWarning` tells of them.
 
+    Python's threads may share a scene: its queries wait for each other. A query runs to its end, Ctrl-C or not; bodies
+    that were added stay known to it after they are removed.
+
     Of bodies that reach over a periodic box several images may overlap: then a pair stands in the list once for each.
     """
 
@@ -125,15 +128,15 @@ class Scene:
 
     def remove(self, body: int) -> None:
         """Takes a body out; its number is free for the next one that is added."""
-        self._core.remove(body)
+        self._core.remove(_number(body))
 
     def move(self, body: int, pose: Poses) -> None:
         """Puts a body elsewhere."""
         rows, translations, _ = as_poses(pose)
-        self._core.move(body, rows, translations)
+        self._core.move(_number(body), rows, translations)
 
     def move_all(self, poses: Poses) -> None:
-        """New poses of all bodies, in the order of their numbers."""
+        """New poses of all bodies, in the order of their numbers; not of a scene with numbers that no body has."""
         rows, translations, _ = as_poses(poses)
         self._core.move_all(rows, translations)
 
@@ -142,7 +145,7 @@ class Scene:
 
     def pose(self, body: int) -> Tuple[Floats, Floats, Tuple[int, int, int]]:
         """A body's rotation (3, 3), its translation (3,), moved into the box, and by how many lattice vectors it was."""
-        rotation, translation, image = self._core.pose(body)
+        rotation, translation, image = self._core.pose(_number(body))
         return rotation, translation, (image[0], image[1], image[2])
 
     def _told(self, undecided: Any, counts: Dict[str, Tuple[int, int]]) -> None:
@@ -183,7 +186,10 @@ class Scene:
 
     def any_overlap(self) -> int:
         """1 where any two bodies overlap, 0 where none do, -1 where neither is proven. Ends at the first."""
-        return self._core.any_overlap()
+        verdict, undecided, counts = self._core.any_overlap()
+        self.undecided = _numbers(undecided)
+        self.counts = counts
+        return int(verdict)
 
     def overlaps_of(self, body: Union[int, BodyLike], pose: Optional[Poses] = None) -> npt.NDArray[np.int64]:
         """The pairs of one body, as of `pairs`; or of a visitor at a pose: the numbers (M,) of the bodies it overlaps."""
@@ -199,11 +205,12 @@ class Scene:
     def would_overlap(self, body: int, pose: Poses) -> int:
         """Whether a body would overlap any other at a pose: a trial move, 1, 0 or -1. Nothing is moved."""
         rows, translations, _ = as_poses(pose)
-        return self._core.would_overlap(body, rows, translations)
+        self.undecided, self.counts = np.empty((0, 2), dtype=np.int64), {}
+        return self._core.would_overlap(_number(body), rows, translations)
 
     def nearest(self, body: int) -> Neighbour:
         """The body nearest to one; copies of itself are neighbours, too."""
-        number, image, *values = self._core.nearest(body)
+        number, image, *values = self._core.nearest(_number(body))
         return Neighbour(number, (image[0], image[1], image[2]), *values)
 
     def ray_cast(self, origin: npt.ArrayLike, direction: npt.ArrayLike, *, until: float = math.inf) -> Hit:
@@ -230,11 +237,14 @@ class Scene:
 def _number(body: Any) -> int:
     if isinstance(body, (bool, str)) or not hasattr(body, "__index__"):
         raise TypeError(f"not the number of a body ({body!r}) - `add` tells the numbers; a visitor needs a pose")
-    return operator.index(body)
+    number = operator.index(body)
+    if not 0 <= number < 2**32:
+        raise _vex.UsageError(f"no body has this number ({number}) - `add` tells the numbers")
+    return number
 
 
 def _numbers(pairs: Any) -> npt.NDArray[np.int64]:
-    return np.stack([pairs["a"], pairs["b"]], axis=1).astype(np.int64)
+    return np.stack([pairs["a"], pairs["b"]], axis=1)
 
 
 def _hit(values: Tuple[Any, ...]) -> Hit:
