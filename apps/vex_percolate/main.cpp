@@ -62,15 +62,17 @@ int run_vex_percolate(const PercolateCommandLine& words, const std::string& comm
   Clock::time_point saved = Clock::now();
   constexpr std::chrono::seconds kBetween{30};
   StatusLine status(!options.quiet);
-  percolate(run, [&] {
-    status.show(status_of(run));
-    if (!outputs.checkpoint || Clock::now() - saved < kBetween) return;
-    outputs.checkpoint->write_catching_interrupts(realisations_text(run));
-    saved = Clock::now();
-  });
+  percolate(
+      run, [&] { status.show(status_of(run)); },
+      [&] {
+        if (!outputs.checkpoint || Clock::now() - saved < kBetween) return;
+        outputs.checkpoint->write_catching_interrupts(realisations_text(run));
+        saved = Clock::now();
+      });
   status.erase();
 
   const int signal = interrupting_signal().load();
+  run.complete = signal == 0;
   if (outputs.checkpoint) outputs.checkpoint->write_catching_interrupts(realisations_text(run));
   if (!options.quiet && !outputs.own_standard_output()) std::cout << report_text(run);
   if (outputs.csv) outputs.csv->write_catching_interrupts(realisations_text(run));

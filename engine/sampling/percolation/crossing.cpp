@@ -216,8 +216,8 @@ Crossing find_crossing(std::span<const SizedRealisations> sizes) {
   const auto moved = [&](double by) {
     return fit_crossing(halves, found->seen, found->density, kCorrectionExponent + by).values[0] * found->density;
   };
-  threshold.exponent_error = 0.5 * std::fabs(moved(kCorrectionExponentError) - moved(-kCorrectionExponentError));
-  threshold.std_error = std::hypot(threshold.scatter_error, threshold.exponent_error);
+  threshold.offset_error = 0.5 * std::fabs(moved(kCorrectionExponentError) - moved(-kCorrectionExponentError));
+  threshold.std_error = std::hypot(threshold.scatter_error, threshold.offset_error);
   for (std::size_t c = 0; c < kNCrossingCriteria; ++c) {
     const Eigen::Index row = 1 + static_cast<Eigen::Index>(c);
     crossing.probability[c] = fit.values[row];
