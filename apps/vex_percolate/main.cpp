@@ -1,6 +1,7 @@
 // vex_percolate BODY...: the percolation threshold of overlapping convex bodies.
 #include <chrono>
 #include <iostream>
+#include <string_view>
 
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
@@ -87,6 +88,14 @@ int run_vex_percolate(const PercolateCommandLine& words, const std::string& comm
 }  // namespace vex
 
 int main(int argc, char** argv) {
+  // The parser would take it for an option.
+  for (int k = 1; k < argc; ++k) {
+    if (std::string_view(argv[k]).starts_with("-:")) {
+      std::cerr << "vex_percolate: standard input has no fraction as - (" << argv[k]
+                << ") - write /dev/stdin:FRACTION, and its --format\n";
+      return vex::kWrongUsage;
+    }
+  }
   vex::OptionParser options(
       "Percolation threshold of overlapping convex bodies, placed at random in a periodic cube: with which density a "
       "cluster first spans it, extrapolated to infinite space, with errors.",

@@ -140,24 +140,6 @@ std::vector<SizedRealisations> halves_of(std::span<const SizedRealisations> size
   return halves;
 }
 
-// R is not linear in the density, but where it is observed at the threshold that does not matter: the density is moved
-// there. Nothing where that does not end.
-std::optional<Crossed> cross(std::span<const SizedRealisations> halves, double density, double exponent) {
-  constexpr int kMostSteps = 60;
-  constexpr double kLargestStep = 0.05;
-  double damping = 1.0;
-  for (int k = 0; k < kMostSteps; ++k) {
-    std::vector<Observed> seen = observe_all(halves, density);
-    const CrossingFit fit = fit_crossing(halves, seen, density, exponent);
-    const double step = fit.values[0];
-    if (!std::isfinite(step)) return std::nullopt;
-    if (std::fabs(step) < 1e-9) return Crossed{density, std::move(seen), fit};
-    if (k > kMostSteps / 2) damping = 0.5;
-    density *= 1.0 + std::clamp(damping * step, -kLargestStep, kLargestStep);
-  }
-  return std::nullopt;
-}
-
 // Where R of a size has a value; R grows with the density.
 double density_where(const SizedRealisations& size, std::size_t criterion, double value, double start) {
   double lower = 0.0, upper = 2.0 * start;
@@ -170,6 +152,59 @@ double density_where(const SizedRealisations& size, std::size_t criterion, doubl
     (at(middle) < value ? lower : upper) = middle;
   }
   return 0.5 * (lower + upper);
+}
+
+// Densities between which the threshold is: where the largest cube wraps along an axis hardly ever, and nearly always.
+// Beyond them all sizes are alike, and any density would fit.
+struct Range {
+  double lower, upper;
+};
+Range range_of(const SizedRealisations& largest, double start) {
+  constexpr double kHardly = 0.02;
+  Range range{HUGE_VAL, 0.0};
+  for (std::size_t c = 0; c < kNCrossingCriteria; ++c) {
+    range.lower = std::fmin(range.lower, density_where(largest, c, kHardly, start));
+    range.upper = std::fmax(range.upper, density_where(largest, c, 1.0 - kHardly, start));
+  }
+  return range;
+}
+
+// R is not linear in the density, but where it is observed at the threshold that does not matter. So the density is
+// looked for from which the fit does not move: the one that fits best, should there be several. Nothing where there is
+// none.
+std::optional<Crossed> cross(std::span<const SizedRealisations> halves, const Range& range, double exponent) {
+  constexpr int kSteps = 24, kMostBisections = 60;
+  const auto at = [&](double density) {
+    std::vector<Observed> seen = observe_all(halves, density);
+    const CrossingFit fit = fit_crossing(halves, seen, density, exponent);
+    return Crossed{density, std::move(seen), fit};
+  };
+  std::optional<Crossed> best;
+  Crossed before = at(range.lower);
+  for (int k = 1; k <= kSteps; ++k) {
+    Crossed here = at(range.lower + (range.upper - range.lower) * k / kSteps);
+    if (before.fit.values[0] > 0.0 && here.fit.values[0] <= 0.0) {
+      Crossed lower = before, upper = here;
+      for (int j = 0; j < kMostBisections && upper.density - lower.density > 1e-9 * upper.density; ++j) {
+        // The fit's own step, which is nearly exact, within what is known to hold the density; every fourth time the
+        // middle.
+        double next = lower.density * (1.0 + lower.fit.values[0]);
+        if (j % 2 == 1) next = upper.density * (1.0 + upper.fit.values[0]);
+        const double middle = 0.5 * (lower.density + upper.density);
+        if (j % 4 == 3 || !(next > lower.density && next < upper.density)) next = middle;
+        Crossed found = at(next);
+        const bool is_at_threshold = std::fabs(found.fit.values[0]) < 1e-10;
+        (found.fit.values[0] > 0.0 ? lower : upper) = std::move(found);
+        if (is_at_threshold) {
+          if (std::fabs(lower.fit.values[0]) < std::fabs(upper.fit.values[0])) upper = lower;
+          break;
+        }
+      }
+      if (!best || upper.fit.chi_square < best->fit.chi_square) best = std::move(upper);
+    }
+    before = std::move(here);
+  }
+  return best;
 }
 
 }  // namespace
@@ -195,8 +230,9 @@ Crossing find_crossing(std::span<const SizedRealisations> sizes) {
   // Near the threshold: where the largest cube wraps along one axis as often as an isotropic one does.
   double start = 0.0;
   for (const double lambda : size_threshold(largest.realisations).lambda) start += lambda / largest.volume / 3.0;
+  const Range range = range_of(largest, start);
   const std::vector<SizedRealisations> halves = halves_of(sizes);
-  const std::optional<Crossed> found = cross(halves, start, kCorrectionExponent);
+  const std::optional<Crossed> found = cross(halves, range, kCorrectionExponent);
   if (!found) throw UsageError("the sizes do not cross anywhere - make more realisations, or larger sizes");
   Crossing crossing;
   Extrapolation& threshold = crossing.threshold;
@@ -235,7 +271,7 @@ Crossing find_crossing(std::span<const SizedRealisations> sizes) {
   if (sizes.size() > 2) {
     std::vector<SizedRealisations> larger(sizes.begin(), sizes.end());
     larger.erase(std::ranges::min_element(larger, {}, &SizedRealisations::size));
-    const std::optional<Crossed> without = cross(halves_of(larger), found->density, kCorrectionExponent);
+    const std::optional<Crossed> without = cross(halves_of(larger), range, kCorrectionExponent);
     if (without) threshold.without_smallest = without->density;
   }
   return crossing;
