@@ -124,7 +124,8 @@ std::string fit_text(const PercolateRun& run) {
   if (!fit.is_extrapolated) {
     return "One size: not extrapolated, and the offset of its size is not in the errors. Give several --sizes.\n";
   }
-  std::string text = "Extrapolated by a L^-theta + b L^-" + short_number(kNextSizeExponent) + ", theta = " + with_error(fit.exponent, fit.exponent_std_error) +
+  std::string text = "Extrapolated by a L^-theta + b L^-" + short_number(kNextSizeExponent) +
+                     ", theta = " + with_error(fit.exponent, fit.exponent_std_error) +
                      ", in one fit of all criteria and sizes: " + quality_text(fit);
   text += "errors: scatter " + short_number(fit.scatter_error * unit, 2) + ", offset " +
           short_number(fit.offset_error * unit, 2) + ", universal values " +

@@ -255,7 +255,7 @@ TEST_F(Percolate, TheTimeAskedForIsThatOfAllOfIt) {
   const Words few = with(words, {"--realisations", "60"});
   EXPECT_EQ(json_of(with(few, {"--threads", "1"}))["excluded_volume"],
             json_of(with(few, {"--threads", "3"}))["excluded_volume"]);
-  const Finished finished = run_and_signal(with(words, {"--realisations", "1e7", "--json", "r.json", "--threads", "2"}),
+  const Finished finished = run_and_signal(with(words, {"--realisations", "1e7", "--json", "r.json", "--threads", "3"}),
                                            SIGTERM, has_worker_threads);
   EXPECT_EQ(finished.exit_code, 143) << finished.err;
   EXPECT_EQ(json::parse(read_file("r.json"))["complete"], false);

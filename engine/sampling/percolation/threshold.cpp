@@ -89,7 +89,7 @@ SizeThreshold size_threshold(std::span<const WrappingNumbers> realisations) {
   const double n = static_cast<double>(realisations.size());
   // Fits weigh by the inverse of a covariance of n draws, which is uncertain and too large on average (J. Hartlap, P.
   // Simon and P. Schneider, Astron. Astrophys. 464, 399, 2007). With this factor the errors of extrapolated thresholds
-  // of cubes and of spheres are as large as their scatter, to a twentieth, from 50 realisations of each size on.
+  // of cubes and of spheres are as large as their scatter, to a tenth, from 50 realisations of each size on.
   constexpr double kFewer = 15.0;
   const double few = n / (n - kFewer);
   std::array<std::vector<double>, kNWrappingCriteria> moves;
