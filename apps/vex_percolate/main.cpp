@@ -1,6 +1,7 @@
 // vex_percolate BODY...: the percolation threshold of overlapping convex bodies.
 #include <chrono>
 #include <iostream>
+#include <string_view>
 
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
@@ -62,15 +63,17 @@ int run_vex_percolate(const PercolateCommandLine& words, const std::string& comm
   Clock::time_point saved = Clock::now();
   constexpr std::chrono::seconds kBetween{30};
   StatusLine status(!options.quiet);
-  percolate(run, [&] {
-    status.show(status_of(run));
-    if (!outputs.checkpoint || Clock::now() - saved < kBetween) return;
-    outputs.checkpoint->write_catching_interrupts(realisations_text(run));
-    saved = Clock::now();
-  });
+  percolate(
+      run, [&] { status.show(status_of(run)); },
+      [&] {
+        if (!outputs.checkpoint || Clock::now() - saved < kBetween) return;
+        outputs.checkpoint->write_catching_interrupts(realisations_text(run));
+        saved = Clock::now();
+      });
   status.erase();
 
   const int signal = interrupting_signal().load();
+  run.complete = signal == 0;
   if (outputs.checkpoint) outputs.checkpoint->write_catching_interrupts(realisations_text(run));
   if (!options.quiet && !outputs.own_standard_output()) std::cout << report_text(run);
   if (outputs.csv) outputs.csv->write_catching_interrupts(realisations_text(run));
@@ -85,6 +88,14 @@ int run_vex_percolate(const PercolateCommandLine& words, const std::string& comm
 }  // namespace vex
 
 int main(int argc, char** argv) {
+  // The parser would take it for an option.
+  for (int k = 1; k < argc; ++k) {
+    if (std::string_view(argv[k]).starts_with("-:")) {
+      std::cerr << "vex_percolate: standard input has no fraction as - (" << argv[k]
+                << ") - write /dev/stdin:FRACTION, and its --format\n";
+      return vex::kWrongUsage;
+    }
+  }
   vex::OptionParser options(
       "Percolation threshold of overlapping convex bodies, placed at random in a periodic cube: with which density a "
       "cluster first spans it, extrapolated to infinite space, with errors.",

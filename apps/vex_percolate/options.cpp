@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kUniformAngle = "uniform-angle";
 constexpr const char* kOneSided = "one-sided-edges";
-constexpr double kSmallestSize = 2.0;
+constexpr double kSmallestSize = 2.0, kLeastFraction = 1e-100, kMostFraction = 1e100;
 
 std::vector<double> sizes_of(const std::string& word) {
   if (word.empty()) return {4.0, 6.0, 12.0};
@@ -51,6 +51,10 @@ std::vector<BodyFraction> bodies_of(const std::vector<std::string>& words) {
     if (body.fraction && !(*body.fraction > 0.0)) {
       throw UsageError("a fraction that is not above 0 (" + word + ") - leave the body out, or give it a share");
     }
+    if (body.fraction && !(*body.fraction >= kLeastFraction && *body.fraction <= kMostFraction)) {
+      throw UsageError("a fraction out of range (" + word +
+                       ") - only ratios of fractions count: give numbers between 1e-100 and 1e100");
+    }
     bodies.push_back({body.text, body.fraction.value_or(1.0)});
   }
   if (n_fractions != 0 && n_fractions != words.size()) {
@@ -59,9 +63,22 @@ std::vector<BodyFraction> bodies_of(const std::vector<std::string>& words) {
   return bodies;
 }
 
+// Of single bodies; and the choices of this program where the word is none.
+OrientationLaw law_of_bodies(const std::string& word) {
+  const std::string name = word.substr(0, word.find(':'));
+  const bool takes_number = name == "cone" || name == "onsager";
+  if (word != "isotropic" && word != "aligned" && name != "fixed" && !(takes_number && name.size() < word.size())) {
+    throw UsageError("not a choice (\"" + word +
+                     "\" for --orientations) - there are isotropic, aligned, cone:DEG, onsager:ALPHA, uniform-angle");
+  }
+  return parse_orientations(word, "--orientations");
+}
+
 void declare_stop_rules(OptionParser& options, PercolateCommandLine& words) {
   const std::string stop = "When to stop (whichever comes first; without any, --realisations 2000)";
-  options.add_option("--realisations", words.realisations, "Stop after this many of each size, written like 1e5")
+  options
+      .add_option("--realisations", words.realisations,
+                  "Stop after this many of each size, written like 1e5; a threshold needs 50")
       .type_name("N")
       .group(stop);
   options
@@ -75,9 +92,11 @@ void declare_stop_rules(OptionParser& options, PercolateCommandLine& words) {
 void declare_system(OptionParser& options, PercolateCommandLine& words) {
   const std::string system = "System";
   options
-      .add_option("--sizes", words.sizes,
-                  "Edges of the periodic cube, in units of the largest body's extent (twice its circumradius); default "
-                  "4,6,12. From several sizes the threshold is extrapolated to infinite space")
+      .add_option(
+          "--sizes", words.sizes,
+          "Edges of the periodic cube, in units of the largest body's extent (twice its circumradius); default "
+          "4,6,12. From several sizes the threshold is extrapolated to infinite space; a law that is not isotropic "
+          "needs two or more, best three")
       .type_name("L1,L2,...")
       .group(system);
   options
@@ -118,14 +137,15 @@ void declare_outputs(OptionParser& options, PercolateCommandLine& words) {
       .type_name("FILE.csv")
       .group(output);
   options
-      .add_option("--gltf", words.gltf,
-                  "Write a sample of the smallest size at its threshold as binary glTF 2.0, which viewers show: the "
-                  "wrapping cluster stands out")
+      .add_option(
+          "--gltf", words.gltf,
+          "Write the first realisation of the smallest size, with just so many bodies that a cluster first wraps along "
+          "an axis, as binary glTF 2.0, which viewers show: that cluster stands out")
       .type_name("FILE.glb")
       .group(output);
   options
       .add_option("--checkpoint", words.checkpoint,
-                  "Write the same as --csv every half minute and at the end, for --resume")
+                  "Write the same as --csv every half minute, as realisations end, and at the end, for --resume")
       .type_name("FILE")
       .group(output);
   options
@@ -204,7 +224,7 @@ PercolateOptions interpret(const PercolateCommandLine& words) {
   if (options.law == kUniformAngle) {
     options.orientations.uniform_polar_angle = true;
   } else {
-    options.orientations.law = parse_orientations(options.law, "--orientations");
+    options.orientations.law = law_of_bodies(options.law);
     options.law = options.orientations.law.name();
   }
   if (!words.shell.empty()) options.shell = parse_number(words.shell, "--shell");

@@ -8,6 +8,8 @@
 #include "apps/common/interrupt.h"
 #include "apps/common/numbers.h"
 #include "engine/numeric/errors.h"
+#include "engine/sampling/percolation/isotropy.h"
+#include "shapes/estimators/exact_average.h"
 #include "shapes/estimators/excluded_volume.h"
 #include "shapes/formula.h"
 
@@ -16,8 +18,11 @@ namespace {
 
 // No cube is filled with more bodies: they would not fit into the memory of usual machines.
 constexpr double kMostBodies = 5e7;
-// Of B = n <V_ex> at any threshold; bodies of equal size have less than 3.
+// Of B = n <V_ex> at any threshold, by the law; bodies of equal size have less than 3.
 constexpr double kLargestB = 60.0, kUsualB = 3.0;
+// What is spent on <V_ex>, in nanoseconds: to know about how many bodies there will be, and for B_c; and the share of
+// what an isotropic law has below which it is 0.
+constexpr double kRoughCost = 2e6, kFullCost = 5e8, kNoShare = 1e-9;
 
 std::vector<double> shares_of(const PercolateOptions& options) {
   double sum = 0.0;
@@ -37,7 +42,33 @@ double isotropic_excluded_volume(const std::vector<Body>& bodies, const std::vec
   return mean;
 }
 
-MeanExcludedVolume mean_excluded_volume(const PercolateRun& run) {
+// Of two bodies turned by a law that is not isotropic; what is spent on it is counted, not measured, so that the result
+// hangs on no clock: about so many nanoseconds of one core.
+Estimated excluded_volume_by_law(const Body& a, const Body& b, const PercolateOptions& options, double cost) {
+  const auto has_normals = [](const Body& body) {
+    return body.normals.area && body.normals.mean_curvature && body.measures.are_known();
+  };
+  if (has_normals(a) && has_normals(b)) {
+    ExactAverageSettings exact;
+    exact.largest_cost = cost;
+    exact.interrupt = &interrupting_signal();
+    const ExactAverage average = exact_average(a, b, options.orientations.law, exact);
+    return {average.excluded_volume, average.error};
+  }
+  constexpr double kTrialCost = 1000.0;
+  ExcludedVolumeSettings settings;
+  settings.law = options.orientations.law;
+  settings.seed = options.seed;
+  settings.threads = options.n_threads;
+  settings.estimator = "hit-or-miss";
+  settings.trials = static_cast<std::uint64_t>(std::fmax(cost / kTrialCost, 1e4));
+  settings.exact_average = false;
+  settings.interrupt = &interrupting_signal();
+  const ExcludedVolume found = excluded_volume(a, b, settings);
+  return {found.value, found.complete ? found.std_error : HUGE_VAL};
+}
+
+MeanExcludedVolume mean_excluded_volume(const PercolateRun& run, double cost) {
   const PercolateOptions& options = run.options;
   MeanExcludedVolume mean;
   const std::vector<double> shares = shares_of(options);
@@ -49,26 +80,18 @@ MeanExcludedVolume mean_excluded_volume(const PercolateRun& run) {
     mean.value = isotropic_excluded_volume(run.connecting, shares);
     return mean;
   }
+  const double n = static_cast<double>(run.connecting.size()), cost_of_pair = 2.0 * cost / (n * (n + 1.0));
   double variance = 0.0;
   for (std::size_t i = 0; i < run.connecting.size(); ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
-      ExcludedVolumeSettings settings;
-      settings.law = options.orientations.law;
-      settings.seed = options.seed;
-      settings.threads = options.n_threads;
-      settings.rel_error = 1e-5;
-      settings.seconds = 5.0;
-      settings.interrupt = &interrupting_signal();
-      const ExcludedVolume found = excluded_volume(run.connecting[i], run.connecting[j], settings);
-      const double value = found.reference ? found.reference->value : found.value;
-      const double error = found.reference ? found.reference->std_error : found.std_error;
+      const Estimated found = excluded_volume_by_law(run.connecting[i], run.connecting[j], options, cost_of_pair);
       const double weight = shares[i] * shares[j] * (i == j ? 1.0 : 2.0);
-      mean.value += weight * value;
-      variance += weight * error * weight * error;
+      mean.value += weight * found.value;
+      variance += weight * found.std_error * weight * found.std_error;
     }
   }
   mean.std_error = std::sqrt(variance);
-  if (!std::isfinite(mean.value)) mean.reason = "interrupted before it was known";
+  if (!std::isfinite(mean.value) || !std::isfinite(variance)) mean.reason = "interrupted before <V_ex> was known";
   return mean;
 }
 
@@ -92,9 +115,20 @@ void make_systems(PercolateRun& run) {
   const std::vector<double> shares = shares_of(options);
   for (std::size_t k = 0; k < run.connecting.size(); ++k) parts.push_back({run.connecting[k].body, shares[k]});
   const Placements placements(parts, options.orientations, options.seed);
-  const double forbidden = isotropic_excluded_volume(run.connecting, shares);
-  if (!(forbidden > 0.0))
+  run.is_isotropic = is_isotropic(placements);
+  if (!run.is_isotropic && options.sizes.size() < 2) {
+    throw UsageError("orientations " + options.law + " are not isotropic, and one size says nothing of the threshold" +
+                     " then (" + shortest_number(options.sizes.front()) + " for --sizes) - give two or more");
+  }
+  const double of_isotropic = isotropic_excluded_volume(run.connecting, shares);
+  if (!(of_isotropic > 0.0))
     throw InputError("bodies that never overlap (needles have no width) - give others, or --shell");
+  const MeanExcludedVolume by_law = mean_excluded_volume(run, kRoughCost);
+  const double forbidden = by_law.reason.empty() ? by_law.value : of_isotropic;
+  if (!(forbidden > kNoShare * of_isotropic)) {
+    throw InputError("bodies that never overlap with orientations " + options.law +
+                     " (flat ones in parallel planes) - give others, another law, or --shell");
+  }
   for (std::size_t k = 0; k < options.sizes.size(); ++k) {
     const double edge = options.sizes[k] * run.extent;
     const double a_b = edge * edge * edge / forbidden;  // bodies where B = 1
@@ -109,17 +143,51 @@ void make_systems(PercolateRun& run) {
   }
 }
 
+void find_crossing_of(PercolateRun& run) {
+  std::vector<SizedRealisations> sizes;
+  for (const SizeRun& size : run.sizes) sizes.push_back({size.size, size.volume(), size.found});
+  try {
+    run.crossing = find_crossing(sizes);
+    run.threshold = run.crossing->threshold;
+  } catch (const UsageError& error) {
+    run.no_threshold_reason = error.what();
+  }
+}
+
 void find_thresholds(PercolateRun& run) {
   run.thresholds.clear();
   run.threshold.reset();
+  run.crossing.reset();
+  run.no_threshold_reason.clear();
+  std::size_t fewest = kMostRealisations;
+  for (const SizeRun& size : run.sizes) fewest = std::min(fewest, size.found.size());
+  if (fewest < kFewestRealisations) {
+    run.no_threshold_reason = "it takes " + std::to_string(kFewestRealisations) +
+                              " realisations of each size or more, and of one there are " + std::to_string(fewest);
+  }
+  if (!run.is_isotropic) {
+    if (fewest >= kFewestRealisations) find_crossing_of(run);
+    return;
+  }
   for (const SizeRun& size : run.sizes) {
-    if (size.found.size() < 2) return;
+    if (size.found.size() < kFewestRealisations) return;
     run.thresholds.push_back(sized_threshold(size_threshold(size.found), size.size, size.volume()));
     for (std::size_t c = 0; c < kNWrappingCriteria; ++c) {
-      if (!(run.thresholds.back().covariance[c][c] > 0.0)) return;
+      if (run.thresholds.back().covariance[c][c] > 0.0) continue;
+      run.no_threshold_reason = "realisations of a size do not scatter, and their errors are unknown";
+      return;
     }
   }
   run.threshold = extrapolate(run.thresholds);
+}
+
+// The number of realisations of each size at which the n-th round after it ends: the same in a run that goes on from
+// another one, wherever that ended.
+std::uint64_t end_of_round(std::uint64_t fewest) {
+  constexpr std::uint64_t kRound = 64;
+  std::uint64_t end = kRound;
+  while (end <= fewest) end += std::max(kRound, end / 8);
+  return end;
 }
 
 // Whether the error that was asked for is reached, or cannot be.
@@ -170,7 +238,7 @@ PercolateRun prepare(const PercolateOptions& options, const std::string& command
   return run;
 }
 
-void percolate(PercolateRun& run, const std::function<void()>& on_round) {
+void percolate(PercolateRun& run, const std::function<void()>& on_round, const std::function<void()>& on_realisations) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   const PercolateOptions& options = run.options;
@@ -178,19 +246,26 @@ void percolate(PercolateRun& run, const std::function<void()>& on_round) {
   const auto is_late = [&] { return options.seconds && seconds() >= *options.seconds; };
   const StopQuestion stop = [&] { return interrupting_signal().load() != 0 || is_late(); };
   const std::uint64_t most = options.realisations.value_or(kMostRealisations);
-  constexpr std::uint64_t kRound = 64;
+  // A twentieth of the time that is asked for, where it is short.
+  constexpr double kShare = 0.05, kNanoseconds = 1e9;
+  run.excluded_volume =
+      mean_excluded_volume(run, std::fmin(kFullCost, kShare * kNanoseconds * options.seconds.value_or(HUGE_VAL)));
   find_thresholds(run);
   while (!stop()) {
     std::uint64_t fewest = most;
     for (const SizeRun& size : run.sizes) fewest = std::min<std::uint64_t>(fewest, size.found.size());
     if (fewest >= most || (options.std_error && is_exact_enough(run))) break;
-    const std::uint64_t goal = std::min(most, fewest + std::max(kRound, fewest / 8));
+    const std::uint64_t goal = std::min(most, end_of_round(fewest));
     for (SizeRun& size : run.sizes) {
       if (size.found.size() >= goal) continue;
       const std::uint32_t first = static_cast<std::uint32_t>(size.found.size());
-      const std::vector<WrappingNumbers> more = run_realisations(
-          size.system, first, static_cast<std::uint32_t>(goal) - first, options.n_threads, size.counts, stop);
-      size.found.insert(size.found.end(), more.begin(), more.end());
+      const OnRealisations take = [&](std::span<const WrappingNumbers> finished, const PercolationCounts& counts) {
+        size.found.insert(size.found.end(), finished.begin(), finished.end());
+        size.counts += counts;
+        run.seconds = seconds();
+        on_realisations();
+      };
+      run_realisations(size.system, first, static_cast<std::uint32_t>(goal) - first, options.n_threads, take, stop);
     }
     find_thresholds(run);
     run.seconds = seconds();
@@ -198,7 +273,6 @@ void percolate(PercolateRun& run, const std::function<void()>& on_round) {
   }
   run.complete = interrupting_signal().load() == 0;
   run.seconds = seconds();
-  run.excluded_volume = mean_excluded_volume(run);
 }
 
 }  // namespace vex

@@ -7,7 +7,7 @@
 
 #include "apps/common/bodies.h"
 #include "apps/vex_percolate/options.h"
-#include "engine/sampling/percolation/extrapolation.h"
+#include "engine/sampling/percolation/crossing.h"
 
 namespace vex {
 
@@ -19,6 +19,11 @@ struct SizeRun {
   PercolationCounts counts;
 
   double volume() const { return system.edge * system.edge * system.edge; }
+};
+
+/// A value with its standard error.
+struct Estimated {
+  double value, std_error;
 };
 
 /// The mean over the bodies' parts and over the law of orientations.
@@ -34,6 +39,7 @@ struct PercolateRun {
   std::vector<Body> connecting;  // the bodies with their shells
   double extent = 0.0;           // of the largest of these: twice its circumradius
   double mean_volume = 0.0;      // of the bodies without shells
+  bool is_isotropic = true;      // the law and the bodies: else the threshold is where sizes cross
   MeanExcludedVolume excluded_volume;
   std::vector<SizeRun> sizes;
 
@@ -42,9 +48,11 @@ struct PercolateRun {
   double seconds = 0.0;
   double seconds_before = 0.0;  // of the runs that it goes on from
 
-  // Once each size has two realisations.
-  std::vector<SizedThreshold> thresholds;  // number densities
-  std::optional<Extrapolation> threshold;
+  // Once each size has kFewestRealisations.
+  std::vector<SizedThreshold> thresholds;  // number densities; of isotropic systems
+  std::optional<Crossing> crossing;        // of others
+  std::optional<Extrapolation> threshold;  // of all
+  std::string no_threshold_reason;
 
   bool is_flat() const { return mean_volume == 0.0; }
   /// eta, or of flat bodies the number density itself.
@@ -55,8 +63,9 @@ struct PercolateRun {
 /// Loads the bodies, and makes the systems of all sizes. Throws UsageError or InputError.
 PercolateRun prepare(const PercolateOptions& options, const std::string& command);
 
-/// Makes realisations until a stop rule or an interrupt ends the run. `on_round` is called after each round, with the
-/// thresholds known so far.
-void percolate(PercolateRun& run, const std::function<void()>& on_round);
+/// Finds the mean excluded volume, then makes realisations until a stop rule or an interrupt ends the run. `on_round`
+/// is called after each round, with the thresholds known so far; `on_realisations` after each realisation, by any
+/// thread, one at a time: the realisations and the time are those so far.
+void percolate(PercolateRun& run, const std::function<void()>& on_round, const std::function<void()>& on_realisations);
 
 }  // namespace vex

@@ -87,11 +87,18 @@ void draw_curves(Svg& svg, const PercolateRun& run, const Axis& x, const Axis& y
   }
 }
 
+// R at the threshold, of the curves' criteria; where it is another one along each axis the mean of these is all.
+double probability_at_threshold(const PercolateRun& run, std::size_t c) {
+  if (!run.crossing) return universal_probability(static_cast<WrappingCriterion>(c)).value;
+  const std::array<double, kNCrossingCriteria>& r = run.crossing->probability;
+  return (r[0] + r[1] + r[2]) / 3.0;
+}
+
 void draw_threshold(Svg& svg, const PercolateRun& run, const Axis& x, const Axis& y) {
   const double eta = run.threshold->density * run.eta_unit();
   svg.line({x.pixel(eta), kBottom}, {x.pixel(eta), kTop}, "stroke=\"#111\" stroke-width=\"1\"");
-  for (std::size_t c = 0; c < kNWrappingCriteria; ++c) {
-    const double r = universal_probability(static_cast<WrappingCriterion>(c)).value;
+  for (std::size_t c = 0; c < (run.crossing ? 1 : kNWrappingCriteria); ++c) {
+    const double r = probability_at_threshold(run, c);
     svg.dot({x.pixel(eta), y.pixel(r)}, 4.5, "fill=\"#fff\" stroke=\"#111\" stroke-width=\"1.6\"");
   }
 }
@@ -108,7 +115,7 @@ void draw_legend(Svg& svg, const PercolateRun& run) {
   at += 40.0;
   svg.label({left, at}, "wraps along", anchored("start", text_style(14, kGrey)));
   const std::array<std::pair<const char*, const char*>, kNWrappingCriteria> kinds = {
-      {{"one axis", ""}, {"any axis", " stroke-dasharray=\"7 4\""}, {"all three", " stroke-dasharray=\"2 3\""}}};
+      {{"an axis (mean)", ""}, {"any axis", " stroke-dasharray=\"7 4\""}, {"all three", " stroke-dasharray=\"2 3\""}}};
   for (const auto& [name, dash] : kinds) {
     at += 24.0;
     svg.line({left, at}, {left + 30.0, at}, "stroke=\"#333\" stroke-width=\"1.6\"" + std::string(dash));
@@ -117,7 +124,8 @@ void draw_legend(Svg& svg, const PercolateRun& run) {
   at += 30.0;
   svg.dot({left + 15.0, at}, 4.5, "fill=\"#fff\" stroke=\"#111\" stroke-width=\"1.6\"");
   svg.label({left + 38.0, at}, "threshold, and", anchored("start", text_style(14, kInk)));
-  svg.label({left + 38.0, at + 18.0}, "universal values", anchored("start", text_style(14, kInk)));
+  svg.label({left + 38.0, at + 18.0}, run.crossing ? "fitted values" : "universal values",
+            anchored("start", text_style(14, kInk)));
 }
 
 std::string title_of(const PercolateRun& run) {

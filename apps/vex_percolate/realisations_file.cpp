@@ -1,8 +1,11 @@
 #include "apps/vex_percolate/realisations_file.h"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "apps/common/line_reader.h"
 #include "apps/common/numbers.h"
@@ -14,6 +17,27 @@ namespace vex {
 namespace {
 
 constexpr std::string_view kHeader = "size,realisation,x,y,z", kEnd = "# end";
+
+// zlib's CRC-32, of lines with a line feed each.
+class Checksum {
+ public:
+  void add(std::string_view text) {
+    constexpr std::size_t kMost = 1u << 30;
+    for (; !text.empty(); text.remove_prefix(std::min(kMost, text.size()))) {
+      sum_ =
+          ::crc32(sum_, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(std::min(kMost, text.size())));
+    }
+  }
+  std::string end_line() const {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string line = std::string(kEnd) + ", crc32 ";
+    for (int shift = 28; shift >= 0; shift -= 4) line += kDigits[(sum_ >> shift) & 15u];
+    return line;
+  }
+
+ private:
+  uLong sum_ = ::crc32(0, nullptr, 0);
+};
 
 // Bodies of one text may differ: of a file that has changed, or in another scale. Their measures then do.
 std::string body_line(const LoadedBody& body, const Body& connecting, double fraction) {
@@ -61,6 +85,9 @@ bool read_numbers(std::string_view text, char mark, std::span<std::uint64_t> num
   return at == end;
 }
 
+// As bodies are placed, and of pairs.
+constexpr std::uint64_t kLargestBatch = 512, kMostCounted = std::uint64_t{1} << 60;
+
 class ResumedFile {
  public:
   ResumedFile(const std::string& path, PercolateRun& run) : lines_(path, "realisations"), run_(run) {}
@@ -76,10 +103,16 @@ class ResumedFile {
     for (SizeRun& size : run_.sizes) read_counts(size.counts);
     if (next() != kHeader) refuse("not the header " + std::string(kHeader) + " - give a file that vex_percolate wrote");
     // A file that was cut off, in the middle of a number perhaps, has no end.
-    while (next() != kEnd) {
+    while (!next().starts_with(kEnd)) {
       if (line_.empty()) refuse("no \"" + std::string(kEnd) + "\" - the file is cut off");
       read_row();
     }
+    if (line_ != last_before_.end_line()) {
+      refuse("the checksum \"" + printable(line_) + "\" is not that of the lines before it, \"" +
+             last_before_.end_line() + "\" - the file is damaged");
+    }
+    if (lines_.next(line_)) refuse("something stands behind the end - the file is damaged");
+    for (const SizeRun& size : run_.sizes) check_counts(size);
   }
 
  private:
@@ -87,8 +120,24 @@ class ResumedFile {
     throw InputError(lines_.name() + ", line " + std::to_string(lines_.number()) + ": " + problem);
   }
   std::string_view next() {
+    last_before_ = sum_;
     if (!lines_.next(line_)) line_ = {};
+    sum_.add(line_);
+    sum_.add("\n");
     return line_;
+  }
+
+  // As many bodies as the realisations need, which are placed in batches, and no stage that settles more than it sees.
+  void check_counts(const SizeRun& size) const {
+    std::uint64_t needed = 0;
+    for (const WrappingNumbers& numbers : size.found) needed += numbers.all();
+    const PercolationCounts& counts = size.counts;
+    bool makes_sense = counts.n_bodies >= needed && counts.n_bodies - needed <= kLargestBatch * size.found.size();
+    for (const SceneCounts::Stage& stage : counts.stages.stages) {
+      makes_sense = makes_sense && stage.settled <= stage.seen && stage.seen <= kMostCounted;
+    }
+    makes_sense = makes_sense && counts.n_skipped() <= counts.n_seen() && counts.n_undecided <= counts.n_seen();
+    if (!makes_sense) refuse("counts that these realisations cannot have made - the file is damaged");
   }
 
   void read_seconds() {
@@ -97,7 +146,9 @@ class ResumedFile {
     double seconds = -1.0;
     if (line_.starts_with(kKey)) {
       const std::string_view number = line_.substr(kKey.size());
-      if (std::from_chars(number.data(), number.data() + number.size(), seconds).ec != std::errc()) seconds = -1.0;
+      const char* const end = number.data() + number.size();
+      const std::from_chars_result read = std::from_chars(number.data(), end, seconds);
+      if (read.ec != std::errc() || read.ptr != end) seconds = -1.0;
     }
     if (!(seconds >= 0.0 && seconds <= 1e12)) refuse("no \"# seconds: \" and a number - the file is damaged");
     run_.seconds_before = seconds;
@@ -130,7 +181,7 @@ class ResumedFile {
     if (size.found.size() >= kMostRealisations) refuse("too many realisations - the file is damaged");
     WrappingNumbers numbers;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (row[2 + axis] == 0 || row[2 + axis] > size.system.most_bodies) {
+      if (row[2 + axis] == 0 || row[2 + axis] > std::uint64_t{size.system.most_bodies} + kLargestBatch) {
         refuse(std::to_string(row[2 + axis]) + " bodies are none that a cluster wraps with - the file is damaged");
       }
       numbers.along[axis] = static_cast<std::uint32_t>(row[2 + axis]);
@@ -141,6 +192,7 @@ class ResumedFile {
   LineReader lines_;
   PercolateRun& run_;
   std::string_view line_;
+  Checksum sum_, last_before_;  // of all lines, and of those before the last one
 };
 
 }  // namespace
@@ -159,7 +211,9 @@ std::string realisations_text(const PercolateRun& run) {
       text += "\n";
     }
   }
-  return text + std::string(kEnd) + "\n";
+  Checksum sum;
+  sum.add(text);
+  return text + sum.end_line() + "\n";
 }
 
 void resume_from(const std::string& path, PercolateRun& run) { ResumedFile(path, run).read(); }

@@ -8,7 +8,7 @@
 namespace vex {
 
 /// What must be equal in two runs for one to go on from the other, lines of `# key: value`; then the numbers of each
-/// realisation, as CSV: size,realisation,x,y,z; and a last line `# end`.
+/// realisation, as CSV: size,realisation,x,y,z; and a last line `# end, crc32 XXXXXXXX`, of all lines before it.
 std::string realisations_text(const PercolateRun& run);
 
 /// Adds what the file holds to the run. Throws InputError where it is of another system, or damaged.

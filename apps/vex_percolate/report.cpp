@@ -39,24 +39,42 @@ std::string system_text(const PercolateRun& run) {
   return text + "; seed " + std::to_string(options.seed) + "\n";
 }
 
+// Where each criterion has the R of the threshold, by one size: the columns behind the number of realisations.
+std::vector<std::string> size_columns(const PercolateRun& run, std::size_t k) {
+  const double unit = run.eta_unit(), volume = run.sizes[k].volume();
+  std::vector<std::string> columns;
+  if (run.crossing) {
+    const Crossing::OfSize& of_size = run.crossing->sizes[k];
+    columns.push_back(fixed_number(0, run.crossing->threshold.density * volume));
+    for (std::size_t c = 0; c < kNCrossingCriteria; ++c) {
+      columns.push_back(with_error(of_size.density[c] * unit, of_size.std_error[c] * unit));
+    }
+  } else if (k < run.thresholds.size()) {
+    const SizedThreshold& threshold = run.thresholds[k];
+    columns.push_back(fixed_number(0, threshold.density[0] * volume));
+    for (std::size_t c = 0; c < kNWrappingCriteria; ++c) {
+      columns.push_back(with_error(threshold.density[c] * unit, std::sqrt(threshold.covariance[c][c]) * unit));
+    }
+  }
+  return columns;
+}
+
 std::string sizes_text(const PercolateRun& run) {
   const std::string of = run.is_flat() ? "n by " : "eta by ";
-  std::vector<std::vector<std::string>> lines = {
-      {"size", "cube's edge", "realisations", "bodies", of + "x", of + "any", of + "all"}};
+  std::vector<std::vector<std::string>> lines = {{"size", "cube's edge", "realisations", "bodies"}};
+  if (run.is_isotropic) {
+    for (const char* const name : {"x", "any", "all"}) lines[0].push_back(of + name);
+  } else {
+    for (std::size_t c = 0; c < kNCrossingCriteria; ++c) {
+      lines[0].push_back(of + std::string(name_of_crossing_criterion(c)));
+    }
+  }
   for (std::size_t k = 0; k < run.sizes.size(); ++k) {
     const SizeRun& size = run.sizes[k];
     std::vector<std::string> line = {short_number(size.size), short_number(size.system.edge, 6),
                                      std::to_string(size.found.size())};
-    if (k < run.thresholds.size()) {
-      const SizedThreshold& threshold = run.thresholds[k];
-      line.push_back(fixed_number(0, threshold.density[0] * size.volume()));
-      for (std::size_t c = 0; c < kNWrappingCriteria; ++c) {
-        line.push_back(
-            with_error(threshold.density[c] * run.eta_unit(), std::sqrt(threshold.covariance[c][c]) * run.eta_unit()));
-      }
-    } else {
-      line.insert(line.end(), 4, "-");
-    }
+    for (std::string& column : size_columns(run, k)) line.push_back(std::move(column));
+    line.resize(lines[0].size(), "-");
     lines.push_back(line);
   }
   return table_text(lines);
@@ -64,20 +82,13 @@ std::string sizes_text(const PercolateRun& run) {
 
 std::string text_of(const Estimated& one) { return with_error(one.value, one.std_error); }
 
-std::string fit_text(const PercolateRun& run) {
-  const Extrapolation& fit = *run.threshold;
-  const double unit = run.eta_unit();
-  if (!fit.is_extrapolated) {
-    return "One size: not extrapolated, and the offset of its size is not in the errors. Give several --sizes.\n";
-  }
-  std::string text = "Extrapolated by a L^-theta + b L^-" + short_number(kNextSizeExponent) +
-                     ", theta = " + with_error(fit.exponent, fit.exponent_std_error) +
-                     ", in one fit of all criteria and sizes: chi^2 " + short_number(fit.chi_square, 3) + " of " +
-                     std::to_string(fit.degrees_of_freedom) +
-                     " degrees of freedom (p = " + short_number(fit.p_value, 2) + ")\n";
-  text += "errors: scatter " + short_number(fit.scatter_error * unit, 2) + ", offset " +
-          short_number(fit.offset_error * unit, 2) + ", universal values " +
-          short_number(fit.universal_error * unit, 2) + "\n";
+std::string quality_text(const Extrapolation& fit) {
+  return "chi^2 " + short_number(fit.chi_square, 3) + " of " + std::to_string(fit.degrees_of_freedom) +
+         " degrees of freedom (p = " + short_number(fit.p_value, 2) + ")\n";
+}
+
+std::string remainder_text(const Extrapolation& fit, double unit) {
+  std::string text;
   if (fit.without_smallest) {
     text += "without the smallest size: " + short_number(*fit.without_smallest * unit, 8) + ", " +
             short_number((*fit.without_smallest - fit.density) / fit.std_error, 2) + " errors away\n";
@@ -87,9 +98,44 @@ std::string fit_text(const PercolateRun& run) {
   return text;
 }
 
+std::string crossing_text(const PercolateRun& run) {
+  const Crossing& crossing = *run.crossing;
+  const Extrapolation& fit = crossing.threshold;
+  const double unit = run.eta_unit();
+  std::string text =
+      "Orientations " + run.options.law +
+      " are not isotropic, and universal values of R do not hold. The threshold is where R of all sizes cross, but for "
+      "a L^-y, y = " +
+      with_error(fit.exponent, fit.exponent_std_error) + ", in one fit of all criteria and sizes: " + quality_text(fit);
+  text += "R at the threshold:";
+  for (std::size_t c = 0; c < kNCrossingCriteria; ++c) {
+    text += (c == 0 ? " " : ", ") + std::string(name_of_crossing_criterion(c)) + " " +
+            with_error(crossing.probability[c], crossing.probability_std_error[c]);
+  }
+  text += "\nerrors: scatter " + short_number(fit.scatter_error * unit, 2) + ", offset " +
+          short_number(fit.offset_error * unit, 2) + "\n";
+  return text + remainder_text(fit, unit);
+}
+
+std::string fit_text(const PercolateRun& run) {
+  if (run.crossing) return crossing_text(run);
+  const Extrapolation& fit = *run.threshold;
+  const double unit = run.eta_unit();
+  if (!fit.is_extrapolated) {
+    return "One size: not extrapolated, and the offset of its size is not in the errors. Give several --sizes.\n";
+  }
+  std::string text = "Extrapolated by a L^-theta + b L^-" + short_number(kNextSizeExponent) +
+                     ", theta = " + with_error(fit.exponent, fit.exponent_std_error) +
+                     ", in one fit of all criteria and sizes: " + quality_text(fit);
+  text += "errors: scatter " + short_number(fit.scatter_error * unit, 2) + ", offset " +
+          short_number(fit.offset_error * unit, 2) + ", universal values " +
+          short_number(fit.universal_error * unit, 2) + "\n";
+  return text + remainder_text(fit, unit);
+}
+
 std::string threshold_text(const PercolateRun& run) {
   const std::optional<CriticalValues> values = critical_values(run);
-  if (!values) return "The threshold is not known yet: too few realisations.\n";
+  if (!values) return "The threshold is not known: " + run.no_threshold_reason + ".\n";
   std::vector<std::vector<std::string>> lines;
   if (values->eta) lines.push_back({"eta_c", text_of(*values->eta), "n V"});
   if (values->phi) lines.push_back({"phi_c", text_of(*values->phi), "1 - exp(-eta)"});
@@ -107,12 +153,12 @@ std::string threshold_text(const PercolateRun& run) {
 
 std::string counts_text(const PercolateRun& run) {
   const PercolationCounts counts = run.counts();
-  const SceneCounts::Stage& joined = counts.stages[SceneStage::joined];
   const SceneCounts::Stage& bounds = counts.stages[SceneStage::bounds];
-  std::string text = short_count(static_cast<double>(counts.n_bodies)) +
-                     " bodies placed; of the pairs whose balls meet " +
-                     short_count(static_cast<double>(joined.settled)) + " were in one cluster already and not tested";
-  if (bounds.seen > 0) text += ", " + short_count(static_cast<double>(bounds.settled)) + " decided by bounds";
+  const auto number = [](std::uint64_t n) { return short_count(static_cast<double>(n)); };
+  std::string text = number(counts.n_bodies) + " bodies placed; of " + number(counts.n_seen()) +
+                     " pairs whose balls meet " + number(counts.n_skipped()) +
+                     " were in one cluster already and not tested, " + number(counts.n_tested()) + " were";
+  if (bounds.seen > 0) text += ", " + number(bounds.settled) + " of them decided by bounds";
   text += "; " + plural(counts.n_undecided, "pair is UNDECIDED", "pairs are undecided") + "\n";
   if (counts.n_undecided > 0) text += "Undecided pairs were taken for apart: they touch to within rounding.\n";
   const double seconds = run.seconds_before + run.seconds;

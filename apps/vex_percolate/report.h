@@ -7,11 +7,6 @@
 
 namespace vex {
 
-/// A value with its standard error.
-struct Estimated {
-  double value, std_error;
-};
-
 /// What follows from the threshold, where it is known.
 struct CriticalValues {
   Estimated number_density;
@@ -28,7 +23,8 @@ std::string report_json(const PercolateRun& run);
 /// The wrapping probability against eta, a curve a size and criterion, and the threshold.
 std::string picture_of(const PercolateRun& run);
 
-/// The first realisation of the smallest size when a cluster first wraps, which stands out.
+/// The first realisation of the smallest size with so many bodies that a cluster wraps along some axis for the first
+/// time; that cluster stands out.
 std::string sample_gltf(const PercolateRun& run);
 
 }  // namespace vex

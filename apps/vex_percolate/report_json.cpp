@@ -15,22 +15,35 @@ Json estimated_json(const Estimated& one) {
 }
 Json estimated_json(const std::optional<Estimated>& one) { return one ? estimated_json(*one) : Json(nullptr); }
 
+// Where a size has this probability of a wrap.
+Json criterion_json(const PercolateRun& run, double probability, double density, double error) {
+  Json entry = {{"probability", probability}};
+  entry["eta"] = run.is_flat() ? Json(nullptr) : number_or_null(density * run.mean_volume);
+  entry["std_error"] = run.is_flat() ? Json(nullptr) : number_or_null(error * run.mean_volume);
+  entry["number_density"] = number_or_null(density);
+  entry["number_density_std_error"] = number_or_null(error);
+  return entry;
+}
+
 Json size_json(const PercolateRun& run, std::size_t k) {
   const SizeRun& size = run.sizes[k];
   Json json = {{"size", size.size}, {"box", size.system.edge}, {"realisations", size.found.size()}};
   json["criteria"] = nullptr;
+  if (run.crossing) {
+    const Crossing::OfSize& of_size = run.crossing->sizes[k];
+    for (std::size_t c = 0; c < kNCrossingCriteria; ++c) {
+      json["criteria"][std::string(name_of_crossing_criterion(c))] =
+          criterion_json(run, run.crossing->probability[c], of_size.density[c], of_size.std_error[c]);
+    }
+    return json;
+  }
   if (k >= run.thresholds.size()) return json;
   const SizedThreshold& threshold = run.thresholds[k];
   json["criteria"] = Json::object();
   for (std::size_t c = 0; c < kNWrappingCriteria; ++c) {
     const WrappingCriterion criterion = static_cast<WrappingCriterion>(c);
-    const double error = std::sqrt(threshold.covariance[c][c]);
-    Json entry = {{"probability", universal_probability(criterion).value}};
-    entry["eta"] = run.is_flat() ? Json(nullptr) : Json(threshold.density[c] * run.mean_volume);
-    entry["std_error"] = run.is_flat() ? Json(nullptr) : Json(error * run.mean_volume);
-    entry["number_density"] = threshold.density[c];
-    entry["number_density_std_error"] = error;
-    json["criteria"][std::string(name_of(criterion))] = std::move(entry);
+    json["criteria"][std::string(name_of(criterion))] = criterion_json(
+        run, universal_probability(criterion).value, threshold.density[c], std::sqrt(threshold.covariance[c][c]));
   }
   return json;
 }
@@ -40,16 +53,25 @@ Json fit_json(const PercolateRun& run) {
   if (!run.threshold) return nullptr;
   const Extrapolation& fit = *run.threshold;
   const double unit = run.eta_unit();
-  Json json = {{"extrapolated", fit.is_extrapolated},
-               {"exponent", fit.exponent},
-               {"exponent_error", fit.exponent_std_error},
-               {"exponent_beforehand", estimated_json(Estimated{kSizeExponent, kSizeExponentError})},
-               {"scatter_error", fit.scatter_error * unit},
-               {"from_offset", fit.offset_error * unit},
-               {"from_universal_values", fit.universal_error * unit},
-               {"chi_square", fit.chi_square},
-               {"degrees_of_freedom", fit.degrees_of_freedom},
-               {"p_value", fit.p_value}};
+  Json json = {
+      {"extrapolated", fit.is_extrapolated},
+      {"exponent", fit.exponent},
+      {"exponent_error", fit.exponent_std_error},
+      {"exponent_beforehand", run.crossing ? estimated_json(Estimated{kCorrectionExponent, kCorrectionExponentError})
+                                           : estimated_json(Estimated{kSizeExponent, kSizeExponentError})},
+      {"scatter_error", fit.scatter_error * unit},
+      {"from_offset", fit.offset_error * unit},
+      {"from_universal_values", fit.universal_error * unit},
+      {"chi_square", fit.chi_square},
+      {"degrees_of_freedom", fit.degrees_of_freedom},
+      {"p_value", fit.p_value}};
+  json["probabilities"] = nullptr;
+  if (run.crossing) {
+    for (std::size_t c = 0; c < kNCrossingCriteria; ++c) {
+      json["probabilities"][std::string(name_of_crossing_criterion(c))] =
+          estimated_json(Estimated{run.crossing->probability[c], run.crossing->probability_std_error[c]});
+    }
+  }
   json["without_smallest"] = nullptr;
   if (fit.without_smallest) json["without_smallest"] = *fit.without_smallest * unit;
   return json;
@@ -87,14 +109,17 @@ std::string report_json(const PercolateRun& run) {
   json["size_unit"] = run.extent;
   json["sizes"] = Json::array();
   for (std::size_t k = 0; k < run.sizes.size(); ++k) json["sizes"].push_back(size_json(run, k));
+  json["isotropic"] = run.is_isotropic;
+  json["threshold_by"] = run.is_isotropic ? "universal-probabilities" : "crossing";
   json["extrapolation"] = fit_json(run);
+  if (!run.threshold) json["no_threshold_reason"] = run.no_threshold_reason;
   if (!run.stopped_because.empty()) json["stopped_because"] = run.stopped_because;
   const PercolationCounts counts = run.counts();
-  const SceneCounts::Stage& joined = counts.stages[SceneStage::joined];
   json["bodies_placed"] = counts.n_bodies;
-  json["pairs"] = {{"seen", joined.seen},
-                   {"skipped", joined.settled},
-                   {"tested", joined.seen - joined.settled},
+  // Pairs whose circumscribed balls may meet: seen = skipped + tested (PercolationCounts).
+  json["pairs"] = {{"seen", counts.n_seen()},
+                   {"skipped", counts.n_skipped()},
+                   {"tested", counts.n_tested()},
                    {"undecided", counts.n_undecided}};
   return document_text(json);
 }

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <thread>
 
+#include "engine/sampling/percolation/crossing.h"
 #include "engine/sampling/percolation/extrapolation.h"
+#include "engine/sampling/percolation/isotropy.h"
 #include "engine/sampling/percolation/realisation.h"
 #include "engine/sampling/percolation/threshold.h"
 #include "python/bindings/body.h"
@@ -27,6 +29,8 @@ class PySystem {
     system_.most_bodies = static_cast<std::uint32_t>(std::fmin(1e9, 1000.0 + kMoreThanUsual * usual_bodies));
     system_.usual_bodies = static_cast<std::uint32_t>(usual_bodies);
   }
+
+  bool isotropic() const { return is_isotropic(system_.placements); }
 
   /// Realisations first ... first + n - 1: with how many bodies a cluster wrapped along x, y and z (n, 3); and pairs
   /// seen, skipped and undecided.
@@ -78,18 +82,46 @@ std::vector<WrappingNumbers> wrapping_numbers(const Numbers& numbers) {
   return result;
 }
 
+py::dict dict_of(const Extrapolation& found) {
+  py::dict result;
+  result["density"] = found.density;
+  result["std_error"] = found.std_error;
+  result["scatter_error"] = found.scatter_error;
+  result["offset_error"] = found.offset_error;
+  result["universal_error"] = found.universal_error;
+  result["p_value"] = found.p_value;
+  result["without_smallest"] = found.without_smallest;
+  return result;
+}
+
 /// Of sizes, edges and realisations: number densities at the threshold of each size by each criterion, and of infinite
-/// space.
-py::tuple percolation_threshold(const std::vector<double>& sizes, const std::vector<double>& edges,
+/// space; by universal probabilities where the system is isotropic, else by where the sizes' own cross.
+py::tuple percolation_threshold(bool isotropic, const std::vector<double>& sizes, const std::vector<double>& edges,
                                 const std::vector<Numbers>& numbers) {
   if (edges.size() != numbers.size() || sizes.size() != edges.size() || sizes.empty()) {
     throw UsageError("not as many sizes as arrays of realisations");
   }
-  std::vector<SizedThreshold> thresholds;
+  std::vector<std::vector<WrappingNumbers>> all;
+  for (const Numbers& of_size : numbers) all.push_back(wrapping_numbers(of_size));
+  const auto volume = [&edges](std::size_t k) { return edges[k] * edges[k] * edges[k]; };
   py::list rows;
+  if (!isotropic) {
+    std::vector<SizedRealisations> sized;
+    for (std::size_t k = 0; k < sizes.size(); ++k) sized.push_back({sizes[k], volume(k), all[k]});
+    const Crossing crossing = find_crossing(sized);
+    for (const Crossing::OfSize& of_size : crossing.sizes) {
+      py::dict row;
+      for (std::size_t c = 0; c < kNCrossingCriteria; ++c) {
+        row[py::str(std::string(name_of_crossing_criterion(c)))] =
+            py::make_tuple(of_size.density[c], of_size.std_error[c]);
+      }
+      rows.append(row);
+    }
+    return py::make_tuple(rows, dict_of(crossing.threshold));
+  }
+  std::vector<SizedThreshold> thresholds;
   for (std::size_t k = 0; k < sizes.size(); ++k) {
-    const double volume = edges[k] * edges[k] * edges[k];
-    thresholds.push_back(sized_threshold(size_threshold(wrapping_numbers(numbers[k])), sizes[k], volume));
+    thresholds.push_back(sized_threshold(size_threshold(all[k]), sizes[k], volume(k)));
     py::dict row;
     for (std::size_t c = 0; c < kNWrappingCriteria; ++c) {
       if (!(thresholds.back().covariance[c][c] > 0.0)) {
@@ -100,17 +132,7 @@ py::tuple percolation_threshold(const std::vector<double>& sizes, const std::vec
     }
     rows.append(row);
   }
-  const Extrapolation found = extrapolate(thresholds);
-  py::dict result;
-  result["density"] = found.density;
-  result["std_error"] = found.std_error;
-  result["scatter_error"] = found.scatter_error;
-  result["offset_error"] = found.offset_error;
-  result["universal_error"] = found.universal_error;
-  result["is_extrapolated"] = found.is_extrapolated;
-  result["p_value"] = found.p_value;
-  result["without_smallest"] = found.without_smallest;
-  return py::make_tuple(rows, result);
+  return py::make_tuple(rows, dict_of(extrapolate(thresholds)));
 }
 
 }  // namespace
@@ -121,8 +143,11 @@ void bind_percolation(py::module_& module) {
                     double, std::uint32_t, double>(),
            py::arg("parts"), py::arg("law"), py::arg("seed"), py::arg("uniform_angle"), py::arg("edge"),
            py::arg("size"), py::arg("usual_bodies"))
+      .def_property_readonly("is_isotropic", &PySystem::isotropic)
       .def("run", &PySystem::run, py::arg("first"), py::arg("n"), py::arg("threads"));
-  module.def("percolation_threshold", &percolation_threshold, py::arg("sizes"), py::arg("edges"), py::arg("numbers"));
+  module.attr("fewest_realisations") = kFewestRealisations;
+  module.def("percolation_threshold", &percolation_threshold, py::arg("isotropic"), py::arg("sizes"), py::arg("edges"),
+             py::arg("numbers"));
 }
 
 }  // namespace vex::python

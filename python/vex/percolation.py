@@ -32,6 +32,7 @@ class Percolation:
     excluded_volume: float  #: <V_ex>, the mean over the parts
     p_value: float  #: of a scatter about the fit of all sizes as large as this: below 0.01 sizes are too small
     without_smallest: Optional[float]  #: n_c without the smallest size, of three or more
+    isotropic: bool  #: whether universal probabilities hold; else the threshold is where the sizes' own cross
     thresholds: List[Dict[str, Tuple[float, float]]]  #: of each size by each criterion: n_c there, and its error
     sizes: Tuple[float, ...]  #: edges of the cube in extents of the largest body
     numbers: List[npt.NDArray[np.uint32]] = field(repr=False)  #: of each size (N, 3): bodies when x, y, z wrapped
@@ -58,7 +59,7 @@ def percolation(bodies: Union[BodyLike, Sequence[BodyLike]], fractions: Optional
     sizes
         Edges of the cube in extents, twice the circumradius of the largest body; extrapolated to infinite space.
     realisations, std_error, seconds
-        Realisations of each size, standard error of eta_c, or time, whichever comes first; 1000 realisations where none
+        Realisations of each size (50 or more), standard error of eta_c, or time, whichever comes first; 1000 realisations where none
         is given.
     law
         How each body is turned, on its own: as of `excluded_volume`, but for "fixed" and "angle", which are about two.
@@ -86,8 +87,9 @@ def percolation(bodies: Union[BodyLike, Sequence[BodyLike]], fractions: Optional
     most = 2**26 - 1 if realisations is None else _whole(realisations, "realisations")
     if realisations is None and std_error is None and seconds is None:
         most = 1000
-    if not 2 <= most < 2**26:
-        raise _vex.UsageError("realisations: give from 2 to 67108863")
+    fewest_of_all = int(_vex.fewest_realisations)
+    if not fewest_of_all <= most < 2**26:
+        raise _vex.UsageError(f"realisations: give from {fewest_of_all}, which it takes to know the errors, to 67108863")
     if (std_error is not None and not std_error > 0.0) or (seconds is not None and not seconds > 0.0):
         raise _vex.UsageError("std_error, seconds: give a number above 0")
 
@@ -103,40 +105,45 @@ def percolation(bodies: Union[BodyLike, Sequence[BodyLike]], fractions: Optional
         raise _vex.UsageError("bodies of one's own, whose measures are not known - give others")
     if not isotropic > 0.0:
         raise _vex.InputError("bodies that never overlap (needles have no width) - give others, or a shell")
+    mean, mean_error = isotropic, 0.0
+    if uniform_angle:
+        mean = math.nan
+    elif chosen_law.name != "isotropic":
+        mean, mean_error = _mean_excluded_volume(connecting, shares, chosen_law, seed, threads)
+    forbidden = mean if mean > 1e-9 * isotropic else isotropic
     edges = [size * extent for size in edges_of]
     parts = [(body._core, float(share)) for body, share in zip(connecting, shares)]
-    systems = [_vex.PercolationSystem(parts, chosen_law, _whole(seed, "seed"), uniform_angle, edge, k, _USUAL_B * edge**3 / isotropic)
+    systems = [_vex.PercolationSystem(parts, chosen_law, _whole(seed, "seed"), uniform_angle, edge, k, _USUAL_B * edge**3 / forbidden)
                for k, edge in enumerate(edges)]
 
+    isotropic_system = bool(systems[0].is_isotropic)
+    if not isotropic_system and len(edges_of) < 2:
+        raise _vex.UsageError("sizes: of a law that is not isotropic one size says nothing - give two or more")
     start = time.monotonic()
     numbers: List[Any] = [np.empty((0, 3), dtype=np.uint32) for _ in edges]
     undecided = 0
     found: Any = None
     while True:
         fewest = min(len(rows) for rows in numbers)
-        if fewest >= most or (fewest >= 2 and seconds is not None and time.monotonic() - start >= seconds):
+        if fewest >= most or (fewest >= fewest_of_all and seconds is not None and time.monotonic() - start >= seconds):
             break
         if std_error is not None and fewest >= 200:
-            _, found = _vex.percolation_threshold(list(edges_of), edges, numbers)
+            _, found = _vex.percolation_threshold(isotropic_system, list(edges_of), edges, numbers)
             if found["std_error"] * mean_volume <= std_error:
                 break
             rest = math.hypot(found["offset_error"], found["universal_error"]) * mean_volume
             if rest >= std_error and found["scatter_error"] * mean_volume <= 0.25 * std_error:
                 break  # the extrapolation alone is more uncertain
+        # A round ends where one run without interruption would look at its error: at 64, 128, ... and then eighths.
         goal = min(most, fewest + max(64, fewest // 8))
         for k, system in enumerate(systems):
             if len(numbers[k]) < goal:
                 more, _, n_undecided = system.run(len(numbers[k]), goal - len(numbers[k]), threads_of(threads))
                 numbers[k] = np.concatenate([numbers[k], more])
                 undecided += n_undecided
-    thresholds, found = _vex.percolation_threshold(list(edges_of), edges, numbers)
+    thresholds, found = _vex.percolation_threshold(isotropic_system, list(edges_of), edges, numbers)
     spent = time.monotonic() - start
 
-    mean, mean_error = isotropic, 0.0
-    if uniform_angle:
-        mean = math.nan
-    elif chosen_law.name != "isotropic":
-        mean, mean_error = _mean_excluded_volume(connecting, shares, chosen_law, seed, threads)
     density, error = found["density"], found["std_error"]
     is_flat = mean_volume == 0.0
     eta = math.nan if is_flat else density * mean_volume
@@ -144,7 +151,7 @@ def percolation(bodies: Union[BodyLike, Sequence[BodyLike]], fractions: Optional
         eta_c=eta, std_error=math.nan if is_flat else error * mean_volume, phi_c=-math.expm1(-eta),
         number_density_c=density, number_density_error=error, b_c=density * mean,
         b_c_error=math.hypot(error * mean, density * mean_error), excluded_volume=mean, p_value=found["p_value"],
-        without_smallest=found["without_smallest"], thresholds=thresholds, sizes=edges_of, numbers=numbers,
+        without_smallest=found["without_smallest"], isotropic=isotropic_system, thresholds=thresholds, sizes=edges_of, numbers=numbers,
         undecided=undecided, seconds=spent)
 
 

@@ -1,5 +1,6 @@
 // vex_percolate as users meet it.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <sstream>
@@ -61,7 +62,7 @@ TEST_F(Percolate, ThreadsAndSetsChangeNothing) {
   const auto numbers = [&](const Words& more) {
     succeed(with(with(kSmall, {"--quiet", "--csv", "out.csv"}), more));
     std::string text = read_file("out.csv");
-    return text.substr(text.find("# counts"));
+    return text.substr(text.find("# counts"), text.find("# end") - text.find("# counts"));
   };
   const std::string wanted = numbers({"--threads", "1"});
   EXPECT_EQ(numbers({"--threads", "2"}), wanted);
@@ -73,7 +74,7 @@ TEST_F(Percolate, ThreadsAndSetsChangeNothing) {
 TEST_F(Percolate, AResumedRunIsThatOfOneRun) {
   const auto rows = [&](const std::string& file) {
     const std::string text = read_file(file);
-    return text.substr(text.find("# counts"));
+    return text.substr(text.find("# counts"), text.find("# end") - text.find("# counts"));
   };
   succeed(with(kSmall, {"--quiet", "--csv", "whole.csv"}));
   Words part = kSmall;
@@ -99,8 +100,11 @@ TEST_F(Percolate, GoesOnFromNothingElse) {
     write_file("broken.csv", content);
     expect_refused(with(kSmall, {"--resume", "broken.csv"}), 3, part);
   };
-  broken(whole.substr(0, whole.size() - 7), "the file is cut off");
-  broken(whole.substr(0, whole.size() - 9), "the file is cut off");
+  const std::size_t end = whole.find("# end");
+  broken(whole.substr(0, end), "the file is cut off");
+  broken(whole.substr(0, end - 2), "the file is cut off");
+  broken(whole.substr(0, end + 5), "the checksum");
+  broken(whole.substr(0, whole.size() - 2), "the checksum");
   broken("", "line 0: of another system");
   std::string changed = whole;
   changed.replace(changed.find("\n0,3,"), 5, "\n0,4,");
@@ -119,7 +123,7 @@ TEST_F(Percolate, AnInterruptedRunReportsWhatWasDone) {
   EXPECT_NE(finished.out.find("INTERRUPTED"), std::string::npos);
   const json found = json::parse(read_file("r.json"));
   EXPECT_EQ(found["complete"], false);
-  EXPECT_NE(read_file("state.csv").find("# end\n"), std::string::npos);
+  EXPECT_NE(read_file("state.csv").find("# end, crc32 "), std::string::npos);
 }
 
 TEST_F(Percolate, DrawsAndShowsASample) {
@@ -148,7 +152,7 @@ TEST_F(Percolate, AShellIsARoundedBody) {
   succeed(with(with({"rounded:0.1,box:1,1,1", "--csv", "rounded.csv"}, stop), {}));
   const auto rows = [&](const std::string& file) {
     const std::string text = read_file(file);
-    return text.substr(text.find("size,"));
+    return text.substr(text.find("size,"), text.find("# end") - text.find("size,"));
   };
   EXPECT_EQ(rows("shell.csv"), rows("rounded.csv"));
 }
@@ -198,9 +202,105 @@ TEST_F(Percolate, RefusesWhatMakesNoSense) {
   expect_refused({"sphere:1", "--gltf", "a.obj"}, 2, "let it end in .glb");
   expect_refused({"sphere:1", "--checkpoint", "-"}, 2, "name a file");
   expect_refused({"needle:1"}, 3, "bodies that never overlap");
-  // Parallel discs never meet.
-  expect_refused({"disc:1", "--orientations", "aligned", "--sizes", "2", "--realisations", "2"}, 2,
-                 "no cluster wraps around the cube");
+  expect_refused({"disc:1", "--orientations", "aligned", "--sizes", "2,3", "--realisations", "2"}, 3,
+                 "bodies that never overlap with orientations aligned");
+  expect_refused({"box:1,1,2", "--orientations", "aligned", "--sizes", "4"}, 2, "one size says nothing");
+  expect_refused({"sphere:1", "--orientations", "bogus"}, 2, "cone:DEG, onsager:ALPHA, uniform-angle");
+  expect_refused({"sphere:1:1.7e308", "sphere:2:1.7e308"}, 2, "a fraction out of range");
+}
+
+// Universal values were once taken for any law.
+TEST_F(Percolate, SystemsThatAreNotIsotropicAreToldApart) {
+  const Words words = {"box:3,3,1", "--orientations", "aligned", "--sizes", "2,3,5", "--realisations", "400"};
+  const json found = json_of(words);
+  EXPECT_EQ(found["isotropic"], false);
+  EXPECT_EQ(found["threshold_by"], "crossing");
+  EXPECT_NEAR(found["eta_c"]["value"], 0.324766, 5.0 * found["eta_c"]["std_error"].get<double>());
+  for (const char* axis : {"x", "y", "z"}) {
+    EXPECT_TRUE(found["extrapolation"]["probabilities"].contains(axis));
+    for (const json& size : found["sizes"]) EXPECT_GT(size["criteria"][axis]["std_error"], 0.0);
+  }
+  const Finished finished = succeed(with(words, {"--plot", "p.svg"}));
+  EXPECT_NE(finished.out.find("are not isotropic, and universal values of R do not hold"), std::string::npos);
+  EXPECT_NE(read_file("p.svg").find("fitted values"), std::string::npos);
+  EXPECT_EQ(json_of(kSmall)["threshold_by"], "universal-probabilities");
+  EXPECT_EQ(json_of({"box:1,1,1", "--orientations", "aligned", "--sizes", "4", "--realisations", "60"})["isotropic"],
+            true);
+}
+
+// The covariance of a few realisations was inverted, which ended the program or gave errors of no meaning.
+TEST_F(Percolate, FewRealisationsAreWrittenAndTellNoThreshold) {
+  for (const char* n : {"2", "3", "49"}) {
+    const json found = json_of({"box:1,1,1", "--sizes", "2,3,4", "--realisations", n, "--csv", "few.csv"});
+    EXPECT_TRUE(found["eta_c"].is_null());
+    EXPECT_NE(found["no_threshold_reason"].get<std::string>().find("it takes 50 realisations"), std::string::npos);
+    EXPECT_NE(read_file("few.csv").find("# end, crc32 "), std::string::npos);
+  }
+  EXPECT_FALSE(json_of({"box:1,1,1", "--sizes", "2,3,4", "--realisations", "50"})["eta_c"].is_null());
+  // Too short for the largest cube.
+  const Finished finished =
+      succeed({"sphere:0.5", "--sizes", "4,6,40", "--seconds", "0.1", "--json", "r.json", "--csv", "few.csv"});
+  EXPECT_NE(finished.out.find("The threshold is not known"), std::string::npos);
+  EXPECT_EQ(json::parse(read_file("r.json"))["complete"], true);
+}
+
+// <V_ex> of a law was found after the run, by a clock of its own: five seconds that nothing counted, and an interrupt
+// in them left "complete": true.
+TEST_F(Percolate, TheTimeAskedForIsThatOfAllOfIt) {
+  const Words words = {"cone:2,1", "--orientations", "cone:30", "--sizes", "2,4"};
+  const auto start = std::chrono::steady_clock::now();
+  const json found = json_of(with(words, {"--seconds", "0.5"}));
+  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 20.0);
+  EXPECT_GT(found["excluded_volume"], 0.0);
+  const Words few = with(words, {"--realisations", "60"});
+  EXPECT_EQ(json_of(with(few, {"--threads", "1"}))["excluded_volume"],
+            json_of(with(few, {"--threads", "3"}))["excluded_volume"]);
+  const Finished finished = run_and_signal(with(words, {"--realisations", "1e7", "--json", "r.json", "--threads", "3"}),
+                                           SIGTERM, has_worker_threads);
+  EXPECT_EQ(finished.exit_code, 143) << finished.err;
+  EXPECT_EQ(json::parse(read_file("r.json"))["complete"], false);
+}
+
+// Discs within a degree of each other meet a sixtieth as often as isotropic ones: the limit of bodies took no notice.
+TEST_F(Percolate, TheLimitOfBodiesIsByTheLaw) {
+  const json found =
+      json_of({"disc:1", "--orientations", "cone:3", "--sizes", "2,2.5", "--realisations", "2", "--csv", "c.csv"});
+  for (const json& size : found["sizes"]) EXPECT_EQ(size["realisations"], 2);
+}
+
+TEST_F(Percolate, DamagedFilesAreRefused) {
+  succeed(with(kSmall, {"--quiet", "--csv", "state.csv"}));
+  const std::string whole = read_file("state.csv");
+  const auto broken = [&](const std::string& content, const std::string& part) {
+    write_file("broken.csv", content);
+    expect_refused(with(kSmall, {"--resume", "broken.csv"}), 3, part);
+  };
+  const auto replaced = [&](const std::string& what, const std::string& by) {
+    std::string text = whole;
+    return text.replace(text.find(what), what.size(), by);
+  };
+  const std::size_t row = whole.find("\n1,7,") + 5, comma = whole.find(',', row);
+  std::string changed = whole;
+  changed[comma - 1] = changed[comma - 1] == '5' ? '6' : '5';
+  broken(changed, "the checksum");
+  broken(whole + whole, "something stands behind the end");
+  broken(whole + "\n", "something stands behind the end");
+  broken(whole + "garbage", "something stands behind the end");
+  const std::size_t first_of_2 = whole.find("\n2,0,"), end = whole.find("\n# end");
+  broken(whole.substr(0, first_of_2) + whole.substr(end), "the checksum");
+  const std::size_t seconds = whole.find("# seconds: "), line = whole.find('\n', seconds);
+  broken(replaced(whole.substr(seconds, line - seconds), "# seconds: 5abc"), "# seconds: ");
+  broken(replaced("# counts: ", "# counts: 9"), "the checksum");
+}
+
+TEST_F(Percolate, StandardInputHasAFractionByItsName) {
+  expect_refused({"-:0.5", "sphere:0.3:0.5"}, 2, "write /dev/stdin:FRACTION, and its --format");
+  write_file("body.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  const Finished finished = shell(
+      "\"$VEX\" /dev/stdin:0.5 sphere:0.3:0.5 --format off --sizes 2,3 --realisations 2 --quiet --json r.json < "
+      "body.off");
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_EQ(json::parse(read_file("r.json"))["bodies"][0]["fraction"], 0.5);
 }
 
 }  // namespace

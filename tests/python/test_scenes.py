@@ -118,7 +118,7 @@ def test_percolation_is_the_programs(program):
         assert found.b_c == pytest.approx(document["b_c"]["value"], rel=1e-14)
         assert [len(rows) for rows in found.numbers] == [200, 200]
     assert abs(found.eta_c - 0.2444) < 5 * found.std_error and "eta_c" in str(found)
-    mixed = vex.percolation(["sphere:0.5", "disc:0.5"], [3, 1], sizes=(3,), realisations=50, law="cone:60")
+    mixed = vex.percolation(["sphere:0.5", "disc:0.5"], [3, 1], sizes=(3, 5), realisations=60, law="cone:60")
     assert 0 < mixed.phi_c < mixed.eta_c < 1 and mixed.b_c > 1
     assert np.isnan(vex.percolation("disc:1", sizes=(3,), realisations=50).eta_c)
     assert vex.percolation("box:1,1,1", sizes=(3,), realisations=100, shell=0.2).eta_c < found.eta_c
@@ -126,5 +126,13 @@ def test_percolation_is_the_programs(program):
                       dict(law="angle:30"), dict(shell=-1.0), dict(fractions=[0]), dict(std_error=0.0)):
         with pytest.raises((vex.UsageError, vex.InputError)):
             vex.percolation("box:1,1,1", **arguments)
+    document = json.loads(program("vex_percolate", "box:1,1,3", "--orientations", "aligned", "--sizes", "3,5",
+                                  "--realisations", 200, "--json", "-"))
+    crossing = vex.percolation("box:1,1,3", law="aligned", sizes=(3, 5), realisations=200)
+    assert not crossing.isotropic and found.isotropic and set(crossing.thresholds[0]) == {"x", "y", "z"}
+    assert crossing.eta_c == pytest.approx(document["eta_c"]["value"], rel=1e-12)
+    assert crossing.std_error == pytest.approx(document["eta_c"]["std_error"], rel=1e-9)
+    with pytest.raises(vex.UsageError, match="isotropic"):
+        vex.percolation("box:1,1,3", law="aligned", sizes=(3,))
     with pytest.raises(vex.InputError, match="never overlap"):
         vex.percolation("needle:1")

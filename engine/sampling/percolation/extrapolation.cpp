@@ -62,6 +62,9 @@ Fit fit_at(std::span<const SizedThreshold> sizes, const Units& units, double the
       if (has_amplitudes) row.design(c, 1 + c) = std::exp(-theta * row.log_size);
       if (has_amplitudes) row.design(c, 1 + kN + c) = std::exp(-kNextSizeExponent * row.log_size);
     }
+    // Criteria that are met by the same bodies always would else weigh without end.
+    constexpr double kSameRidge = 1e-4;
+    covariance.diagonal() *= 1.0 + kSameRidge;
     row.weight = covariance.ldlt().solve(Eigen::Matrix3d::Identity());
     const Eigen::MatrixXd linear = row.design.leftCols(n_linear);
     normal += linear.transpose() * row.weight * linear;
@@ -154,6 +157,10 @@ SizedThreshold sized_threshold(const SizeThreshold& threshold, double size, doub
   return sized;
 }
 
+double chi_square_p_value(double chi_square, int degrees_of_freedom) {
+  return boost::math::gamma_q(0.5 * degrees_of_freedom, 0.5 * std::fmax(chi_square, 0.0));
+}
+
 Extrapolation extrapolate(std::span<const SizedThreshold> sizes) {
   if (sizes.empty()) throw UsageError("no size is given - give one");
   for (const SizedThreshold& size : sizes) {
@@ -174,7 +181,7 @@ Extrapolation extrapolate(std::span<const SizedThreshold> sizes) {
   result.degrees_of_freedom = static_cast<int>(kNWrappingCriteria * sizes.size()) +
                               (result.is_extrapolated ? 1 + static_cast<int>(kN) : 0) -
                               static_cast<int>(best.values.size());
-  result.p_value = boost::math::gamma_q(0.5 * result.degrees_of_freedom, 0.5 * result.chi_square);
+  result.p_value = chi_square_p_value(result.chi_square, result.degrees_of_freedom);
   double variance = std::fmax(0.0, best.covariance(0, 0));
   if (result.is_extrapolated) {
     const Eigen::Index theta = best.values.size() - 1;

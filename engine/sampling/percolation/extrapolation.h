@@ -47,7 +47,10 @@ struct Extrapolation {
   std::optional<double> without_smallest;
 };
 
-/// A weighted least-squares fit; the sizes differ. Throws UsageError.
+/// How often chi^2 is as large as this, or larger.
+double chi_square_p_value(double chi_square, int degrees_of_freedom);
+
+/// A weighted least-squares fit; the sizes differ. Of isotropic systems (isotropy.h). Throws UsageError.
 Extrapolation extrapolate(std::span<const SizedThreshold> sizes);
 
 }  // namespace vex

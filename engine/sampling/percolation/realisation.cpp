@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <limits>
+#include <mutex>
 #include <string>
 
 #include "engine/numeric/errors.h"
@@ -106,19 +107,20 @@ std::optional<WrappingNumbers> Realisation::run(std::uint32_t realisation, const
   while (numbers.all() == kNotYet) {
     const std::uint32_t first = scene_.end();
     if (first >= system_.most_bodies) {
-      throw UsageError("no cluster wraps around the cube along all axes with " + std::to_string(first) +
-                       " bodies - give a smaller cube, or bodies that overlap");
+      throw UsageError("no cluster wraps around the cube along all three axes, though " + std::to_string(first) +
+                       " bodies are in it, many times as many as a threshold should need - give bodies that overlap, " +
+                       "or smaller cubes");
     }
     if (stop && stop()) return std::nullopt;
     place(realisation, batch_after(first));
     if (!has_wrapped) {
       ask_pairs(first, &clusters_);
+      counts_.stages += pairs_.counts;
       has_wrapped = clusters_.any_wraps();
       if (has_wrapped) {
         clusters_.reset(scene_.end());
         for (const ScenePair& pair : news_) clusters_.join(pair.a, pair.b, pair.image);
       } else {
-        counts_.stages += pairs_.counts;
         news_.insert(news_.end(), pairs_.pairs.begin(), pairs_.pairs.end());
       }
     }
@@ -136,24 +138,42 @@ void Realisation::place_and_join(std::uint32_t realisation, std::uint32_t n) {
   ask_pairs(0, &clusters_);
 }
 
-std::vector<WrappingNumbers> run_realisations(const PercolationSystem& system, std::uint32_t first, std::uint32_t n,
-                                              int n_threads, PercolationCounts& counts, const StopQuestion& stop) {
-  std::vector<std::optional<WrappingNumbers>> found(n);
-  std::vector<PercolationCounts> of_each(n);
+void run_realisations(const PercolationSystem& system, std::uint32_t first, std::uint32_t n, int n_threads,
+                      const OnRealisations& on_finished, const StopQuestion& stop) {
+  struct Finished {
+    WrappingNumbers numbers;
+    PercolationCounts counts;
+  };
+  std::vector<std::optional<Finished>> found(n);
   std::atomic<std::uint32_t> next{0};
+  std::mutex mutex;
+  std::uint32_t n_told = 0;
   on_threads(n_threads, [&](int) {
     Realisation realisation(system);
     for (std::uint32_t k = next++; k < n; k = next++) {
-      found[k] = realisation.run(first + k, stop);
-      if (!found[k]) break;
-      of_each[k] = realisation.counts();
+      const std::optional<WrappingNumbers> numbers = realisation.run(first + k, stop);
+      if (!numbers) break;
+      const std::lock_guard lock(mutex);
+      found[k] = Finished{*numbers, realisation.counts()};
+      std::vector<WrappingNumbers> finished;
+      PercolationCounts counts;
+      for (; n_told < n && found[n_told]; ++n_told) {
+        finished.push_back(found[n_told]->numbers);
+        counts += found[n_told]->counts;
+      }
+      if (!finished.empty()) on_finished(finished, counts);
     }
   });
+}
+
+std::vector<WrappingNumbers> run_realisations(const PercolationSystem& system, std::uint32_t first, std::uint32_t n,
+                                              int n_threads, PercolationCounts& counts, const StopQuestion& stop) {
   std::vector<WrappingNumbers> numbers;
-  for (std::uint32_t k = 0; k < n && found[k]; ++k) {
-    numbers.push_back(*found[k]);
-    counts += of_each[k];
-  }
+  const OnRealisations append = [&](std::span<const WrappingNumbers> finished, const PercolationCounts& theirs) {
+    numbers.insert(numbers.end(), finished.begin(), finished.end());
+    counts += theirs;
+  };
+  run_realisations(system, first, n, n_threads, append, stop);
   return numbers;
 }
 

@@ -29,11 +29,18 @@ struct WrappingNumbers {
   friend bool operator==(const WrappingNumbers&, const WrappingNumbers&) = default;
 };
 
-/// What realisations did, added up.
+/// What realisations did, added up. The batch of bodies in which a cluster first wraps is looked at twice
+/// (Realisation::run), and both times count.
 struct PercolationCounts {
   std::uint64_t n_bodies = 0;     // placed
   std::uint64_t n_undecided = 0;  // pairs that would have changed a cluster, had they been proven to overlap
   SceneCounts stages;
+
+  /// Pairs whose circumscribed balls may meet, each image for itself; those of them that were not tested because their
+  /// bodies were in one cluster already with the same offset; and the others, by whatever test.
+  std::uint64_t n_seen() const { return stages[SceneStage::balls].seen - stages[SceneStage::balls].settled; }
+  std::uint64_t n_skipped() const { return stages[SceneStage::joined].settled; }
+  std::uint64_t n_tested() const { return n_seen() - n_skipped(); }
 
   PercolationCounts& operator+=(const PercolationCounts& other);
 };
@@ -89,7 +96,15 @@ class Realisation {
   PercolationCounts counts_;
 };
 
-/// Realisations first ... first + n - 1, by so many threads; in their order, the same for any number of threads. Fewer
+/// What was finished since the last call, in the order of realisations, and what it took.
+using OnRealisations = std::function<void(std::span<const WrappingNumbers> finished, const PercolationCounts& counts)>;
+
+/// Realisations first ... first + n - 1, by so many threads. Each is told of once, in their order, as soon as all
+/// before it are finished, by any thread, one at a time; after `stop` said so up to the first that was not finished.
+void run_realisations(const PercolationSystem& system, std::uint32_t first, std::uint32_t n, int n_threads,
+                      const OnRealisations& on_finished, const StopQuestion& stop = {});
+
+/// The same, all at once; in their order, the same for any number of threads. Fewer
 /// where `stop` said so: then those up to the first that was not finished. `counts` grows by theirs.
 std::vector<WrappingNumbers> run_realisations(const PercolationSystem& system, std::uint32_t first, std::uint32_t n,
                                               int n_threads, PercolationCounts& counts, const StopQuestion& stop = {});

@@ -45,7 +45,12 @@ struct SizeThreshold {
   std::array<double, kNWrappingCriteria> universal_error{};
 };
 
-/// Two realisations or more; fewer than some hundred give a poor covariance. Throws UsageError.
+/// With fewer the covariance of the criteria is not known well enough for a fit.
+inline constexpr std::size_t kFewestRealisations = 50;
+/// Throws UsageError where there are fewer.
+void require_realisations(std::size_t n);
+
+/// Of kFewestRealisations or more; throws UsageError. The covariance allows for how few they are.
 SizeThreshold size_threshold(std::span<const WrappingNumbers> realisations);
 
 }  // namespace vex

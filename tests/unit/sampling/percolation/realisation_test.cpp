@@ -209,5 +209,43 @@ TEST(Realisation, WhatNeverWrapsIsRefused) {
   EXPECT_THROW(Realisation{system}, UsageError);
 }
 
+// A checkpoint was once written only where a round of 64 realisations of every size had ended.
+TEST(Realisations, AreToldOfAsTheyAreFinished) {
+  const PercolationSystem system = system_of({{Sphere(0.5), 1.0}}, 4.0);
+  PercolationCounts wanted_counts;
+  const std::vector<WrappingNumbers> wanted = run_realisations(system, 3, 40, 1, wanted_counts);
+  for (const int n_threads : {1, 3}) {
+    std::vector<WrappingNumbers> told;
+    PercolationCounts counts;
+    std::size_t n_calls = 0;
+    const OnRealisations take = [&](std::span<const WrappingNumbers> finished, const PercolationCounts& theirs) {
+      EXPECT_FALSE(finished.empty());
+      told.insert(told.end(), finished.begin(), finished.end());
+      counts += theirs;
+      ++n_calls;
+    };
+    run_realisations(system, 3, 40, n_threads, take);
+    EXPECT_EQ(told, wanted);
+    EXPECT_EQ(counts.n_bodies, wanted_counts.n_bodies);
+    EXPECT_EQ(counts.n_seen(), wanted_counts.n_seen());
+    EXPECT_GT(n_calls, 5u);
+    EXPECT_TRUE(n_threads > 1 || n_calls == 40u);
+  }
+}
+
+TEST(Realisations, CountWhatTheirStagesCount) {
+  for (const ConvexBody& body : {ConvexBody(Box(1.0, 1.0, 1.0)), ConvexBody(Sphere(0.5)), ConvexBody(Disc(1.0))}) {
+    PercolationCounts counts;
+    run_realisations(system_of({{body, 1.0}}, 4.0 * body.circumradius() * 2.0), 0, 10, 2, counts);
+    const SceneCounts::Stage& bounds = counts.stages[SceneStage::bounds];
+    EXPECT_GT(counts.n_seen(), 0u);
+    EXPECT_EQ(counts.n_seen(), counts.n_skipped() + counts.n_tested());
+    EXPECT_GE(counts.n_tested(), bounds.settled);
+    // What no stage before has settled or left out comes to the packets.
+    const SceneCounts::Stage& cylinders = counts.stages[SceneStage::cylinders];
+    EXPECT_EQ(counts.n_tested(), cylinders.settled + bounds.settled + counts.stages[SceneStage::packets].seen);
+  }
+}
+
 }  // namespace
 }  // namespace vex

@@ -77,9 +77,26 @@ TEST(SizeThreshold, TellsTheScatterOfItsEstimates) {
   EXPECT_NEAR(covariance / told_product, 1.0, 0.35);
 }
 
-TEST(SizeThreshold, OneRealisationIsNone) {
-  const std::vector<WrappingNumbers> one = {{{5, 6, 7}}};
-  EXPECT_THROW(size_threshold(one), UsageError);
+TEST(SizeThreshold, FewRealisationsAreNone) {
+  std::mt19937_64 random(5);
+  for (const std::size_t n : {std::size_t{1}, std::size_t{2}, kFewestRealisations - 1}) {
+    EXPECT_THROW(size_threshold(random_numbers(random, n, 2000.0, 150.0)), UsageError) << n;
+  }
+  EXPECT_NO_THROW(size_threshold(random_numbers(random, kFewestRealisations, 2000.0, 150.0)));
+}
+
+// The covariance of three criteria was once inverted of two realisations, and thresholds were thousands of errors off.
+TEST(Extrapolation, CriteriaOfOneEventDoNotWeighWithoutEnd) {
+  std::vector<WrappingNumbers> numbers(60);
+  for (std::uint32_t k = 0; k < numbers.size(); ++k) numbers[k].along = {100 + k, 100 + k, 100 + k};
+  std::vector<SizedThreshold> sizes;
+  for (const double size : {3.0, 4.0, 6.0}) {
+    sizes.push_back(sized_threshold(size_threshold(numbers), size, size * size * size));
+  }
+  const Extrapolation found = extrapolate(sizes);
+  EXPECT_TRUE(std::isfinite(found.density));
+  EXPECT_TRUE(found.std_error > 0.0 && std::isfinite(found.std_error));
+  EXPECT_TRUE(found.p_value >= 0.0 && found.p_value <= 1.0);
 }
 
 // Thresholds with these amplitudes and a covariance that shrinks with the size.
