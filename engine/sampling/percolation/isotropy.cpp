@@ -45,7 +45,8 @@ bool is_isotropic(const Placements& placements) {
     case OrientationLaw::Kind::cone: return law.parameter() == 90.0;
     case OrientationLaw::Kind::onsager: return law.parameter() == 0.0;
     case OrientationLaw::Kind::aligned: break;
-    case OrientationLaw::Kind::fixed: return false;
+    case OrientationLaw::Kind::fixed:
+    case OrientationLaw::Kind::angle: return false;
   }
   for (const BodyPart& a : parts) {
     for (const BodyPart& b : parts) {
