@@ -11,5 +11,5 @@ setup(
     cmake_args=["-DCMAKE_BUILD_TYPE=Release", "-DVEX_BUILD_PROGRAMS=OFF", "-DVEX_BUILD_TESTS=OFF",
                 "-DVEX_BUILD_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}",
                 "-DVEX_PYTHON_INSTALL_DIR=python"],
-    cmake_install_target="install",
+    cmake_install_target="install_vex_python",
 )
