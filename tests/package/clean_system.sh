@@ -85,7 +85,7 @@ mkdir -p "$root/packages/vex/meshes" "$root/packages/vex/docs"
 cp -R "$source_dir/tests" "$root/packages/vex/tests"
 cp -R "$source_dir/meshes/data" "$root/packages/vex/meshes/data"
 cp -R "$source_dir/docs/notebooks" "$root/packages/vex/docs/notebooks"
-cp "$source_dir/docs/python.md" "$root/packages/vex/docs/"
+cp "$source_dir/docs/python.md" "$source_dir/docs/guide.md" "$root/packages/vex/docs/"
 inside sh -c 'cd /packages/vex/tests/python && VEX_PROGRAMS=/usr/bin MPLBACKEND=agg python3 -m pytest -q' ||
   fail "the tests of the Python package"
 
