@@ -91,7 +91,7 @@ inside sh -c 'cd /packages/vex/tests/python && VEX_PROGRAMS=/usr/bin MPLBACKEND=
 
 step "removed cleanly"
 quietly inside apt-get purge -y vex libvex-dev python3-vex
-if find "$root/usr" "$root/etc" "$root/var" -name '*vex*' ! -path '*/var/log/*' ! -path '*/var/cache/*' | grep .; then
+if find "$root/usr" "$root/etc" "$root/var" \( -name vex -o -name 'vex[._-]*' -o -name 'libvex*' -o -name 'python3-vex*' \) ! -path '*/var/log/*' ! -path '*/var/cache/*' | grep .; then
   fail "these were left"
 fi
 
