@@ -5,6 +5,9 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <random>
+#include <vector>
+
+#include "engine/numeric/errors.h"
 
 namespace vex {
 namespace {
@@ -202,6 +205,44 @@ TEST(RotationFromQuaternion, TurnsAsHamiltonsProductDoes) {
         (1.0 / norm_sq) * (((w * w - dot(v, v)) * p + (2.0 * dot(v, p)) * v) + (2.0 * w) * cross(v, p));
     ASSERT_LE(norm(rotation_from_quaternion(w, x, y, z)(p) - expected), 1e-14);
   }
+}
+
+TEST(RotationsFromQuaternions, AreThoseOfEachBitForBit) {
+  std::mt19937_64 random(3);
+  std::array<std::vector<double>, 4> components;
+  constexpr std::size_t kN = 1003;
+  for (std::size_t k = 0; k < kN; ++k) {
+    const int widest = std::array{1, 3, 60, 600, 1073}[k % 5];
+    const int shift = k % 7 == 0 ? 900 : k % 11 == 0 ? -400 : 0;
+    for (std::vector<double>& of_one : components)
+      of_one.push_back(std::ldexp(random_component(random, widest), shift));
+    if (k % 3 == 0) components[random() % 4].back() = 0.0;
+    if (k % 13 == 0) {  // 3, 4, 12, 84: norms that are whole, and one half of a last place beside them
+      for (std::size_t i = 0; i < 4; ++i) components[i].back() = std::array{3.0, 4.0, 12.0, 84.0}[i];
+      if (k % 2 == 0) components[3].back() = std::nextafter(84.0, 85.0);
+    }
+    bool is_zero = true;
+    for (const std::vector<double>& of_one : components) is_zero = is_zero && of_one.back() == 0.0;
+    if (is_zero) components[0].back() = 1.0;
+  }
+  std::vector<double> rotations(9 * kN);
+  rotations_from_quaternions({components[0].data(), components[1].data(), components[2].data(), components[3].data()},
+                             kN, rotations.data(), kN);
+  for (std::size_t k = 0; k < kN; ++k) {
+    const Transformd r =
+        rotation_from_quaternion(components[0][k], components[1][k], components[2][k], components[3][k]);
+    std::size_t column = 0;
+    for (const Vec3d* const row : {&r.row_x, &r.row_y, &r.row_z}) {
+      for (const double value : {row->x, row->y, row->z}) {
+        ASSERT_EQ(bits_of(rotations[column++ * kN + k]), bits_of(value)) << k;
+      }
+    }
+  }
+  components[2][500] = std::nan("");
+  EXPECT_THROW(rotations_from_quaternions(
+                   {components[0].data(), components[1].data(), components[2].data(), components[3].data()}, kN,
+                   rotations.data(), kN),
+               InputError);
 }
 
 }  // namespace
