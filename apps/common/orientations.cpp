@@ -33,7 +33,8 @@ OrientationLaw parse_orientations(std::string_view text, std::string_view option
   const std::string_view name = text.substr(0, colon);
   const bool takes_numbers = name == "fixed" || name == "cone" || name == "angle" || name == "onsager";
   if (!takes_numbers || (name.size() == text.size())) {
-    refuse("not a choice", text, option, "there are isotropic, aligned, fixed:W,X,Y,Z, cone:DEG, angle:DEG, onsager:ALPHA");
+    refuse("not a choice", text, option,
+           "there are isotropic, aligned, fixed:W,X,Y,Z, cone:DEG, angle:DEG, onsager:ALPHA");
   }
   const std::vector<double> numbers = numbers_of(text.substr(colon + 1), option);
   if (name == "fixed") {

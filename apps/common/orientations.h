@@ -7,7 +7,8 @@
 
 namespace vex {
 
-/// isotropic, aligned, fixed:W,X,Y,Z, cone:DEG, angle:DEG, onsager:ALPHA; throws UsageError, with `option` in the message.
+/// isotropic, aligned, fixed:W,X,Y,Z, cone:DEG, angle:DEG, onsager:ALPHA; throws UsageError, with `option` in the
+/// message.
 OrientationLaw parse_orientations(std::string_view text, std::string_view option);
 
 }  // namespace vex

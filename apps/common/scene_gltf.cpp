@@ -5,10 +5,10 @@
 #include <map>
 #include <optional>
 
-#include "meshes/body_mesh.h"
 #include "apps/common/glb_file.h"
 #include "engine/numeric/errors.h"
 #include "engine/numeric/number_text.h"
+#include "meshes/body_mesh.h"
 
 namespace vex {
 namespace {

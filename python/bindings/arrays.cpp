@@ -2,8 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <functional>
-#include <system_error>
 #include <thread>
 
 #include "engine/numeric/quaternion.h"
@@ -123,6 +121,17 @@ void PoseRows::set_columns(std::size_t first, std::size_t last, double* columns)
   for (std::size_t k = first; k < last; ++k) (*this)[k];  // throws for one of them, and names the row
 }
 
+py::tuple arrays_of(const Transformd& pose) {
+  Floats rotation({3, 3}), translation(3);
+  double* to = rotation.mutable_data();
+  for (const Vec3d* const row : {&pose.row_x, &pose.row_y, &pose.row_z}) {
+    put(to, *row);
+    to += 3;
+  }
+  put(translation.mutable_data(), pose.translation);
+  return py::make_tuple(rotation, translation);
+}
+
 int number_of_threads(int threads) {
   if (threads < 0 || threads > kMostThreads) {
     throw UsageError("no number of threads (" + std::to_string(threads) + ") - give one from 1 to " +
@@ -161,16 +170,6 @@ bool SignalWatch::has_thrown() {
     error_ = std::current_exception();
   }
   return true;
-}
-
-void detail::on_threads(int n, const std::function<void(int)>& work) {
-  std::vector<std::jthread> threads;
-  try {
-    for (int k = 1; k < n; ++k) threads.emplace_back(work, k);
-  } catch (const std::system_error&) {
-    // The blocks of a thread that cannot be had are taken by the others.
-  }
-  work(0);
 }
 
 }  // namespace vex::python

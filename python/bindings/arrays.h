@@ -18,6 +18,7 @@
 #include "engine/numeric/pose.h"
 #include "engine/query/overlap_backend.h"
 #include "engine/query/packets/packet_overlap.h"
+#include "engine/scene/threads.h"
 
 namespace vex::python {
 
@@ -104,6 +105,9 @@ class PoseRows {
   std::size_t n_ = 0;
 };
 
+/// R (3, 3) and t (3,).
+py::tuple arrays_of(const Transformd& pose);
+
 /// As many threads as there are cores where `threads` is 0. Throws UsageError where it is below 0 or far too many.
 int number_of_threads(int threads);
 
@@ -153,8 +157,6 @@ class BlockLoop {
   std::size_t failed_ = std::numeric_limits<std::size_t>::max();
   std::exception_ptr failure_;
 };
-
-void on_threads(int n, const std::function<void(int)>& work);
 
 template <class Make>
 void BlockLoop<Make>::work(SignalWatch* watch) {

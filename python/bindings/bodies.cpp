@@ -196,13 +196,11 @@ py::object moments_of(const PyBody& body) {
   return py::make_tuple(moments->volume, array_of(std::span(&moments->centroid, 1)), array_of(moments->second));
 }
 
-/// For pictures: points (N, 3), normals, indices of triangles or of one line.
-py::tuple picture_mesh(const PyBody& body, int n_around) {
+/// For pictures: points (N, 3), and whether they are the ends of a line.
+py::tuple picture_points(const PyBody& body, int n_around) {
   BodyMesh mesh = mesh_of(body.body.body, n_around);
   for (Vec3d& point : mesh.points) point = point + mesh.origin;
-  return py::make_tuple(array_of(mesh.points), array_of(mesh.normals),
-                        Indices(static_cast<py::ssize_t>(mesh.indices.size()), mesh.indices.data()), mesh.is_flat,
-                        mesh.is_line);
+  return py::make_tuple(array_of(mesh.points), mesh.is_line);
 }
 
 std::array<double, 3> triple(const Vec3d& v) { return {v.x, v.y, v.z}; }
@@ -245,7 +243,7 @@ void bind_bodies(py::module_& module) {
 
   module.def("hull_triangles", &hull_triangles, py::arg("points"));
   module.def("moments", &moments_of, py::arg("body"));
-  module.def("picture_mesh", &picture_mesh, py::arg("body"), py::arg("n_around"));
+  module.def("picture_points", &picture_points, py::arg("body"), py::arg("n_around"));
   module.def("named_body", &named_body, py::arg("text"), py::arg("scale"), py::arg("unit_volume"));
   module.def(
       "names_a_shape", [](const std::string& text) { return names_a_shape(text); }, py::arg("text"));

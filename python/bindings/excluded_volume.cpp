@@ -58,7 +58,6 @@ py::dict dict_of(const ExcludedVolume& result) {
   dict["stopped_by"] = std::string(name_of(result.record.stopped_by));
   dict["no_run_reason"] = result.no_run_reason;
   dict["seconds"] = result.record.seconds;
-  dict["sampling_volume"] = result.domain.volume;
   dict["tally"] = dict_of(result.record.tally);
   dict["unproven"] = result.record.unproven.n_all;
   return dict;

@@ -32,8 +32,8 @@ class PySystem {
 
   bool isotropic() const { return is_isotropic(system_.placements); }
 
-  /// Realisations first ... first + n - 1: with how many bodies a cluster wrapped along x, y and z (n, 3); and pairs
-  /// seen, skipped and undecided.
+  /// Realisations first ... first + n - 1: with how many bodies a cluster wrapped along x, y and z (n, 3); and how many
+  /// pairs are undecided.
   py::tuple run(std::uint32_t first, std::uint32_t n, int threads) {
     PercolationCounts counts;
     std::vector<WrappingNumbers> found;
@@ -54,7 +54,7 @@ class PySystem {
     for (const WrappingNumbers& wraps : found) {
       for (const std::uint32_t along : wraps.along) *to++ = along;
     }
-    return py::make_tuple(numbers, counts.n_bodies, counts.n_undecided);
+    return py::make_tuple(numbers, counts.n_undecided);
   }
 
  private:

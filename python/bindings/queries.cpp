@@ -348,6 +348,14 @@ void bind_queries(py::module_& module) {
   const auto a = py::arg("a"), b = py::arg("b"), poses = py::arg("poses"), threads = py::arg("threads"),
              certify = py::arg("certify"), until = py::arg("until");
   const auto translations = py::arg("translations").none(true);
+  module.def(
+      "placed",
+      [](const Floats& rows, const std::optional<Floats>& moved) {
+        const PoseRows given(rows, moved);
+        if (given.size() != 1) throw UsageError("not one pose - give one");
+        return arrays_of(given[0].a_from_b());
+      },
+      poses, translations);
   module.def("overlap", &overlap_of_poses, a, b, poses, translations, threads);
   module.def("certified_overlap", &certified_overlap_of_poses, a, b, poses, translations, threads);
   module.def("overlap_certificate", &overlap_certificate, a, b, poses, translations);

@@ -115,7 +115,7 @@ class PyScene {
   std::size_t size() {
     return exclusively([&] { return scene_.size(); });
   }
-  /// Rotation by rows, translation, image of a body.
+  /// Rotation and translation, and the image of a body.
   py::tuple pose(BodyId body) {
     Transformd at;
     ImageOffset image{};
@@ -123,12 +123,7 @@ class PyScene {
       at = scene_.pose(known(body));
       image = scene_.image(body);
     });
-    Floats rotation({3, 3}), translation(3);
-    python::put(rotation.mutable_data(), at.row_x);
-    python::put(rotation.mutable_data() + 3, at.row_y);
-    python::put(rotation.mutable_data() + 6, at.row_z);
-    python::put(translation.mutable_data(), at.translation);
-    return py::make_tuple(rotation, translation, image);
+    return py::make_tuple(arrays_of(at), image);
   }
 
   py::tuple pairs(double distance) {

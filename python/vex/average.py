@@ -226,7 +226,6 @@ def excluded_volume(a: BodyLike, b: Optional[BodyLike] = None, *, rel_error: Opt
     reference = values.pop("reference")
     unproven = values.pop("unproven")
     samples_poses = values.pop("samples_poses")
-    values.pop("sampling_volume")
     note = values.pop("no_run_reason")
     result = ExcludedVolume(reference=None if reference is None else Reference(**reference), trials=tally["trials"],
                             hits=tally["hits"] if samples_poses else None, undecided=tally["undecided"],
@@ -247,7 +246,7 @@ def _nothing_done() -> Dict[str, Any]:
     return dict(value=nan, std_error=nan, interval=(nan, nan), reduced=nan, b2=nan, reference=None,
                 reference_reason="interrupted", z=None, z_reason="interrupted", estimator=None, samples_poses=False,
                 sequence="", chosen_because="", complete=False, stopped_by="interrupted", no_run_reason="", seconds=nan,
-                sampling_volume=nan, unproven=0, tally=dict(trials=0, hits=0, undecided=0, decided_by={}))
+                unproven=0, tally=dict(trials=0, hits=0, undecided=0, decided_by={}))
 
 
 def _whole(value: Any, what: str) -> int:

@@ -138,7 +138,7 @@ def percolation(bodies: Union[BodyLike, Sequence[BodyLike]], fractions: Optional
         goal = min(most, fewest + max(64, fewest // 8))
         for k, system in enumerate(systems):
             if len(numbers[k]) < goal:
-                more, _, n_undecided = system.run(len(numbers[k]), goal - len(numbers[k]), threads_of(threads))
+                more, n_undecided = system.run(len(numbers[k]), goal - len(numbers[k]), threads_of(threads))
                 numbers[k] = np.concatenate([numbers[k], more])
                 undecided += n_undecided
     thresholds, found = _vex.percolation_threshold(isotropic_system, list(edges_of), edges, numbers)

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _vex
-from ._arrays import Floats, Poses, as_poses, as_quaternions
+from ._arrays import Floats, Poses, as_poses
 from ._hull import faces_of
 from .bodies import Body, BodyLike, as_body
 
@@ -154,8 +154,7 @@ def _rotation(rotation: npt.ArrayLike) -> Floats:
         return _placed(np.concatenate([np.zeros(3), array]))[0]
     if array.shape != (3, 3):
         raise _vex.UsageError(f"rotation: an array of shape {array.shape} - give (3, 3), or a quaternion (4,)")
-    as_quaternions(array)  # refuses what is no rotation
-    return array
+    return _placed((array, np.zeros(3)))[0]
 
 
 def _placed(pose: Optional[Poses]) -> Tuple[Floats, Floats]:
@@ -165,22 +164,15 @@ def _placed(pose: Optional[Poses]) -> Tuple[Floats, Floats]:
     rows, translations, _ = as_poses(pose)
     if len(rows) != 1:
         raise _vex.UsageError("pose: a picture is of one pose - give one")
-    if translations is not None:
-        return rows[0], translations[0]
-    x, y, z, qw, qx, qy, qz = rows[0]
-    if not np.isfinite(rows[0]).all() or not np.abs(rows[0][3:]).max() > 0.0:
-        raise _vex.InputError("pose: a number that is not finite, or a quaternion of length 0")
-    w, i, j, k = np.array([qw, qx, qy, qz]) / np.linalg.norm([qw, qx, qy, qz])
-    return np.array([[1 - 2 * (j * j + k * k), 2 * (i * j - w * k), 2 * (i * k + w * j)],
-                     [2 * (i * j + w * k), 1 - 2 * (i * i + k * k), 2 * (j * k - w * i)],
-                     [2 * (i * k - w * j), 2 * (j * k + w * i), 1 - 2 * (i * i + j * j)]]), np.array([x, y, z])
+    rotation, translation = _vex.placed(rows, translations)
+    return rotation, translation
 
 
 def _surface_points(body: Body, n_around: int) -> Tuple[Floats, bool]:
     """Points of a body with curved parts, no two of them one but for rounding, and whether it is a line."""
     if body._core.exact_form() is None:
         return _grid(body.support(_directions(n_around)), 1e-6), False
-    points, _, _, _, is_line = _vex.picture_mesh(body._core, n_around)
+    points, is_line = _vex.picture_points(body._core, n_around)
     return np.unique(points, axis=0), is_line
 
 
@@ -266,10 +258,7 @@ class _Solids:
     def add_polygons(self, polygons: List[Floats], normals: Optional[Floats], color: str, alpha: float,
                      edge: Any) -> None:
         from matplotlib.colors import to_rgb
-        across = _polygon_normals(polygons) if normals is None else normals
-        length = np.linalg.norm(across, axis=1, keepdims=True)
-        unit = across / np.where(length > 0.0, length, 1.0)
-        shade = 0.62 + 0.38 * (unit @ _LIGHT)
+        shade = 0.62 + 0.38 * ((_polygon_normals(polygons) if normals is None else normals) @ _LIGHT)
         colors = np.clip(shade[:, None] * np.array(to_rgb(color)) + 0.18 * np.clip(shade - 0.75, 0.0, 1.0)[:, None],
                          0.0, 1.0)
         faces = np.concatenate([colors, np.full((len(colors), 1), alpha)], axis=1)

@@ -145,7 +145,7 @@ class Scene:
 
     def pose(self, body: int) -> Tuple[Floats, Floats, Tuple[int, int, int]]:
         """A body's rotation (3, 3), its translation (3,), moved into the box, and by how many lattice vectors it was."""
-        rotation, translation, image = self._core.pose(_number(body))
+        (rotation, translation), image = self._core.pose(_number(body))
         return rotation, translation, (image[0], image[1], image[2])
 
     def _told(self, undecided: Any, counts: Dict[str, Tuple[int, int]]) -> None:
