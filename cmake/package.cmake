@@ -64,6 +64,8 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
   "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_python}), python3-numpy")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-matplotlib)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-tqdm, vex")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+  "${PROJECT_SOURCE_DIR}/cmake/python3-vex/postinst;${PROJECT_SOURCE_DIR}/cmake/python3-vex/prerm")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "excluded volumes and collisions of convex bodies - Python package
 The Python package vex: bodies by name, from mesh files or from arrays; their
 average excluded volume by Monte Carlo and by the formula; overlap, distance,

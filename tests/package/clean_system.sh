@@ -86,7 +86,7 @@ cp -R "$source_dir/tests" "$root/packages/vex/tests"
 cp -R "$source_dir/meshes/data" "$root/packages/vex/meshes/data"
 cp -R "$source_dir/docs/notebooks" "$root/packages/vex/docs/notebooks"
 cp "$source_dir/docs/python.md" "$source_dir/docs/guide.md" "$root/packages/vex/docs/"
-inside sh -c 'cd /packages/vex/tests/python && VEX_PROGRAMS=/usr/bin MPLBACKEND=agg PYTHONDONTWRITEBYTECODE=1 python3 -B -m pytest -q -p no:cacheprovider' ||
+inside sh -c 'cd /packages/vex/tests/python && VEX_PROGRAMS=/usr/bin MPLBACKEND=agg python3 -m pytest -q -p no:cacheprovider' ||
   fail "the tests of the Python package"
 
 step "removed cleanly"

@@ -80,6 +80,11 @@ if [ "$python" != - ]; then
   field "$module" Depends '.*libassimp5.*'
   field "$module" Depends '.*python3 \(<< 3\.[0-9]+\).*'
   field "$module" Depends '.*python3-numpy.*'
+  dpkg-deb -e "$module" "$scratch/control"
+  for script in postinst prerm; do
+    [ -x "$scratch/control/$script" ] || fail "python3-vex has no $script"
+    sh -n "$scratch/control/$script" || fail "python3-vex: $script"
+  done
 fi
 
 step "files, their owners and permissions"
