@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "engine/scene/sorted_bodies.h"
 
@@ -49,22 +50,17 @@ Aabb bounds_of_most(const SceneBodies& bodies, const Aabb& all, std::array<std::
 
 }  // namespace
 
-void BallCells::build(const SceneBodies& bodies, double reach, double farthest, double offset, std::size_t n_bodies) {
-  reach_ = reach;
-  const Aabb bounds = bodies.box() ? Aabb{} : bounds_of_centres(bodies, 1);
-  // Room for bodies that move, twice as far out as they are.
-  farthest_ = std::fmax(norm_1(bounds.lower), norm_1(bounds.upper)) + offset + reach;
-  farthest_ = 2.0 * std::fmax(farthest_, farthest);
-  layout_ = CellLayout::make(bodies.box(), bodies.box() ? bounds : bounds_of_most(bodies, bounds, sample_), farthest_,
-                             reach, n_bodies);
+void BallCells::lay_out(const std::optional<PeriodicBox>& box, const Aabb& bounds, double farthest, double reach,
+                        std::size_t n_bodies) {
+  layout_ = CellLayout::make(box, bounds, farthest, reach, n_bodies);
   merge_cells(n_bodies);
-  shifts_.assign(layout_.box, layout_.n_images);
+}
+
+void BallCells::begin(const ShiftTable& shifts) {
+  shifts_ = &shifts;
   for (std::size_t axis = 0; axis < 3; ++axis) make_stencil(axis);
-  shift_error_ = 0x1p-46 * 3.0 * shifts_.largest_shift();
+  shift_error_ = 0x1p-46 * 3.0 * shifts.largest_shift();
   clear();
-  for (BodyId body = 0; body < bodies.end(); ++body) {
-    if (bodies.has(body)) add(bodies, body);
-  }
 }
 
 // Where cells are nearly empty two along each axis are held as one (of an odd number the last alone). What is near a
@@ -93,7 +89,7 @@ std::uint32_t BallCells::holder_of(const Vec3d& centre) const {
 
 // The number of what holds a cell, and that of a shift, are linear in three coordinates.
 void BallCells::make_stencil(std::size_t axis) {
-  const std::array<int, 3>& n_images = shifts_.n_images();
+  const std::array<int, 3>& n_images = shifts_->n_images();
   Stencil& stencil = stencils_[axis];
   stencil.steps.clear();
   stencil.first.assign(1, 0);
@@ -104,7 +100,7 @@ void BallCells::make_stencil(std::size_t axis) {
       ImageOffset image{-n_images[0], -n_images[1], -n_images[2]};
       image[axis] = moved.image;
       const Step step{static_cast<std::uint32_t>(moved.cell >> merged_[axis]) * held_stride_[axis],
-                      shifts_.number(image)};
+                      shifts_->number(image)};
       // Of two cells that are held as one the second follows the first.
       const bool is_there = stencil.steps.size() > stencil.first.back() && stencil.steps.back() == step;
       if (!is_there) stencil.steps.push_back(step);
@@ -119,12 +115,6 @@ void BallCells::clear() {
   after_.assign(blocks_.size(), kNone);
   free_.clear();
   seats_.clear();
-}
-
-bool BallCells::takes(const SceneBodies& bodies, BodyId body) const {
-  const ShapeBounds& bounds = bodies.bounds(bodies.shape_of()[body]);
-  if (!(2.0 * bounds.radius <= reach_)) return false;
-  return goes_as_far_as(norm_1(bodies.centre(body)) + norm_1(bounds.centre));
 }
 
 void BallCells::take_seat(std::uint32_t block, BodyId body, const Vec3d& centre, double radius) {
@@ -192,6 +182,81 @@ void BallCells::remove(BodyId body) {
   for (std::uint32_t lane = 0; lane < n_[first]; ++lane) seats_[blocks_[first].body[lane]] = {first, lane};
   n_[next] = 0;
   free_.push_back(next);
+}
+
+// Of the radii that are there: a class begins where one is less than 1 / kLeastRatio of its largest; of many different
+// ones there are kMostClasses, as far apart on a logarithmic scale.
+void BallCellsOfScene::make_classes(const SceneBodies& bodies, bool are_expected) {
+  constexpr double kLeastRatio = 2.0;
+  constexpr int kMostClasses = 4;
+  is_there_.assign(bodies.shapes().size(), are_expected);
+  for (BodyId body = 0; body < bodies.end() && !are_expected; ++body) {
+    if (bodies.has(body)) is_there_[bodies.shape_of()[body]] = true;
+  }
+  largest_.clear();
+  for (ShapeId shape = 0; shape < is_there_.size(); ++shape) {
+    if (is_there_[shape]) largest_.push_back(bodies.bounds(shape).radius);
+  }
+  if (largest_.empty()) largest_.push_back(0.0);
+  std::sort(largest_.begin(), largest_.end(), std::greater<>());
+  const double all = largest_.front() / std::fmax(largest_.back(), 0x1p-1000);
+  const double ratio = std::fmax(kLeastRatio, std::pow(all, 1.0 / kMostClasses));
+  double first = HUGE_VAL;
+  std::erase_if(largest_, [&](double radius) {
+    const bool is_new = radius * ratio < first;
+    if (is_new) first = radius;
+    return !is_new;
+  });
+}
+
+void BallCellsOfScene::build(const SceneBodies& bodies, double farthest, double offset, std::size_t n_expected) {
+  const std::optional<PeriodicBox>& box = bodies.box();
+  in_box_ = box.has_value();
+  make_classes(bodies, n_expected > 0);
+  const std::size_t n = largest_.size();
+  const auto reach = [this](std::size_t i, std::size_t j) { return (largest_[i] + largest_[j]) * (1.0 + 0x1p-18); };
+  Aabb bounds = box ? Aabb{} : bounds_of_centres(bodies, 1);
+  // Room for bodies that move, twice as far out as they are.
+  farthest_ = std::fmax(norm_1(bounds.lower), norm_1(bounds.upper)) + offset + reach(0, 0);
+  farthest_ = 2.0 * std::fmax(farthest_, farthest);
+  if (!box) bounds = bounds_of_most(bodies, bounds, sample_);
+  n_bodies_.assign(n, n_expected);
+  for (BodyId body = 0; body < bodies.end() && n_expected == 0; ++body) {
+    if (bodies.has(body)) ++n_bodies_[class_of(bodies.bounds(bodies.shape_of()[body]).radius)];
+  }
+  grids_.resize(n * n);
+  std::array<int, 3> n_images{};
+  for (std::size_t asking = 0; asking < n; ++asking) {
+    for (std::size_t held = 0; held < n; ++held) {
+      BallCells& grid = grids_[asking * n + held];
+      grid.lay_out(box, bounds, farthest_, reach(asking, held), n_bodies_[held]);
+      for (std::size_t axis = 0; axis < 3; ++axis) n_images[axis] = std::max(n_images[axis], grid.n_images()[axis]);
+    }
+  }
+  shifts_.assign(box, n_images);
+  for (BallCells& grid : grids_) grid.begin(shifts_);
+  for (BodyId body = 0; body < bodies.end(); ++body) {
+    if (bodies.has(body)) add(bodies, body);
+  }
+}
+
+void BallCellsOfScene::add(const SceneBodies& bodies, BodyId body) {
+  const std::size_t n = largest_.size(), held = class_of(bodies.bounds(bodies.shape_of()[body]).radius);
+  for (std::size_t asking = 0; asking < n; ++asking) grids_[asking * n + held].add(bodies, body);
+}
+
+void BallCellsOfScene::remove(const SceneBodies& bodies, BodyId body) {
+  const std::size_t n = largest_.size(), held = class_of(bodies.bounds(bodies.shape_of()[body]).radius);
+  for (std::size_t asking = 0; asking < n; ++asking) grids_[asking * n + held].remove(body);
+}
+
+void BallCellsOfScene::clear() {
+  for (BallCells& grid : grids_) grid.clear();
+}
+
+bool BallCellsOfScene::takes(const SceneBodies& bodies, BodyId body) const {
+  const ShapeBounds& bounds = bodies.bounds(bodies.shape_of()[body]);
+  return takes(bounds.radius) && goes_as_far_as(norm_1(bodies.centre(body)) + norm_1(bounds.centre));
 }
 
 }  // namespace vex

@@ -1,9 +1,11 @@
-// A grid of cells that hold their bodies' balls: for queries of one body at a time, between which bodies come, go and
+// Grids of cells that hold their bodies' balls: for queries of one body at a time, between which bodies come, go and
 // move (internal).
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,26 +16,22 @@
 
 namespace vex {
 
-/// Holds the circumscribed ball of every body, those of a cell in blocks that a kernel reads.
+/// One grid. Holds circumscribed balls, those of a cell in blocks that a kernel reads.
 class BallCells {
  public:
-  /// For queries of balls whose centres are up to `reach` apart; with cells for so many bodies, whose centres are no
-  /// farther than `offset` from the origins of their frames.
-  void build(const SceneBodies& bodies, double reach, double farthest, double offset, std::size_t n_bodies);
-  double reach() const { return reach_; }
-  /// Whether rounding is allowed for as far out as this, in the 1-norm: of a body or of a query. In a box it always is.
-  bool goes_as_far_as(double distance) const { return layout_.box || distance <= farthest_; }
-  const ShiftTable& shifts() const { return shifts_; }
+  /// For queries of balls whose centres are up to `reach` apart; with cells for so many bodies, whose centres are
+  /// within `bounds`, or in the box, and no farther than `farthest` from the origin, as those of the queries.
+  void lay_out(const std::optional<PeriodicBox>& box, const Aabb& bounds, double farthest, double reach,
+               std::size_t n_bodies);
+  /// The images that its queries look at: -n ... n along each lattice vector.
+  const std::array<int, 3>& n_images() const { return layout_.n_images; }
+  /// Empty cells of the layout. The table, which has all its images or more, must stay where it is.
+  void begin(const ShiftTable& shifts);
 
   void add(const SceneBodies& bodies, BodyId body);
   /// There are no bodies; the cells stay.
   void clear();
   void remove(BodyId body);
-  /// Whether the cells are large enough for the body, and for what rounding does where it is. Else where it is does not
-  /// matter: in open space the outermost cells hold what is beyond them, since no two points are farther apart there
-  /// than the points themselves.
-  bool takes(const SceneBodies& bodies, BodyId body) const;
-
   /// Appends every body whose ball may meet this one, each copy of it once, as the second of a pair with `place`; calls
   /// take() whenever near.n is kMost or more, which empties it.
   template <class Take>
@@ -71,13 +69,12 @@ class BallCells {
   std::array<std::uint32_t, 3> held_stride_{};
   std::size_t n_held_ = 0;
   std::array<Stencil, 3> stencils_;
-  ShiftTable shifts_;
-  double reach_ = 0.0, farthest_ = 0.0, shift_error_ = 0.0;
-  std::vector<BallBlock> blocks_;              // the first of each cell, then others
-  std::vector<std::uint32_t> n_, after_;       // of each block: how many balls; the next block of the cell
-  std::vector<std::uint32_t> free_;            // blocks that no cell has
-  std::array<std::vector<double>, 3> sample_;  // of bounds_of_most
-  std::vector<Seat> seats_;                    // of each body
+  const ShiftTable* shifts_ = nullptr;
+  double shift_error_ = 0.0;
+  std::vector<BallBlock> blocks_;         // the first of each cell, then others
+  std::vector<std::uint32_t> n_, after_;  // of each block: how many balls; the next block of the cell
+  std::vector<std::uint32_t> free_;       // blocks that no cell has
+  std::vector<Seat> seats_;               // of each body
 };
 
 template <class Take>
@@ -86,7 +83,7 @@ void BallCells::near(const SceneKernel& kernel, std::uint64_t place, const Vec3d
   const std::array<int, 3> own = layout_.coordinates(centre);
   const std::span<const Step> xs = stencils_[0].about(own[0]);
   std::array<BallBlockAt, kMostAtOnce> at;
-  BallQuery query{blocks_.data(), shifts_.rows(), at.data(), 0, place, centre, radius + 0x1p-46 * norm_1(centre)};
+  BallQuery query{blocks_.data(), shifts_->rows(), at.data(), 0, place, centre, radius + 0x1p-46 * norm_1(centre)};
   std::uint64_t n_seen = 0;
   std::size_t n = 0;
   const auto ask = [&] {
@@ -119,5 +116,56 @@ void BallCells::near(const SceneKernel& kernel, std::uint64_t place, const Vec3d
   }
   ask();
 }
+
+/// The balls of all bodies of a scene. Bodies of like size make a class, and of each class there is one grid for the
+/// queries of each class: a small body looks for small ones in small cells only, wherever a large one may be.
+class BallCellsOfScene {
+ public:
+  /// For queries of bodies of these shapes and of those that the scene has, whose centres are no farther than
+  /// `farthest` from the origin and no farther than `offset` from the origins of their frames. `n_expected`: with cells
+  /// for so many bodies and for all shapes, whatever the scene has; 0: for the bodies that are there.
+  void build(const SceneBodies& bodies, double farthest, double offset, std::size_t n_expected);
+  /// Whether rounding is allowed for as far out as this, in the 1-norm: of a body or of a query. In a box it always is.
+  bool goes_as_far_as(double distance) const { return in_box_ || distance <= farthest_; }
+  const ShiftTable& shifts() const { return shifts_; }
+
+  void add(const SceneBodies& bodies, BodyId body);
+  void remove(const SceneBodies& bodies, BodyId body);
+  /// There are no bodies; the cells stay.
+  void clear();
+  /// Whether the cells are large enough for such a radius; nothing is before the first `build`.
+  bool takes(double radius) const { return !largest_.empty() && radius <= largest_.front(); }
+  /// ... and for the body, and for what rounding does where it is. Else where it is does not matter: in open space the
+  /// outermost cells hold what is beyond them, since no two points are farther apart there than the points themselves.
+  bool takes(const SceneBodies& bodies, BodyId body) const;
+
+  /// BallCells::near of all bodies; `of_shape` is the radius of the asking body's shape, which the cells take.
+  template <class Take>
+  void near(const SceneKernel& kernel, std::uint64_t place, const Vec3d& centre, double of_shape, double radius,
+            NearPairs& near, Take&& take) const {
+    const std::size_t n = largest_.size(), asking = class_of(of_shape);
+    for (std::size_t held = 0; held < n; ++held) {
+      grids_[asking * n + held].near(kernel, place, centre, radius, near, take);
+    }
+  }
+
+ private:
+  void make_classes(const SceneBodies& bodies, bool are_expected);
+  std::size_t class_of(double radius) const {
+    std::size_t k = 0;
+    while (k + 1 < largest_.size() && radius <= largest_[k + 1]) ++k;
+    return k;
+  }
+
+  std::vector<double> largest_;   // radius of each class, from large to small
+  std::vector<BallCells> grids_;  // of each class that asks, one of each that is held
+  ShiftTable shifts_;
+  double farthest_ = 0.0;
+  bool in_box_ = false;
+  // Of `build`, which keeps its memory.
+  std::vector<bool> is_there_;                 // of each shape
+  std::vector<std::size_t> n_bodies_;          // of each class
+  std::array<std::vector<double>, 3> sample_;  // of bounds_of_most
+};
 
 }  // namespace vex

@@ -54,7 +54,7 @@ void Scene::Impl::require(BodyId body) const {
 
 void Scene::Impl::remove(BodyId body) {
   require(body);
-  if (are_cells_true_) cells_.remove(body);
+  if (are_cells_true_) cells_.remove(bodies_, body);
   bodies_.remove(body);
   phases_.bodies_changed();
   memory_.forget();
@@ -85,7 +85,7 @@ void Scene::Impl::move(BodyId body, const Pose& pose) {
   bodies_.set_pose(body, pose);
   phases_.moved(bodies_, body);
   if (are_cells_true_) {
-    cells_.remove(body);
+    cells_.remove(bodies_, body);
     are_cells_true_ = cells_.takes(bodies_, body);
     if (are_cells_true_) cells_.add(bodies_, body);
   }
@@ -121,17 +121,16 @@ double Scene::Impl::checked_reach(double margin) const {
 }
 
 // Made for single queries, and kept up to date from then on; anew where bodies have become many more or larger.
-BallCells& Scene::Impl::ball_cells(double farthest) {
-  const bool is_expected = n_expected_ > 0 && bodies_.box();
-  const double radius = is_expected ? bodies_.largest_radius_of_shapes() : bodies_.largest_radius();
-  const double needed = 2.0 * radius * (1.0 + 0x1p-18);
+BallCellsOfScene& Scene::Impl::ball_cells(double farthest) {
+  // In a box they need not hang on where bodies are.
+  const bool as_expected = n_expected_ > 0 && bodies_.box() && bodies_.size() <= 2 * n_expected_ + 64;
+  const double radius = as_expected ? bodies_.largest_radius_of_shapes() : bodies_.largest_radius();
   const bool is_small = bodies_.size() > 2 * n_in_cells_ + 64;
-  if (!are_cells_true_ || needed > cells_.reach() || is_small || !cells_.goes_as_far_as(farthest)) {
-    // In a box they do not hang on where bodies are.
-    are_cells_as_expected_ = is_expected && bodies_.size() <= 2 * n_expected_ + 64;
-    n_in_cells_ = are_cells_as_expected_ ? n_expected_ : bodies_.size();
-    const double offset = is_expected ? bodies_.largest_offset_of_shapes() : bodies_.largest_offset();
-    cells_.build(bodies_, needed, is_expected ? 0.0 : farthest, offset, n_in_cells_);
+  if (!are_cells_true_ || !cells_.takes(radius) || is_small || !cells_.goes_as_far_as(farthest)) {
+    are_cells_as_expected_ = as_expected;
+    n_in_cells_ = as_expected ? n_expected_ : bodies_.size();
+    const double offset = as_expected ? bodies_.largest_offset_of_shapes() : bodies_.largest_offset();
+    cells_.build(bodies_, as_expected ? 0.0 : farthest, offset, as_expected ? n_expected_ : 0);
     are_cells_true_ = true;
   }
   return cells_;

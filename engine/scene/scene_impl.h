@@ -71,11 +71,11 @@ class Scene::Impl {
   void on_searches(const PairQuestion& asked, PairKeeper* keeper,
                    const std::function<void(PairSearch& search, int thread)>& work);
   // For a query at a place as far out as this.
-  BallCells& ball_cells(double farthest);
+  BallCellsOfScene& ball_cells(double farthest);
   std::vector<PairSearch>& searches(double margin) { return searches_[margin > 0.0 ? 1 : 0]; }
   PairQuestion question(double margin);
   // Of pairs whose places are numbers of bodies.
-  PairQuestion question_of_cells(const BallCells& cells);
+  PairQuestion question_of_cells(const BallCellsOfScene& cells);
 
   SceneBodies bodies_;
   SceneSettings settings_;
@@ -83,7 +83,7 @@ class Scene::Impl {
   BroadPhases phases_;
 
   PairMemory memory_;
-  BallCells cells_;
+  BallCellsOfScene cells_;
   bool are_cells_true_ = false;
   std::size_t n_in_cells_ = 0, n_expected_ = 0;
   bool are_cells_as_expected_ = false;  // they are what they would be for another set of bodies

@@ -23,7 +23,7 @@ void take_sorted(const PairSearch& search, ScenePairs& out) {
 
 }  // namespace
 
-PairQuestion Scene::Impl::question_of_cells(const BallCells& cells) {
+PairQuestion Scene::Impl::question_of_cells(const BallCellsOfScene& cells) {
   PairQuestion asked = question(0.0);
   asked.poses = bodies_.poses().data();
   asked.id = nullptr;
@@ -37,7 +37,7 @@ PairSearch& Scene::Impl::find_pairs_of(BodyId body, const Transformd& pose) {
   const ShapeId shape = bodies_.shape_of()[body];
   const ShapeBounds& bounds = bodies_.bounds(shape);
   const Vec3d centre = pose(bounds.centre);
-  const BallCells& cells = ball_cells(norm_1(centre) + norm_1(bounds.centre));
+  const BallCellsOfScene& cells = ball_cells(norm_1(centre) + norm_1(bounds.centre));
   bodies_.set_visitor(shape, pose);
   const std::uint64_t place = bodies_.end();
   PairSearch& search = single_;
@@ -56,7 +56,7 @@ PairSearch& Scene::Impl::find_pairs_of(BodyId body, const Transformd& pose) {
     }
     search.near.n = n;
   };
-  cells.near(asked.kernel, place, centre, radius, search.near, [&] {
+  cells.near(asked.kernel, place, centre, bounds.radius, radius, search.near, [&] {
     leave_out_itself();
     search.take();
   });
@@ -76,7 +76,7 @@ PairSearch& Scene::Impl::find_pairs_of(BodyId body, const Transformd& pose) {
 }
 
 PairSearch& Scene::Impl::find_pairs_of_added(BodyId first, Clusters* joined, const PairJudge* judge) {
-  const BallCells& cells = ball_cells(0.0);
+  const BallCellsOfScene& cells = ball_cells(0.0);
   PairSearch& search = single_;
   const PairQuestion asked = question_of_cells(cells);
   search.begin(asked);
@@ -99,7 +99,7 @@ PairSearch& Scene::Impl::find_pairs_of_added(BodyId first, Clusters* joined, con
       }
       near.n = n;
     };
-    cells.near(asked.kernel, body, centre, radius, near, [&] {
+    cells.near(asked.kernel, body, centre, bounds.radius, radius, near, [&] {
       keep_earlier();
       search.take();
       n = 0;

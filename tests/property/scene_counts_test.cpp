@@ -120,6 +120,23 @@ TEST(SceneCounts, NeedlesAndPlatesArePartedByTheirCylinders) {
   }
 }
 
+// In one grid, of cells as large as the large bodies, each small one would be compared with all others, nearly 8000.
+TEST(SceneCounts, SmallBodiesLookForEachOtherInSmallCells) {
+  const ConvexBody large = parse_shape("sphere:1"), small = parse_shape("sphere:0.05");
+  std::vector<ConvexBody> kinds(1000, small);
+  kinds.front() = large;
+  const RandomScene made = bodies_in_a_box(kinds, 8000, 4.0, 37);
+  Scene scene = made.scene();
+  ScenePairs found;
+  std::uint64_t n_of_small = 0, n_of_large = 0;
+  for (BodyId body = 0; body < scene.end(); ++body) {
+    scene.overlaps_of(body, found);
+    (body % kinds.size() == 0 ? n_of_large : n_of_small) += found.counts[Stage::balls].seen;
+  }
+  EXPECT_LT(n_of_small, 200 * 7992);
+  EXPECT_GT(n_of_large, 8 * 500);
+}
+
 TEST(SceneCounts, AnyOverlapEndsAtTheFirst) {
   const RandomScene made = bodies_in_a_box({kCube}, 20000, std::cbrt(20000 / 0.2444), 5);
   for (const BroadPhase phase : {BroadPhase::grid, BroadPhase::tree}) {
