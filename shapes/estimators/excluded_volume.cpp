@@ -116,10 +116,12 @@ Outlook outlook_of(const Body& a, const Body& b, const MonteCarloSettings& drive
   const auto chosen = std::ranges::find_if(result.candidates, is_this_run);
   const PilotCost cost = chosen != result.candidates.end() ? chosen->cost : pilot(a, b, driver);
   const double rate = static_cast<double>(driver.n_threads) / cost.seconds_per_trial_here;
-  double seconds =
-      static_cast<double>(std::min(driver.stop.trials.value_or(driver.stop.max_trials), driver.stop.max_trials)) / rate;
-  if (driver.stop.relative_error) seconds = std::fmin(seconds, cost.trials_to(*driver.stop.relative_error) / rate);
+  const auto time_of = [rate](double n_trials) { return n_trials / rate; };
+  double seconds = std::numeric_limits<double>::infinity();
+  if (driver.stop.trials) seconds = time_of(static_cast<double>(*driver.stop.trials));
+  if (driver.stop.relative_error) seconds = std::fmin(seconds, time_of(cost.trials_to(*driver.stop.relative_error)));
   if (driver.stop.seconds) seconds = std::fmin(seconds, *driver.stop.seconds);
+  if (std::isfinite(seconds)) seconds = std::fmin(seconds, time_of(static_cast<double>(driver.stop.max_trials)));
   const double before = driver.resume != nullptr ? driver.resume->seconds : 0.0;
   return {result.estimator, result.sequence, std::fmax(0.0, seconds - before)};
 }
