@@ -37,7 +37,9 @@ std::string announcement(const Outlook& outlook, const Options& options) {
   } else {
     text = estimator + " will take about " + about(outlook.seconds) + " on " + std::to_string(options.n_threads) +
            (options.n_threads == 1 ? " thread" : " threads");
-    if (settings.rel_error && !settings.trials && !settings.seconds) {
+    if (outlook.gives_up) {
+      text += ", and reach --max-trials before it is done";
+    } else if (settings.rel_error && !settings.trials && !settings.seconds) {
       text += ", to a relative error of " + short_number(*settings.rel_error, 3);
     }
   }

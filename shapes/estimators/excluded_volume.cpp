@@ -121,9 +121,11 @@ Outlook outlook_of(const Body& a, const Body& b, const MonteCarloSettings& drive
   if (driver.stop.trials) seconds = time_of(static_cast<double>(*driver.stop.trials));
   if (driver.stop.relative_error) seconds = std::fmin(seconds, time_of(cost.trials_to(*driver.stop.relative_error)));
   if (driver.stop.seconds) seconds = std::fmin(seconds, *driver.stop.seconds);
-  if (std::isfinite(seconds)) seconds = std::fmin(seconds, time_of(static_cast<double>(driver.stop.max_trials)));
+  const double most = time_of(static_cast<double>(driver.stop.max_trials));
+  const bool gives_up = std::isfinite(seconds) && seconds > most;
+  if (gives_up) seconds = most;
   const double before = driver.resume != nullptr ? driver.resume->seconds : 0.0;
-  return {result.estimator, result.sequence, std::fmax(0.0, seconds - before)};
+  return {result.estimator, result.sequence, std::fmax(0.0, seconds - before), gives_up};
 }
 
 void sample(const Body& a, const Body& b, const Settings& settings, MonteCarloSettings driver, const Estimator* asked,

@@ -22,6 +22,7 @@ struct Outlook {
   /// Until the first of its stop rules ends it, on its threads, beyond what a resumed run took already: right to a
   /// factor of two or three. Infinite where the pilot could not tell.
   double seconds = 0.0;
+  bool gives_up = false;  // it reaches `max_trials` before
 };
 
 /// All of it has a default: without any setting the run ends at a standard error of 1e-4 of the result.
