@@ -31,7 +31,8 @@ The program vex_mesh computes the volume that a convex body forbids to the
 centre of another one, averaged over their orientations, and with it the
 second virial coefficient of hard particles: by Monte Carlo with collision
 verdicts that are proven against rounding, and by the formula from the
-bodies' volume, surface and integrated mean curvature. vex_pair answers
+bodies' volume, surface and integrated mean curvature. vex_merge adds parts
+of such a run that were made on several machines. vex_pair answers
 whether two bodies overlap at given poses, how far apart or how deep in each
 other they are, and when a motion makes them meet. vex_scene asks the same
 of many bodies in open space or in a periodic box: pairs, distances, clusters.

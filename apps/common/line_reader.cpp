@@ -5,17 +5,17 @@
 
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "engine/numeric/errors.h"
 
 namespace vex {
 
-LineReader::LineReader(const std::string& path, std::string what)
-    : name_(path == "-" ? "standard input" : path), what_(std::move(what)) {
+LineReader::LineReader(const std::string& path, std::string what, std::string advice)
+    : name_(path == "-" ? "standard input" : path), what_(std::move(what)), advice_(std::move(advice)) {
   file_ = path == "-" ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file_ < 0) {
-    throw InputError(what_ + " cannot be read (" + name_ + ": " + std::strerror(errno) +
-                     ") - give a CSV file, or - for standard input");
+    throw InputError(what_ + " cannot be read (" + name_ + ": " + std::strerror(errno) + ") - " + advice_);
   }
 }
 
@@ -36,8 +36,7 @@ bool LineReader::fetch() {
   const int error = errno;
   buffer_.resize(n_before + (n > 0 ? static_cast<std::size_t>(n) : 0));
   if (n < 0) {
-    throw InputError(what_ + " cannot be read (" + name_ + ": " + std::strerror(error) +
-                     ") - give a CSV file, or - for standard input");
+    throw InputError(what_ + " cannot be read (" + name_ + ": " + std::strerror(error) + ") - " + advice_);
   }
   return n > 0;
 }

@@ -13,8 +13,10 @@ class LineReader {
   /// No row that is meant to be one is longer.
   static constexpr std::size_t kLongestLine = 1 << 16;
 
-  /// `path`: "-" is standard input. Throws InputError where it cannot be opened; `what` says in messages what it holds.
-  LineReader(const std::string& path, std::string what);
+  /// `path`: "-" is standard input. Throws InputError where it cannot be opened; `what` says in messages what it holds,
+  /// and `advice` what to do where it cannot be read.
+  LineReader(const std::string& path, std::string what,
+             std::string advice = "give a CSV file, or - for standard input");
   ~LineReader();
   LineReader(const LineReader&) = delete;
   LineReader& operator=(const LineReader&) = delete;
@@ -31,7 +33,7 @@ class LineReader {
   bool fetch();  // more bytes behind those that are left; false at the end
 
   int file_ = -1;
-  std::string name_, what_;
+  std::string name_, what_, advice_;
   std::string buffer_;
   std::size_t begin_ = 0;
   bool at_end_ = false;

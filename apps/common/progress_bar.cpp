@@ -53,8 +53,11 @@ double fraction_done(const Progress& progress) {
 ProgressBar::ProgressBar(bool wanted, std::string label)
     : enabled_(wanted && isatty(STDERR_FILENO) != 0), label_(std::move(label)) {}
 
-ProgressBar::~ProgressBar() {
+ProgressBar::~ProgressBar() { erase(); }
+
+void ProgressBar::erase() {
   if (drawn_) std::fputs("\r\033[K", stderr);
+  drawn_ = false;
 }
 
 void ProgressBar::show(const Progress& progress) {

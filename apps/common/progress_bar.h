@@ -18,6 +18,8 @@ class ProgressBar {
   ProgressBar& operator=(const ProgressBar&) = delete;
 
   void show(const Progress& progress);
+  /// Until it is shown again: before something else is said.
+  void erase();
 
  private:
   static constexpr double kSecondsBetween = 0.1;  // as fast as eyes read

@@ -8,12 +8,16 @@
 #include "apps/common/interrupt.h"
 #include "apps/common/progress_bar.h"
 #include "apps/common/run_program.h"
+#include "apps/vex_mesh/announcement.h"
 #include "apps/vex_mesh/options.h"
 #include "apps/vex_mesh/report.h"
+#include "apps/vex_mesh/run_identity.h"
 #include "engine/numeric/errors.h"
 
 namespace vex {
 namespace {
+
+constexpr const char* kProgram = "vex_mesh";
 
 std::string why_left_out(const BackendKind& kind, const MeshRun& run) {
   return why_left_out(kind, {&run.a.shape.body, run.a.source, run.a.shape.kind},
@@ -31,13 +35,30 @@ void choose_backends(MeshRun& run) {
   });
 }
 
-void sample(MeshRun& run) {
+void sample(MeshRun& run, Checkpoint* checkpoint) {
   ExcludedVolumeSettings& settings = run.options.settings;
+  std::optional<RunState> resumed;
+  if (has_run_to_resume(run.options.checkpoint, kProgram, run.options.quiet)) {
+    resumed = read_checkpoint(run.options.checkpoint.resume, run);
+    settings.resume = &*resumed;
+  }
   for (const LoadedBody& simpler : run.control_bodies) settings.control_variate.push_back(simpler.shape);
   settings.interrupt = &interrupting_signal();
   ProgressBar bar(!run.options.quiet);
   settings.on_progress = [&bar](const Progress& progress) { bar.show(progress); };
+  if (!run.options.quiet) {
+    settings.on_start = [&run](const Outlook& outlook) {
+      const std::string text = announcement(outlook, run.options);
+      if (!text.empty()) std::cerr << kProgram << ": " << text;
+    };
+  }
+  if (checkpoint != nullptr) {
+    settings.on_state = [&](const RunState& state) {
+      checkpoint->save(checkpoint_text(run, state), [&bar] { bar.erase(); });
+    };
+  }
   run.result = excluded_volume(run.a.shape, run.b.shape, settings);
+  settings.resume = nullptr;
 }
 
 int run_vex_mesh(const CommandLine& words, const std::string& command) {
@@ -45,8 +66,16 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
 
   std::vector<std::string> bodies = {options.a, options.b};
   bodies.insert(bodies.end(), options.control_variate.begin(), options.control_variate.end());
-  CommandFiles files(files_of_bodies(bodies, options.bodies));
+  std::vector<std::string> inputs = files_of_bodies(bodies, options.bodies);
+  if (!options.checkpoint.resume.empty() && !options.checkpoint.is_own_file()) {
+    inputs.push_back(options.checkpoint.resume);
+  }
+  CommandFiles files(std::move(inputs));
   const std::optional<OutputFile> json = files.output("--json", options.json);
+  std::optional<Checkpoint> checkpoint;
+  if (const std::optional<OutputFile> file = files.output("--checkpoint", options.checkpoint.checkpoint)) {
+    checkpoint.emplace(*file, kProgram, options.checkpoint.seconds_between);
+  }
   if (!options.quiet) files.print_report();
 
   auto [loaded_a, loaded_b] = load_two_bodies(options.a, options.b, options.bodies);
@@ -58,7 +87,7 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
   if (options.dump_vertices) require_vertices_to_list(run.a, run.b);
   choose_backends(run);
   catch_interrupts();
-  sample(run);
+  sample(run, checkpoint ? &*checkpoint : nullptr);
 
   if (!options.quiet && !(json && json->is_standard_output())) std::cout << report_text(run);
   if (json) json->write(report_json(run));

@@ -1,7 +1,6 @@
 #include "apps/vex_mesh/options.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <string>
 #include <utility>
 
@@ -10,7 +9,6 @@
 #include "apps/common/instruction_sets.h"
 #include "apps/common/numbers.h"
 #include "apps/common/orientations.h"
-#include "apps/common/run_program.h"
 #include "engine/numeric/errors.h"
 
 namespace vex {
@@ -50,7 +48,8 @@ void declare_options(OptionParser& options, CommandLine& words) {
       .add_option(
           "--orientations", words.orientations,
           "isotropic (default); aligned; fixed:W,X,Y,Z, B's quaternion in A's frame; cone:DEG, both z axes within this "
-          "angle of +-z; angle:DEG, B's z axis at this angle to A's, each body spun about its own; onsager:ALPHA, both z "
+          "angle of +-z; angle:DEG, B's z axis at this angle to A's, each body spun about its own; onsager:ALPHA, both "
+          "z "
           "axes by the density cosh(ALPHA cos theta)")
       .type_name("LAW")
       .group(sampling);
@@ -101,9 +100,14 @@ void declare_options(OptionParser& options, CommandLine& words) {
   declare_options_of_two_bodies(options, words);
   declare_output(options, words);
 
-  const std::string later = "Not built yet";
-  options.add_option("--checkpoint", words.checkpoint, "Save the run's state").type_name("FILE").group(later);
-  options.add_option("--resume", words.resume, "Continue a saved run").type_name("FILE").group(later);
+  const std::string parts = "A run in parts";
+  declare_checkpoint(options, words, parts);
+  options
+      .add_option(
+          "--first-trial", words.first_trial,
+          "With --trials N: trials FIRST ... FIRST + N - 1, a part of a longer run, which vex_merge puts together")
+      .type_name("FIRST")
+      .group(parts);
 
   options.footer(named_bodies_help() +
                  "\n\nExit codes:"
@@ -116,10 +120,6 @@ void declare_options(OptionParser& options, CommandLine& words) {
 }
 
 Options interpret(const CommandLine& words) {
-  for (const auto& [given, option] : std::initializer_list<std::pair<bool, const char*>>{
-           {!words.checkpoint.empty(), "--checkpoint"}, {!words.resume.empty(), "--resume"}}) {
-    if (given) not_built_yet(option);
-  }
   const auto or_default = [](const std::string& word, const char* value) { return word.empty() ? value : word; };
   const std::string backend = or_default(words.backend, "gjk");
   const std::string orientations = or_default(words.orientations, "isotropic");
@@ -143,6 +143,13 @@ Options interpret(const CommandLine& words) {
   if (!words.seconds.empty()) settings.seconds = parse_positive_number(words.seconds, "--seconds");
   if (!settings.trials && !settings.rel_error && !settings.seconds) settings.rel_error = 1e-3;
   if (!words.max_trials.empty()) settings.max_trials = parse_positive_count(words.max_trials, "--max-trials");
+  if (!words.first_trial.empty()) settings.first_trial = parse_count(words.first_trial, "--first-trial");
+  if (settings.first_trial > 0 && (!settings.trials || settings.rel_error || settings.seconds)) {
+    throw UsageError("a range of trials ends by their number alone (--first-trial " + words.first_trial +
+                     ") - give --trials, and no --rel-error or --seconds");
+  }
+  options.checkpoint = interpret_checkpoint(words);
+  settings.seconds_between_states = options.checkpoint.seconds_between;
   settings.estimator = words.estimator;
   if (!words.sequence.empty()) settings.sequence = words.sequence == "sobol" ? Sequence::sobol : Sequence::random;
   settings.domain = words.domain;

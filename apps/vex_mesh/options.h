@@ -5,18 +5,18 @@
 #include <vector>
 
 #include "apps/common/body_options.h"
+#include "apps/common/checkpoint.h"
 #include "apps/common/common_options.h"
 #include "shapes/estimators/excluded_volume.h"
 
 namespace vex {
 
 /// The words of the command line, as they stand.
-struct CommandLine : CommonWords, BodyWords {
+struct CommandLine : CommonWords, BodyWords, CheckpointWords {
   std::string a, b;
-  std::string trials, relative_error, seconds, max_trials;
+  std::string trials, first_trial, relative_error, seconds, max_trials;
   std::string estimator, sequence, domain, backend, orientations, isa;
   std::vector<std::string> control_variate;
-  std::string checkpoint, resume;
   bool no_quick_verdicts = false, cross_check = false;
   bool verify = false;
 };
@@ -32,6 +32,7 @@ struct Options : CommonOptions {
   bool is_cross_check = false;
   BodyOptions bodies;
   bool dump_vertices = false;
+  CheckpointOptions checkpoint;
 };
 
 /// Throws UsageError where a word means nothing, or something that is not built yet.

@@ -5,17 +5,16 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/common/body_report.h"
+#include "apps/common/estimate_report.h"
 #include "apps/common/numbers.h"
 #include "apps/common/text.h"
+#include "apps/vex_mesh/run_identity.h"
 #include "shapes/formula.h"
 
 namespace vex {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr DecidedBy kAllDecidedBy[] = {DecidedBy::outer_bound,   DecidedBy::inner_bound, DecidedBy::gjk,
-                                       DecidedBy::double_double, DecidedBy::exact,       DecidedBy::peer};
 
 std::vector<std::string> backend_names(const MeshRun& run) {
   std::vector<std::string> names = {run.options.settings.backend.name};
@@ -29,13 +28,6 @@ bool samples_poses(const MeshRun& run) {
 bool runs_gjk(const MeshRun& run) { return run.result.estimator == nullptr || run.result.estimator->runs_gjk; }
 bool has_trials(const MeshRun& run) { return run.result.record.tally.n_trials > 0; }
 double relative_error_of(const MeshRun& run) { return run.result.std_error / run.result.value; }
-
-// In length^3, of hit or miss: of shells what lies between the balls.
-double sampling_volume(const MeshRun& run) {
-  const Tally& tally = run.result.record.tally;
-  return run.result.stratified && tally.n_trials > 0 ? tally.by_class.unit
-                                                     : mean_sampling_volume(tally, run.result.domain);
-}
 
 // By how much a trial of this run took longer than it was counted to: costs are counted in nanoseconds of some machine,
 // the same everywhere, and the run tells what such a nanosecond is here.
@@ -110,54 +102,19 @@ std::string control_text(const MeshRun& run) {
 }
 
 Json estimate_json(const MeshRun& run) {
-  const Tally& tally = run.result.record.tally;
   Json json;
   const bool has_hits = samples_poses(run);
   const bool is_run = run.result.estimator != nullptr;
   json["estimator"] = is_run ? Json(run.result.estimator->name) : Json(nullptr);
   json["sequence"] = is_run ? Json(name_of(run.result.sequence)) : Json(nullptr);
-  const bool with_gjk = runs_gjk(run);
-  json["backend"] = with_gjk ? run.options.settings.backend.name : "none";
+  json["backend"] = runs_gjk(run) ? run.options.settings.backend.name : "none";
   json["orientations"] = run.options.settings.law.name();
-  const bool is_known = !std::isnan(run.result.value);
-  json["excluded_volume"] = number_or_null(run.result.value);
-  json["std_error"] = is_known ? number_or_null(run.result.std_error) : Json(nullptr);
-  const Interval95& ci95 = run.result.ci95;  // of one trial it is without end
-  json["ci95"] = is_known && std::isfinite(ci95.upper) ? Json{ci95.lower, ci95.upper} : Json(nullptr);
-  json["reduced"] = number_or_null(run.result.reduced);
-  json["b2"] = number_or_null(run.result.b2);
-  json["trials"] = tally.n_trials;
-  json["hits"] = has_hits ? Json(tally.n_hits) : Json(nullptr);
-  json["undecided"] = tally.n_undecided;
-  json["sampling_volume"] = has_hits ? Json(sampling_volume(run)) : Json(nullptr);
+  set_tallied(json, run.result);
   if (!run.control_bodies.empty()) json["control_variate"] = control_json(run);
   json["domain"] = has_hits ? Json(name_of(run.result.domain.kind)) : Json(nullptr);
   json["quick_verdicts"] = has_hits && run.options.settings.quick_verdicts && !run.options.settings.backend.is_peer;
   json["isa"] = name_of(run.options.settings.instruction_set);
-  json["seconds"] = run.result.record.seconds;
-  json["trials_per_second"] = number_or_null(static_cast<double>(tally.n_trials) / run.result.record.seconds);
-  json["stopped_by"] =
-      run.result.no_run_reason.empty() ? std::string(name_of(run.result.record.stopped_by)) : "no-volume";
-  for (const DecidedBy by : kAllDecidedBy) {
-    json["decided_by"][std::string(name_of(by))] = with_gjk ? tally.n_decided_by[static_cast<std::size_t>(by)] : 0;
-  }
-  if (!with_gjk) json["decided_by"]["support_values"] = tally.n_trials;
-  json["undecided_trials"] = Json::array();
-  for (const UndecidedTrial& trial : run.result.record.undecided.kept) {
-    json["undecided_trials"].push_back({{"index", trial.index}, {"reason", name_of(trial.reason)}});
-  }
   return json;
-}
-
-Json disagreements_json(const MeshRun& run) {
-  const std::vector<std::string> names = backend_names(run);
-  Json list = Json::array();
-  for (const Disagreement& found : run.result.record.disagreements.kept) {
-    Json verdicts;
-    for (std::size_t k = 0; k < names.size(); ++k) verdicts[names[k]] = name_of(found.outcomes[k]);
-    list.push_back({{"index", found.index}, {"matrix", twelve_numbers(found.a_from_b)}, {"verdicts", verdicts}});
-  }
-  return list;
 }
 
 std::string decided_by_text(const Tally& tally) {
@@ -202,21 +159,6 @@ std::string cross_check_text(const MeshRun& run) {
   }
   if (found.n_all > kShown) text += "   ... --json lists the first " + std::to_string(found.kept.size()) + "\n";
   return text;
-}
-
-Json verification_json(const MeshRun& run) {
-  const FirstOf<UnprovenTrial>& unproven = run.result.record.unproven;
-  Json json{{"proven", run.result.record.n_proven_again},
-            {"unproven", unproven.n_all},
-            {"undecided", run.result.record.tally.n_undecided},
-            {"faults", Json::array()}};
-  for (const UnprovenTrial& trial : unproven.kept) {
-    json["faults"].push_back({{"index", trial.index},
-                              {"matrix", twelve_numbers(trial.a_from_b)},
-                              {"verdict", name_of(trial.outcome)},
-                              {"fault", trial.fault}});
-  }
-  return json;
 }
 
 std::string verification_text(const MeshRun& run) {
@@ -322,16 +264,12 @@ std::string report_json(const MeshRun& run) {
   json["order_parameter"] = order_parameter ? Json(*order_parameter) : Json(nullptr);
   json["estimate"] = estimate_json(run);
   if (!run.result.candidates.empty()) json["pilot"] = pilot_json(run);
-  if (run.result.z) {
-    json["z"] = *run.result.z;
-  } else {
-    json["z"] = nullptr;
-    json["z_reason"] = run.result.z_reason;
-  }
-  if (run.options.settings.verify) json["verification"] = verification_json(run);
+  set_comparison(json, run.result);
+  if (has_trials(run)) json["tally"] = tally_json(trials_identity(run), run.result);
+  if (run.options.settings.verify) json["verification"] = verification_json(run.result.record);
   if (run.options.is_cross_check) {
     json["n_disagreements"] = run.result.record.disagreements.n_all;
-    json["disagreements"] = disagreements_json(run);
+    json["disagreements"] = disagreements_json(run.result.record, backend_names(run));
     json["cross_check"] = backend_names(run);
     json["cross_check_left_out"] = run.left_out;
   }
@@ -356,7 +294,7 @@ std::string report_text(const MeshRun& run) {
             (run.result.stratified                            ? " of volume "
              : run.result.domain.kind != Domain::Kind::fitted ? " domain of volume "
                                                               : " domains of mean volume ") +
-            short_number(sampling_volume(run), 6) + ", ";
+            short_number(sampling_volume(run.result), 6) + ", ";
   }
   text += (runs_gjk(run) ? run.options.settings.backend.name : "no GJK") + ", seed " +
           std::to_string(run.options.seed) + "\n";

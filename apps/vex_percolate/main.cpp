@@ -1,5 +1,4 @@
 // vex_percolate BODY...: the percolation threshold of overlapping convex bodies.
-#include <chrono>
 #include <iostream>
 #include <string_view>
 
@@ -15,8 +14,11 @@
 namespace vex {
 namespace {
 
+constexpr const char* kProgram = "vex_percolate";
+
 struct Outputs {
-  std::optional<OutputFile> json, plot, csv, gltf, checkpoint;
+  std::optional<OutputFile> json, plot, csv, gltf;
+  std::optional<Checkpoint> checkpoint;
 
   bool own_standard_output() const {
     for (const std::optional<OutputFile>* const file : {&json, &plot, &csv, &gltf}) {
@@ -31,14 +33,17 @@ Outputs output_files(const PercolateOptions& options) {
   for (const BodyFraction& body : options.bodies) bodies.push_back(body.text);
   std::vector<std::string> inputs = files_of_bodies(bodies, options.body_options);
   // A run may go on in its own file: that is read before it is written.
-  if (!options.resume.empty() && options.resume != options.checkpoint) inputs.push_back(options.resume);
+  const CheckpointOptions& parts = options.checkpoint;
+  if (!parts.resume.empty() && !parts.is_own_file()) inputs.push_back(parts.resume);
   CommandFiles files(std::move(inputs));
   Outputs outputs;
   outputs.json = files.output("--json", options.json);
   outputs.plot = files.output("--plot", options.plot);
   outputs.csv = files.output("--csv", options.csv);
   outputs.gltf = files.output("--gltf", options.gltf, ".glb");
-  outputs.checkpoint = files.output("--checkpoint", options.checkpoint);
+  if (const std::optional<OutputFile> file = files.output("--checkpoint", parts.checkpoint)) {
+    outputs.checkpoint.emplace(*file, kProgram, parts.seconds_between);
+  }
   if (!options.quiet) files.print_report();
   return outputs;
 }
@@ -54,27 +59,23 @@ std::string status_of(const PercolateRun& run) {
 
 int run_vex_percolate(const PercolateCommandLine& words, const std::string& command) {
   const PercolateOptions options = interpret(words);
-  const Outputs outputs = output_files(options);
+  Outputs outputs = output_files(options);
   PercolateRun run = prepare(options, command);
-  if (!options.resume.empty()) resume_from(options.resume, run);
+  if (has_run_to_resume(options.checkpoint, kProgram, options.quiet)) resume_from(options.checkpoint.resume, run);
   catch_interrupts();
 
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point saved = Clock::now();
-  constexpr std::chrono::seconds kBetween{30};
   StatusLine status(!options.quiet);
   percolate(
       run, [&] { status.show(status_of(run)); },
       [&] {
-        if (!outputs.checkpoint || Clock::now() - saved < kBetween) return;
-        outputs.checkpoint->write_catching_interrupts(realisations_text(run));
-        saved = Clock::now();
+        if (!outputs.checkpoint || !outputs.checkpoint->is_due()) return;
+        outputs.checkpoint->save(realisations_text(run), [&status] { status.erase(); });
       });
   status.erase();
 
   const int signal = interrupting_signal().load();
   run.complete = signal == 0;
-  if (outputs.checkpoint) outputs.checkpoint->write_catching_interrupts(realisations_text(run));
+  if (outputs.checkpoint) outputs.checkpoint->save(realisations_text(run));
   if (!options.quiet && !outputs.own_standard_output()) std::cout << report_text(run);
   if (outputs.csv) outputs.csv->write_catching_interrupts(realisations_text(run));
   if (outputs.plot) outputs.plot->write_catching_interrupts(picture_of(run));

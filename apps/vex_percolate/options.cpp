@@ -143,18 +143,8 @@ void declare_outputs(OptionParser& options, PercolateCommandLine& words) {
           "an axis, as binary glTF 2.0, which viewers show: that cluster stands out")
       .type_name("FILE.glb")
       .group(output);
-  options
-      .add_option("--checkpoint", words.checkpoint,
-                  "Write the same as --csv every half minute, as realisations end, and at the end, for --resume")
-      .type_name("FILE")
-      .group(output);
-  options
-      .add_option(
-          "--resume", words.resume,
-          "Go on from what --checkpoint or --csv has written of the same system and seed: the result is that of "
-          "one run")
-      .type_name("FILE")
-      .group(output);
+  // A saved state is the same as --csv writes, which --resume takes as well.
+  declare_checkpoint(options, words, "A run in parts");
 }
 
 }  // namespace
@@ -203,9 +193,6 @@ PercolateOptions interpret(const PercolateCommandLine& words) {
   static_cast<CommonOptions&>(options) = interpret_common(words);
   options.bodies = bodies_of(words.bodies);
   require_glb_name(words.gltf, "--gltf");
-  if (words.checkpoint == "-") {
-    throw UsageError("a state is written again and again (--checkpoint -) - name a file");
-  }
   std::vector<std::string> texts;
   for (const BodyFraction& body : options.bodies) texts.push_back(body.text);
   options.body_options = interpret_bodies(words, texts);
@@ -242,8 +229,7 @@ PercolateOptions interpret(const PercolateCommandLine& words) {
   options.plot = words.plot;
   options.csv = words.csv;
   options.gltf = words.gltf;
-  options.checkpoint = words.checkpoint;
-  options.resume = words.resume;
+  options.checkpoint = interpret_checkpoint(words);
   return options;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/common/body_options.h"
+#include "apps/common/checkpoint.h"
 #include "apps/common/common_options.h"
 #include "engine/query/overlap_backend.h"
 #include "engine/sampling/percolation/placements.h"
@@ -13,10 +14,10 @@
 namespace vex {
 
 /// The words of the command line, as they stand.
-struct PercolateCommandLine : CommonWords, BodyWords {
+struct PercolateCommandLine : CommonWords, BodyWords, CheckpointWords {
   std::vector<std::string> bodies;
   std::string sizes, realisations, std_error, seconds, orientations, shell, backend, isa;
-  std::string plot, csv, gltf, checkpoint, resume;
+  std::string plot, csv, gltf;
 };
 
 /// Declares the options; parsing fills `words`, which must outlive `options`.
@@ -50,7 +51,8 @@ struct PercolateOptions : CommonOptions {
   std::string backend_name;
   InstructionSet instruction_set = best_instruction_set();
   bool dump_vertices = false;
-  std::string plot, csv, gltf, checkpoint, resume;
+  std::string plot, csv, gltf;
+  CheckpointOptions checkpoint;
 };
 
 /// Throws UsageError where a word means nothing.

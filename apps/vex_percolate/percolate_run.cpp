@@ -243,7 +243,8 @@ void percolate(PercolateRun& run, const std::function<void()>& on_round, const s
   const Clock::time_point start = Clock::now();
   const PercolateOptions& options = run.options;
   const auto seconds = [start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-  const auto is_late = [&] { return options.seconds && seconds() >= *options.seconds; };
+  // The time of the runs that it goes on from counts.
+  const auto is_late = [&] { return options.seconds && run.seconds_before + seconds() >= *options.seconds; };
   const StopQuestion stop = [&] { return interrupting_signal().load() != 0 || is_late(); };
   const std::uint64_t most = options.realisations.value_or(kMostRealisations);
   // A twentieth of the time that is asked for, where it is short.

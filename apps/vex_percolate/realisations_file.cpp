@@ -1,12 +1,11 @@
 #include "apps/vex_percolate/realisations_file.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
 
+#include "apps/common/checksum.h"
 #include "apps/common/line_reader.h"
 #include "apps/common/numbers.h"
 #include "apps/common/text.h"
@@ -16,28 +15,7 @@
 namespace vex {
 namespace {
 
-constexpr std::string_view kHeader = "size,realisation,x,y,z", kEnd = "# end";
-
-// zlib's CRC-32, of lines with a line feed each.
-class Checksum {
- public:
-  void add(std::string_view text) {
-    constexpr std::size_t kMost = 1u << 30;
-    for (; !text.empty(); text.remove_prefix(std::min(kMost, text.size()))) {
-      sum_ =
-          ::crc32(sum_, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(std::min(kMost, text.size())));
-    }
-  }
-  std::string end_line() const {
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    std::string line = std::string(kEnd) + ", crc32 ";
-    for (int shift = 28; shift >= 0; shift -= 4) line += kDigits[(sum_ >> shift) & 15u];
-    return line;
-  }
-
- private:
-  uLong sum_ = ::crc32(0, nullptr, 0);
-};
+constexpr std::string_view kHeader = "size,realisation,x,y,z";
 
 // Bodies of one text may differ: of a file that has changed, or in another scale. Their measures then do.
 std::string body_line(const LoadedBody& body, const Body& connecting, double fraction) {
@@ -103,13 +81,13 @@ class ResumedFile {
     for (SizeRun& size : run_.sizes) read_counts(size.counts);
     if (next() != kHeader) refuse("not the header " + std::string(kHeader) + " - give a file that vex_percolate wrote");
     // A file that was cut off, in the middle of a number perhaps, has no end.
-    while (!next().starts_with(kEnd)) {
-      if (line_.empty()) refuse("no \"" + std::string(kEnd) + "\" - the file is cut off");
+    while (!next().starts_with(kEndOfFile)) {
+      if (line_.empty()) refuse("no \"" + std::string(kEndOfFile) + "\" - the file is cut off");
       read_row();
     }
-    if (line_ != last_before_.end_line()) {
+    if (line_ != end_line(last_before_)) {
       refuse("the checksum \"" + printable(line_) + "\" is not that of the lines before it, \"" +
-             last_before_.end_line() + "\" - the file is damaged");
+             end_line(last_before_) + "\" - the file is damaged");
     }
     if (lines_.next(line_)) refuse("something stands behind the end - the file is damaged");
     for (const SizeRun& size : run_.sizes) check_counts(size);
@@ -213,7 +191,7 @@ std::string realisations_text(const PercolateRun& run) {
   }
   Checksum sum;
   sum.add(text);
-  return text + sum.end_line() + "\n";
+  return text + end_line(sum) + "\n";
 }
 
 void resume_from(const std::string& path, PercolateRun& run) { ResumedFile(path, run).read(); }

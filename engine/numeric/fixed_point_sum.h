@@ -87,6 +87,12 @@ class FixedPointSum {
     return sum;
   }
 
+  /// All of it: the least word first; a negative sum as 2^512 less.
+  using Words = std::array<std::uint64_t, 8>;
+  const Words& words() const { return words_; }
+  explicit FixedPointSum(const Words& words) : words_(words) {}
+  FixedPointSum() = default;
+
   friend bool operator==(const FixedPointSum&, const FixedPointSum&) = default;
 
  private:
@@ -107,7 +113,7 @@ class FixedPointSum {
     }
   }
 
-  std::array<std::uint64_t, 8> words_{};  // the least first; a negative sum as 2^512 less
+  Words words_{};
 };
 
 }  // namespace vex

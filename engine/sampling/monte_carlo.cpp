@@ -19,6 +19,7 @@
 #include "engine/query/overlap.h"
 #include "engine/query/packets/quick_verdict.h"
 #include "engine/sampling/poses/pose_map.h"
+#include "engine/sampling/run_ledger.h"
 #include "engine/sampling/trial_runner.h"
 
 namespace vex {
@@ -28,32 +29,16 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-template <class T>
-void keep_first(FirstOf<T>& list) {
-  std::sort(list.kept.begin(), list.kept.end(), [](const T& x, const T& y) { return x.index < y.index; });
-  if (list.kept.size() > FirstOf<T>::kKept) list.kept.resize(FirstOf<T>::kKept);
-}
-
-template <class T>
-void append(FirstOf<T>& list, FirstOf<T>&& more) {
-  list.n_all += more.n_all;
-  list.kept.insert(list.kept.end(), std::make_move_iterator(more.kept.begin()),
-                   std::make_move_iterator(more.kept.end()));
-  if (list.kept.size() > 2 * FirstOf<T>::kKept) keep_first(list);
-  more = {};
-}
-
-// The run as the threads share it. Threads take blocks of consecutive trials up to the next evaluation; every block
-// taken is finished, so the finished trials are always 0 ... n - 1. The thread that finishes the last block evaluates.
+// The run as the threads share it. Threads take blocks of consecutive trials up to the next evaluation, and finish
+// every block that they took.
 class Run {
  public:
   Run(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings)
       : a_(a),
         b_(b),
         settings_(settings),
-        certain_(!settings.integrand && hits_by_construction(a, b, settings.law, settings.domain)),
-        grain_(settings.sequence == Sequence::sobol || settings.stratified ? kClasses : 1),
-        is_only_rule_(settings.stop.relative_error && !settings.stop.trials && !settings.stop.seconds) {
+        ledger_(settings, !settings.integrand && hits_by_construction(a, b, settings.law, settings.domain)),
+        seconds_before_(settings.resume != nullptr ? settings.resume->seconds : 0.0) {
     if (settings.quick_verdicts && !settings.backend.is_peer && !settings.integrand)
       quick_.emplace(a, b, kDrawnRotationError);
     if (settings.integrand) {
@@ -61,8 +46,7 @@ class Run {
       if (first_integrand_ == nullptr) throw UsageError("a run's integrand is none - give one");
       reference_ = reference_value(*first_integrand_);
     }
-    record_.comparisons.resize(settings.cross_check.size());
-    set_next_evaluation();
+    if (settings.resume != nullptr) require_state_of_this_run(*settings.resume);
   }
 
   RunRecord go() {
@@ -79,80 +63,43 @@ class Run {
       fail(std::current_exception());  // of on_progress; the threads must be told before they are joined
     }
     threads.clear();
+    // Also of a run that fails: what came home is right.
+    if (settings_.on_state) settings_.on_state(ledger_.state(seconds()));
     if (failure_) std::rethrow_exception(failure_);
-    record_.seconds = seconds_since(start_);
-    keep_first(record_.undecided);
-    keep_first(record_.disagreements);
-    keep_first(record_.unproven);
-    return std::move(record_);
+    return ledger_.take_record(seconds());
   }
 
  private:
   static constexpr double kBlockSeconds = 0.01;  // an interrupt is answered within a block or two
   static constexpr auto kProgressInterval = std::chrono::milliseconds(100);
 
-  std::uint64_t trial_limit() const {
-    std::uint64_t limit =
-        std::min(settings_.stop.trials.value_or(settings_.stop.max_trials), settings_.stop.max_trials);
-    if (settings_.sequence == Sequence::sobol) limit = std::min(limit, TrialPoints::kMostSobolTrials);
-    return limit;
-  }
-
-  void set_next_evaluation() {
-    const std::uint64_t limit = trial_limit();
-    round_end_ =
-        settings_.stop.relative_error ? std::min(limit, next_evaluation(round_end_, settings_.sequence)) : limit;
-  }
+  double seconds() const { return seconds_before_ + seconds_since(start_); }
 
   bool interrupted() const { return settings_.interrupt != nullptr && settings_.interrupt->load() != 0; }
 
-  // Called with the lock held. Whether another block may be taken now; if the run is over, says why.
-  bool may_take_block() {
-    if (stopped_) return false;
+  // Values that are counted from another offset, or in another unit, would add up to nothing.
+  void require_state_of_this_run(const RunState& state) {
+    if (state.done.tally.n_trials == 0) return;
+    const BlockRecord none = make_runner()->run(state.end(), state.end());
+    if (none.tally.by_class.is_like(state.done.tally.by_class)) return;
+    throw InputError(
+        "the state to go on from is of another estimator, or of other bodies - give the settings of its run");
+  }
+
+  // Called with the lock held. The next trials, if any may be taken now.
+  std::optional<RunLedger::Block> take_block(std::uint64_t most) {
     if (interrupted()) {
       stop(StopReason::interrupted);
-    } else if (settings_.stop.seconds && seconds_since(start_) >= *settings_.stop.seconds && next_ > 0) {
+    } else if (settings_.stop.seconds && seconds() >= *settings_.stop.seconds && ledger_.has_begun()) {
       stop(StopReason::seconds);
     }
-    return !stopped_ && next_ < round_end_;
+    return ledger_.take(most);
   }
 
   void stop(StopReason reason) {
-    stopped_ = true;
-    record_.stopped_by = reason;
-    record_.complete =
-        reason == StopReason::trials || reason == StopReason::relative_error || reason == StopReason::seconds;
+    ledger_.stop(reason);
     changed_.notify_all();
     ended_.notify_all();
-  }
-
-  // Whether the error asked for is below the integrand's own rounding, and all else is nearly so.
-  bool rounding_is_most() const {
-    const VolumeEstimate estimate = volume_estimate(record_.tally, settings_.domain);
-    const double rounding = record_.tally.by_class.rounding_of(estimate.excluded_volume);
-    return rounding > *settings_.stop.relative_error * std::fabs(estimate.excluded_volume) &&
-           estimate.std_error <= 2.0 * rounding;
-  }
-
-  // Called with the lock held, when all trials up to round_end_ are done.
-  void evaluate() {
-    if (settings_.stop.relative_error &&
-        reaches(*settings_.stop.relative_error, record_.tally, settings_.domain, certain_)) {
-      stop(StopReason::relative_error);
-    } else if (is_only_rule_ && is_out_of_reach(*settings_.stop.relative_error, record_.tally, settings_.domain)) {
-      stop(StopReason::undecided);
-    } else if (is_only_rule_ && rounding_is_most()) {
-      stop(StopReason::rounding);
-    } else if (is_only_rule_ &&
-               is_in_vain(*settings_.stop.relative_error, record_.tally, settings_.domain, settings_.stop.max_trials)) {
-      stop(StopReason::in_vain);
-    } else if (round_end_ == trial_limit()) {
-      const bool as_asked = settings_.stop.trials && *settings_.stop.trials <= trial_limit();
-      stop(as_asked ? StopReason::trials : StopReason::max_trials);
-    } else {
-      set_next_evaluation();
-      changed_.notify_all();
-    }
   }
 
   std::unique_ptr<TrialRunner> make_runner() {
@@ -171,26 +118,27 @@ class Run {
   void work() {
     try {
       const std::unique_ptr<TrialRunner> runner = make_runner();
-      std::uint64_t block = 16 * grain_;
+      const std::uint64_t grain = settings_.sequence == Sequence::sobol || settings_.stratified ? kClasses : 1;
+      std::uint64_t most = 16 * grain;  // blocks begin at multiples of the grain
       std::unique_lock lock(mutex_);
       while (true) {
-        if (!may_take_block()) {
-          if (stopped_) return;
+        const std::optional<RunLedger::Block> block = take_block(most);
+        if (!block) {
+          if (ledger_.is_over()) return;
           changed_.wait(lock);
           continue;
         }
-        const std::uint64_t begin = next_;
-        const std::uint64_t end = std::min(round_end_, begin + block);
-        next_ = end;
         lock.unlock();
         const Clock::time_point block_start = Clock::now();
-        BlockRecord done = runner->run(begin, end);
+        BlockRecord done = runner->run(block->begin, block->end);
         const double block_seconds = seconds_since(block_start);
         // The size of a block decides nothing but the waiting: aim at kBlockSeconds, at most doubling.
-        if (end - begin == block && block_seconds < 0.5 * kBlockSeconds) block *= 2;
-        if (block_seconds > kBlockSeconds && block > grain_) block /= 2;
+        if (block->end - block->begin == most && block_seconds < 0.5 * kBlockSeconds) most *= 2;
+        if (block_seconds > kBlockSeconds && most > grain) most /= 2;
         lock.lock();
-        take_home(std::move(done));
+        if (!ledger_.bring(*block, std::move(done))) continue;
+        changed_.notify_all();
+        if (ledger_.is_over()) ended_.notify_all();
       }
     } catch (...) {
       fail(std::current_exception());
@@ -203,32 +151,27 @@ class Run {
     stop(StopReason::interrupted);
   }
 
-  // Called with the lock held.
-  void take_home(BlockRecord&& done) {
-    record_.tally += done.tally;
-    append(record_.undecided, std::move(done.undecided));
-    append(record_.disagreements, std::move(done.disagreements));
-    append(record_.unproven, std::move(done.unproven));
-    record_.n_proven_again += done.n_proven_again;
-    for (std::size_t c = 0; c < done.comparisons.size(); ++c) record_.comparisons[c] += done.comparisons[c];
-    if (!stopped_ && record_.tally.n_trials == round_end_) evaluate();
-  }
-
   void wait_and_report() {
+    double next_state = settings_.on_state ? settings_.seconds_between_states : HUGE_VAL;
     std::unique_lock lock(mutex_);
-    while (!stopped_) {
+    while (!ledger_.is_over()) {
       ended_.wait_for(lock, kProgressInterval);
-      if (stopped_) break;
+      if (ledger_.is_over()) break;
       if (interrupted()) stop(StopReason::interrupted);
       if (settings_.on_progress) {
-        Progress progress{record_.tally, std::numeric_limits<double>::infinity(), seconds_since(start_),
-                          settings_.stop};
-        if (record_.tally.n_trials > 0) {
-          progress.relative_error = volume_estimate(record_.tally, settings_.domain).relative_error();
-        }
+        const Tally& tally = ledger_.tally();
+        Progress progress{tally, std::numeric_limits<double>::infinity(), seconds(), settings_.stop};
+        if (tally.n_trials > 0) progress.relative_error = volume_estimate(tally, settings_.domain).relative_error();
         lock.unlock();
         settings_.on_progress(progress);
         lock.lock();
+      }
+      if (seconds_since(start_) >= next_state) {
+        const RunState state = ledger_.state(seconds());
+        lock.unlock();
+        settings_.on_state(state);
+        lock.lock();
+        next_state = seconds_since(start_) + settings_.seconds_between_states;
       }
     }
   }
@@ -237,9 +180,6 @@ class Run {
   const ConvexBody& b_;
   const MonteCarloSettings& settings_;
   std::optional<QuickVerdict> quick_;  // where the run uses it
-  const bool certain_;
-  const std::uint64_t grain_;  // blocks begin at multiples of it
-  const bool is_only_rule_;    // the relative error: where it cannot be reached, nothing else ends the run
   const Clock::time_point start_ = Clock::now();
   double reference_ = 0.0;  // of an integrand: made once, before the threads
 
@@ -247,11 +187,9 @@ class Run {
   std::unique_ptr<Integrand> first_integrand_;  // which the reference is of: for the thread that comes first
   std::condition_variable changed_;             // for threads that wait for the next round
   std::condition_variable ended_;               // for the caller, which would only be disturbed by every round
-  std::uint64_t next_ = 0;                      // the first trial that no thread has taken
-  std::uint64_t round_end_ = 0;                 // where the stop rule is looked at next
-  bool stopped_ = false;
+  RunLedger ledger_;
+  const double seconds_before_;  // of the run that it goes on from
   std::exception_ptr failure_;
-  RunRecord record_;
 };
 
 }  // namespace
@@ -287,7 +225,39 @@ void require_threads_and_stop_rule(const MonteCarloSettings& settings) {
   if (stop.seconds && !(*stop.seconds >= 0.0 && std::isfinite(*stop.seconds))) {
     throw UsageError("a run's seconds are negative or not finite - give a time");
   }
+  if (settings.first_trial == 0) return;
+  if (!stop.trials || stop.relative_error || stop.seconds) {
+    throw UsageError("a range of trials without its number of trials, or with another stop rule (first trial " +
+                     std::to_string(settings.first_trial) +
+                     ") - give trials alone: when an error is reached is a matter of all trials");
+  }
+  constexpr std::uint64_t kLast = std::uint64_t{1} << 62;
+  if (settings.first_trial > kLast || *stop.trials > kLast) {
+    throw UsageError("trials of too large numbers (from " + std::to_string(settings.first_trial) +
+                     " on) - give numbers below 2^62");
+  }
 }
+
+namespace {
+
+/// Each class must have its share of every range: its trials are every kClasses-th one, and an error is told from means
+/// of equal numbers of them.
+void require_whole_classes(const MonteCarloSettings& settings) {
+  const bool is_sobol = settings.sequence == Sequence::sobol;
+  if (!is_sobol && !settings.stratified) return;
+  if (settings.first_trial % kClasses != 0) {
+    throw UsageError("a range of " + std::string(is_sobol ? "Sobol' points" : "strata") +
+                     " begins in the midst of its classes (first trial " + std::to_string(settings.first_trial) +
+                     ") - begin at a multiple of " + std::to_string(kClasses) + ": trial i is of class i mod " +
+                     std::to_string(kClasses));
+  }
+  if (is_sobol && settings.first_trial >= TrialPoints::kMostSobolTrials) {
+    throw UsageError("a range of Sobol' points behind the last one (first trial " +
+                     std::to_string(settings.first_trial) + ") - there are 2^37");
+  }
+}
+
+}  // namespace
 
 RunRecord run_monte_carlo(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings) {
   require_threads_and_stop_rule(settings);
@@ -301,6 +271,7 @@ RunRecord run_monte_carlo(const ConvexBody& a, const ConvexBody& b, const MonteC
   if (settings.stratified && (settings.domain.kind != Domain::Kind::ball || settings.integrand)) {
     throw UsageError("strata are of hit-or-miss in a ball - give a ball as the domain and no integrand");
   }
+  require_whole_classes(settings);
   return Run(a, b, settings).go();
 }
 

@@ -13,6 +13,7 @@
 #include "engine/sampling/integrand.h"
 #include "engine/sampling/points/trial_points.h"
 #include "engine/sampling/poses/orientation_law.h"
+#include "engine/sampling/run_state.h"
 #include "engine/sampling/stop_rule.h"
 #include "engine/sampling/tally.h"
 
@@ -56,54 +57,34 @@ struct MonteCarloSettings {
   const std::atomic<int>* interrupt = nullptr;
   /// Called on the calling thread.
   std::function<void(const Progress&)> on_progress;
+
+  /// Trials first_trial, first_trial + 1, ...: of Sobol' points and strata a multiple of kClasses, of which each class
+  /// then has as many. Other than 0 only where `stop.trials` alone ends the run: when an error is reached is a matter
+  /// of all trials.
+  std::uint64_t first_trial = 0;
+  /// What a run with the same bodies and settings brought so far, and goes on from; its stop rule may have been another
+  /// number of trials, or another time, which counts all seconds spent. Not owned; null: a new run.
+  const RunState* resume = nullptr;
+  /// Given the run as far as it came, every so many seconds and once more at the end. On the calling thread, while the
+  /// others go on.
+  std::function<void(const RunState&)> on_state;
+  double seconds_between_states = 5.0;
 };
 
-/// Two backends decided one pose differently.
-struct Disagreement {
-  std::uint64_t index = 0;  // of the trial
-  Transformd a_from_b;
-  std::vector<Outcome> outcomes;  // of the run's backend, then of those it was checked against
-};
-
-/// A verdict that could not be proven again.
-struct UnprovenTrial {
-  std::uint64_t index = 0;
-  Transformd a_from_b;
-  Outcome outcome = Outcome::undecided;
-  std::string fault;
-};
-
-struct UndecidedTrial {
-  std::uint64_t index = 0;
-  UndecidedReason reason = UndecidedReason::none;
-};
-
-/// The first of a list that may be long, in the order of the trials, and how many there were.
-template <class T>
-struct FirstOf {
-  static constexpr std::size_t kKept = 1000;
-  std::vector<T> kept;
-  std::uint64_t n_all = 0;
-};
-
-struct RunRecord {
-  Tally tally;  // of the trials 0 ... n_trials - 1, also where the run was interrupted
+struct RunRecord : BlockRecord {  // of the trials first_trial ... first_trial + n_trials - 1, also where interrupted
+  std::uint64_t first_trial = 0;
   StopReason stopped_by = StopReason::trials;
   bool complete = false;
-  double seconds = 0.0;
-  FirstOf<UndecidedTrial> undecided;
-  FirstOf<Disagreement> disagreements;
-  std::vector<Comparison> comparisons;  // with each backend of `cross_check`
-  std::uint64_t n_proven_again = 0;     // of a verified run; with `unproven` and the undecided, all trials
-  FirstOf<UnprovenTrial> unproven;
+  double seconds = 0.0;  // those of the state that the run went on from among them
 };
 
-/// Makes trials 0, 1, 2, ... until the stop rule ends the run, and counts, or averages.
+/// Makes trials first_trial, first_trial + 1, ... until the stop rule ends the run, and counts, or averages.
 ///
 /// Hits, misses, undecided trials and sums depend on the bodies, seed, law, estimator and its settings, sequence,
 /// backend and number of trials only, to the last bit; never on threads, on what was asked of the bodies before, or on
 /// instruction sets. Which stage spoke (n_decided_by) may differ from set to set by trials within rounding of contact,
-/// of which their searches leave different ones to the exact stages. Tables of directions that the run wants are made
+/// of which their searches leave different ones to the exact stages. A run that goes on from a state ends with what one
+/// run without a break ends with (`seconds` excepted). Tables of directions that the run wants are made
 /// before its first trial. Exceptions of a backend end the run and are thrown again here.
 RunRecord run_monte_carlo(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings);
 

@@ -13,6 +13,7 @@ constexpr std::uint64_t kOtherSeed = 0x9e3779b97f4a7c15u;
 
 struct Length {
   std::uint64_t n_trials;
+  double seconds_per_trial;
   double relative_error = std::numeric_limits<double>::infinity();
 };
 
@@ -20,7 +21,7 @@ Length run(const ConvexBody& a, const ConvexBody& b, MonteCarloSettings& setting
   settings.stop = {};
   settings.stop.trials = n_trials;
   const RunRecord record = run_monte_carlo(a, b, settings);
-  Length length{record.tally.n_trials};
+  Length length{record.tally.n_trials, record.seconds / static_cast<double>(std::max(n_trials, record.tally.n_trials))};
   if (length.n_trials > 0) {
     const VolumeEstimate estimate = volume_estimate(record.tally, settings.domain);
     constexpr double kSaysNothing = 0.5;
@@ -36,12 +37,15 @@ double PilotCost::relative_error_after(double seconds) const {
   return relative_error * std::pow(seconds / (seconds_per_trial * static_cast<double>(n_trials)), slope);
 }
 
+double PilotCost::trials_to(double wanted) const {
+  if (!(relative_error < std::numeric_limits<double>::infinity())) return std::numeric_limits<double>::infinity();
+  constexpr double kLeast = 2048.0;  // no run is shorter than one evaluation
+  return std::max(kLeast, static_cast<double>(n_trials) * std::pow(wanted / relative_error, 1.0 / slope));
+}
+
 double PilotCost::seconds_to(double wanted) const {
-  if (!(relative_error < std::numeric_limits<double>::infinity())) return relative_error;
-  // No run is shorter than one evaluation, and a tenth of a millisecond to set it up.
-  constexpr double kLeastTrials = 2048.0, kSetUp = 1e-4;
-  const double trials = static_cast<double>(n_trials) * std::pow(wanted / relative_error, 1.0 / slope);
-  return kSetUp + seconds_per_trial * std::max(kLeastTrials, trials);
+  constexpr double kSetUp = 1e-4;
+  return kSetUp + seconds_per_trial * trials_to(wanted);
 }
 
 PilotCost pilot(const ConvexBody& a, const ConvexBody& b, MonteCarloSettings settings, double most_seconds) {
@@ -50,6 +54,9 @@ PilotCost pilot(const ConvexBody& a, const ConvexBody& b, MonteCarloSettings set
   settings.n_threads = 1;
   settings.seed ^= kOtherSeed;
   settings.on_progress = nullptr;
+  settings.on_state = nullptr;
+  settings.resume = nullptr;
+  settings.first_trial = 0;
   settings.cross_check.clear();
   settings.verify = false;
   PilotCost cost;
@@ -68,6 +75,7 @@ PilotCost pilot(const ConvexBody& a, const ConvexBody& b, MonteCarloSettings set
     last = next;
   }
   cost.n_trials = last.n_trials;
+  cost.seconds_per_trial_here = last.seconds_per_trial;
   cost.relative_error = last.relative_error;
   if (settings.sequence == Sequence::sobol && last.n_trials > shortest.n_trials && last.relative_error > 0.0) {
     const double slope = std::log(last.relative_error / shortest.relative_error) /

@@ -10,10 +10,13 @@ namespace vex {
 
 struct PilotCost {
   std::uint64_t n_trials = 0;
-  double seconds_per_trial = 0.0;  // on one thread, about: counted
-  double relative_error = 0.0;     // after n_trials; infinite where it says nothing
-  double slope = -0.5;             // of log error over log trials: of random points -1/2, of others from two lengths
+  double seconds_per_trial = 0.0;       // on one thread, about: counted
+  double seconds_per_trial_here = 0.0;  // measured, for telling how long a run will take; nothing is chosen by it
+  double relative_error = 0.0;          // after n_trials; infinite where it says nothing
+  double slope = -0.5;  // of log error over log trials: of random points -1/2, of others from two lengths
 
+  /// To a standard error relative to the estimate; infinite where the pilot found none.
+  double trials_to(double relative_error) const;
   /// On one thread, to a standard error relative to the estimate; infinite where the pilot found none.
   double seconds_to(double relative_error) const;
   double relative_error_after(double seconds) const;

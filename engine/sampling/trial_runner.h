@@ -27,16 +27,6 @@ inline Trials trials_of_class(std::uint64_t k, std::uint64_t n_classes, std::uin
   return {first, n_classes, first < end ? static_cast<std::size_t>((end - first - 1) / n_classes + 1) : 0};
 }
 
-/// From a block of consecutive trials.
-struct BlockRecord {
-  Tally tally;
-  FirstOf<UndecidedTrial> undecided;
-  FirstOf<Disagreement> disagreements;
-  std::vector<Comparison> comparisons;
-  std::uint64_t n_proven_again = 0;
-  FirstOf<UnprovenTrial> unproven;
-};
-
 class TrialRunner {
  public:
   virtual ~TrialRunner() = default;

@@ -87,6 +87,10 @@ MonteCarloSettings driver_settings(const Settings& settings) {
   driver.verify = settings.verify;
   driver.interrupt = settings.interrupt;
   driver.on_progress = settings.on_progress;
+  driver.first_trial = settings.first_trial;
+  driver.resume = settings.resume;
+  driver.on_state = settings.on_state;
+  driver.seconds_between_states = settings.seconds_between_states;
   return driver;
 }
 
@@ -102,6 +106,26 @@ void choose(const Body& a, const Body& b, const Settings& settings, const MonteC
   result->estimator = chosen.estimator;
   result->sequence = settings.sequence.value_or(chosen.sequence);
   result->chosen_because = "a pilot found it the fastest to a relative error of " + shortest_number(error);
+}
+
+/// Of the run that is about to begin; from the pilot that chose it, or one of its own.
+Outlook outlook_of(const Body& a, const Body& b, const MonteCarloSettings& driver, const ExcludedVolume& result) {
+  const auto is_this_run = [&result](const Candidate& one) {
+    return one.estimator == result.estimator && one.sequence == result.sequence && result.control_weight == 0.0;
+  };
+  const auto chosen = std::ranges::find_if(result.candidates, is_this_run);
+  const PilotCost cost = chosen != result.candidates.end() ? chosen->cost : pilot(a, b, driver);
+  const double rate = static_cast<double>(driver.n_threads) / cost.seconds_per_trial_here;
+  const auto time_of = [rate](double n_trials) { return n_trials / rate; };
+  double seconds = std::numeric_limits<double>::infinity();
+  if (driver.stop.trials) seconds = time_of(static_cast<double>(*driver.stop.trials));
+  if (driver.stop.relative_error) seconds = std::fmin(seconds, time_of(cost.trials_to(*driver.stop.relative_error)));
+  if (driver.stop.seconds) seconds = std::fmin(seconds, *driver.stop.seconds);
+  const double most = time_of(static_cast<double>(driver.stop.max_trials));
+  const bool gives_up = std::isfinite(seconds) && seconds > most;
+  if (gives_up) seconds = most;
+  const double before = driver.resume != nullptr ? driver.resume->seconds : 0.0;
+  return {result.estimator, result.sequence, std::fmax(0.0, seconds - before), gives_up};
 }
 
 void sample(const Body& a, const Body& b, const Settings& settings, MonteCarloSettings driver, const Estimator* asked,
@@ -121,6 +145,7 @@ void sample(const Body& a, const Body& b, const Settings& settings, MonteCarloSe
   result->domain = driver.domain;
   result->stratified = driver.stratified;
   if (!driver.integrand) require_finite(result->domain.volume, "the sampling volume");
+  if (settings.on_start) settings.on_start(outlook_of(a, b, driver, *result));
   result->record = run_monte_carlo(a, b, driver);
   result->complete = result->record.complete;
 }
@@ -158,43 +183,6 @@ void find_reference(const Body& a, const Body& b, const Settings& settings, Excl
   const ExactAverage average = exact_average(a, b, settings.law, exact);
   if (!std::isfinite(average.error)) return;  // interrupted before it was known at all
   result->reference = exact_reference(a, b, average);
-}
-
-/// Why the two say nothing of each other; empty where they do.
-std::string why_no_comparison(const ExcludedVolume& result, const Body& a, const Body& b, const OrientationLaw& law) {
-  /// z is in standard errors of the run alone; a reference with half as large an error would make it larger by 12 %.
-  constexpr double kComparable = 0.5;
-  if (!result.no_run_reason.empty()) return result.no_run_reason;
-  if (result.record.tally.n_trials == 0) return "no trial was done";
-  if (!result.reference) return result.reference_reason;
-  if (!std::isfinite(result.std_error)) return "fewer than 32 trials tell no error";
-  if (result.domain.volume > 0.0 && hits_by_construction(a, b, law, result.domain)) {
-    return "every trial hits by construction: the domain is the excluded volume itself";
-  }
-  if (result.std_error <= result.record.tally.by_class.rounding_of(result.value)) {
-    return "the values are all the same to rounding";
-  }
-  if (result.reference->std_error > kComparable * result.std_error) {
-    return "the exact average's own error is not small beside the standard error";
-  }
-  return "";
-}
-
-void conclude(const Body& a, const Body& b, const OrientationLaw& law, ExcludedVolume* result) {
-  VolumeEstimate estimate;
-  if (result->record.tally.n_trials > 0) {
-    estimate = volume_estimate(result->record.tally, result->domain);
-  } else if (result->no_run_reason.empty()) {
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    estimate = {kNone, std::numeric_limits<double>::infinity(), {kNone, kNone}};
-  }
-  result->value = estimate.excluded_volume;
-  result->std_error = estimate.std_error;
-  result->ci95 = estimate.ci95;
-  result->reduced = reduced_excluded_volume(result->value, a.measures, b.measures);
-  result->b2 = second_virial_coefficient(result->value);
-  result->z_reason = why_no_comparison(*result, a, b, law);
-  if (result->z_reason.empty()) result->z = (result->value - result->reference->value) / result->std_error;
 }
 
 }  // namespace
@@ -260,7 +248,8 @@ ExcludedVolume excluded_volume(const Body& a, const Body& b, const ExcludedVolum
     result.reference = is_isotropic ? formula_reference(a.measures, b.measures) : exact_reference(a, b, {});
     result.record.complete = true;
   }
-  conclude(a, b, settings.law, &result);
+  const bool is_certain = result.domain.volume > 0.0 && hits_by_construction(a, b, settings.law, result.domain);
+  conclude(a.measures, b.measures, is_certain, &result);
   return result;
 }
 

@@ -15,6 +15,16 @@
 
 namespace vex {
 
+/// What a run is about to be, as far as its pilot tells.
+struct Outlook {
+  const Estimator* estimator = nullptr;
+  Sequence sequence{};
+  /// Until the first of its stop rules ends it, on its threads, beyond what a resumed run took already: right to a
+  /// factor of two or three. Infinite where the pilot could not tell.
+  double seconds = 0.0;
+  bool gives_up = false;  // it reaches `max_trials` before
+};
+
 /// All of it has a default: without any setting the run ends at a standard error of 1e-4 of the result.
 struct ExcludedVolumeSettings {
   // When the run ends: whichever comes first, but for the last at least one; without any of the three at
@@ -46,6 +56,14 @@ struct ExcludedVolumeSettings {
   InstructionSet instruction_set = best_instruction_set();  // that draws and casts; the backend has its own
   const std::atomic<int>* interrupt = nullptr;
   std::function<void(const Progress&)> on_progress{};
+  /// Called before the first trial; where no pilot chose one is run for it, of some milliseconds.
+  std::function<void(const Outlook&)> on_start{};
+
+  // A run in parts: as of MonteCarloSettings.
+  std::uint64_t first_trial = 0;
+  const RunState* resume = nullptr;
+  std::function<void(const RunState&)> on_state{};
+  double seconds_between_states = MonteCarloSettings{}.seconds_between_states;
 };
 
 /// What <V_ex> is known to be, from other means than the run.
@@ -103,6 +121,15 @@ ExcludedVolume excluded_volume(const Body& a, const Body& b, const ExcludedVolum
 /// a control variate. Null where a pilot chooses. Throws UsageError where settings contradict each other, whatever the
 /// bodies are.
 const Estimator* estimator_asked_for(const ExcludedVolumeSettings& settings);
+
+/// The `z_reason` where every trial hits by construction.
+inline constexpr const char* kHitsByConstruction =
+    "every trial hits by construction: the domain is the excluded volume itself";
+
+/// Sets value, errors, and the comparison with the reference, from the record and what else the result holds: what
+/// `excluded_volume` ends with, for a record that was put together from several. `hits_by_construction`: as of the
+/// function of that name, of the domain.
+void conclude(const Measures& a, const Measures& b, bool hits_by_construction, ExcludedVolume* result);
 
 /// The formula's side of it, NaN where measures are not known.
 Reference formula_reference(const Measures& a, const Measures& b);

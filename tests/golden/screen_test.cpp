@@ -103,13 +103,13 @@ TEST_F(Screen, TheHelpListsEveryOption) {
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_EQ(help.err, "");
   for (const char* option :
-       {"--help",       "--version",       "--json FILE",        "--quiet",   "--seed",
-        "--threads",    "--trials",        "--rel-error",        "--seconds", "--max-trials",
-        "--max-z",      "--estimator",     "--sequence",         "--domain",  "--no-quick-verdicts",
-        "--isa",        "--backend",       "--cross-check",      "--verify",  "--orientations",
-        "--checkpoint", "--resume",        "--convex-tolerance", "--hull",    "--unit-volume",
-        "--scale",      "--dump-vertices", "sphere:R",           "box:A,B,C", "ellipsoid:A,B,C",
-        "capsule:L,R",  "Exit codes"}) {
+       {"--help",       "--version",          "--json FILE",   "--quiet",         "--seed",
+        "--threads",    "--trials",           "--rel-error",   "--seconds",       "--max-trials",
+        "--max-z",      "--estimator",        "--sequence",    "--domain",        "--no-quick-verdicts",
+        "--isa",        "--backend",          "--cross-check", "--verify",        "--orientations",
+        "--checkpoint", "--checkpoint-every", "--first-trial", "--resume",        "--convex-tolerance",
+        "--hull",       "--unit-volume",      "--scale",       "--dump-vertices", "sphere:R",
+        "box:A,B,C",    "ellipsoid:A,B,C",    "capsule:L,R",   "Exit codes"}) {
     EXPECT_NE(help.out.find(option), std::string::npos) << option;
   }
   EXPECT_EQ(run({"-h"}).out, help.out);

@@ -98,16 +98,6 @@ TEST_F(Usage, AnEstimatorWithoutVerdictsHasNoBackendAndNothingToCheck) {
   expect_wrong({"box:1,1,1", "--sequence", "halton"}, "there are random, sobol");
 }
 
-TEST_F(Usage, WhatIsNotBuiltYetSaysSo) {
-  const std::vector<Words> planned = {{"--checkpoint", "run.state"}, {"--resume", "run.state"}};
-  for (const Words& words : planned) {
-    Words all = {"box:1,1,1"};
-    all.insert(all.end(), words.begin(), words.end());
-    expect_wrong(all, "not built yet (" + words[0]);
-  }
-  EXPECT_TRUE(files().empty());
-}
-
 TEST_F(Usage, AChoiceThatDoesNotExist) {
   for (const auto& [option, known] :
        std::initializer_list<std::pair<const char*, const char*>>{{"--estimator", "radial"},

@@ -1,0 +1,149 @@
+#include "apps/common/checkpoint.h"
+
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+#include <utility>
+
+#include "apps/common/checksum.h"
+#include "apps/common/line_reader.h"
+#include "apps/common/numbers.h"
+#include "apps/common/text.h"
+#include "engine/numeric/errors.h"
+
+namespace vex {
+
+void declare_checkpoint(OptionParser& options, CheckpointWords& words, const std::string& group) {
+  options
+      .add_option("--checkpoint", words.checkpoint,
+                  "Save the run's state in this file, every few seconds, when interrupted, and at the end")
+      .type_name("FILE")
+      .group(group);
+  options
+      .add_option("--checkpoint-every", words.checkpoint_every, "Seconds from one saved state to the next (default 5)")
+      .type_name("S")
+      .group(group);
+  options
+      .add_option("--resume", words.resume,
+                  "Go on from a saved state of the same run: the result is that of one run without a break, whatever "
+                  "the number of threads. The --checkpoint file itself may be named, which the first time need not be "
+                  "there")
+      .type_name("FILE")
+      .group(group);
+}
+
+CheckpointOptions interpret_checkpoint(const CheckpointWords& words) {
+  CheckpointOptions options;
+  if (words.checkpoint == "-") {
+    throw UsageError("a state is written again and again (--checkpoint -) - name a file");
+  }
+  if (words.resume == "-") throw UsageError("a state is read from a file (--resume -) - name it");
+  options.checkpoint = words.checkpoint;
+  options.resume = words.resume;
+  if (!words.checkpoint_every.empty()) {
+    if (words.checkpoint.empty()) {
+      throw UsageError("no state is saved (--checkpoint-every without --checkpoint) - name a file with --checkpoint");
+    }
+    options.seconds_between = parse_positive_number(words.checkpoint_every, "--checkpoint-every");
+  }
+  return options;
+}
+
+bool has_run_to_resume(const CheckpointOptions& options, const std::string& program, bool quiet) {
+  if (options.resume.empty()) return false;
+  std::error_code error;
+  if (!options.is_own_file() ||
+      std::filesystem::status(options.resume, error).type() != std::filesystem::file_type::not_found) {
+    return true;
+  }
+  if (!quiet) std::cerr << program << ": no run to go on from yet (" << printable(options.resume) << "): it begins\n";
+  return false;
+}
+
+Checkpoint::Checkpoint(OutputFile file, std::string program, double seconds_between)
+    : file_(std::move(file)), program_(std::move(program)), between_(seconds_between) {
+  if (file_.may_wait_for_a_reader()) {
+    throw UsageError("a state replaces the one before it, and a device or a pipe cannot be replaced (" + file_.path() +
+                     " for --checkpoint) - name a file");
+  }
+}
+
+bool Checkpoint::is_due() const {
+  constexpr double kSparingly = 50.0;
+  const std::chrono::duration<double> since = Clock::now() - saved_;
+  return since >= between_ && since >= kSparingly * cost_;
+}
+
+void Checkpoint::save(std::string_view text, const std::function<void()>& before_message) {
+  const Clock::time_point start = Clock::now();
+  try {
+    file_.write_catching_interrupts(text);
+  } catch (const std::runtime_error& error) {
+    if (!has_said_) {
+      has_said_ = true;
+      before_message();
+      const std::string problem = error.what();
+      std::cerr << program_ << ": no state was saved: " << problem.substr(0, problem.rfind(" - "))
+                << " - the run goes on, and tries again in a while\n";
+    }
+  }
+  saved_ = Clock::now();
+  cost_ = saved_ - start;
+}
+
+std::string sealed_text(std::string_view title, std::span<const std::string> of, std::string_view text) {
+  std::string all = "# " + std::string(title) + "\n";
+  for (const std::string& line : of) all += "# " + line + "\n";
+  all += text;
+  Checksum sum;
+  sum.add(all);
+  return all + end_line(sum) + "\n";
+}
+
+std::string read_sealed_text(const std::string& path, std::string_view title, std::span<const std::string> of) {
+  LineReader lines(path, std::string(title), "give a file that --checkpoint wrote");
+  const auto refuse = [&lines](const std::string& problem) {
+    throw InputError(lines.name() + ", line " + std::to_string(lines.number()) + ": " + problem);
+  };
+  Checksum sum, before;
+  std::string_view line;
+  const auto next = [&] {
+    before = sum;
+    if (!lines.next(line)) return false;
+    sum.add(line);
+    sum.add("\n");
+    return true;
+  };
+  // First whether it is whole: a damaged line would look like another run's.
+  std::vector<std::string> head;
+  std::string text;
+  constexpr std::size_t kMostText = std::size_t{1} << 24;
+  bool has_end = false;
+  while (!has_end && next()) {
+    has_end = line.starts_with(kEndOfFile);
+    if (has_end) break;
+    if (head.size() <= of.size() && text.empty() && line.starts_with("# ")) {
+      head.emplace_back(line.substr(2));
+    } else {
+      text.append(line).append("\n");
+    }
+    if (text.size() > kMostText) refuse("longer than any state - give a file that --checkpoint wrote");
+    if (lines.number() == 1 && (head.empty() || head.front() != title)) {
+      refuse("not a " + std::string(title) + " - give a file that --checkpoint wrote");
+    }
+  }
+  if (!has_end) refuse("no \"" + std::string(kEndOfFile) + "\" - the file is empty or cut off");
+  if (line != end_line(before)) {
+    refuse("the checksum \"" + printable(line) + "\" is not that of the lines before it - the file is damaged");
+  }
+  if (lines.next(line)) refuse("something stands behind the end - the file is damaged");
+  for (std::size_t k = 0; k < of.size(); ++k) {
+    if (k + 1 < head.size() && head[k + 1] == of[k]) continue;
+    const std::string has = k + 1 < head.size() ? "\"" + printable(head[k + 1]) + "\"" : "nothing of it";
+    throw InputError("a state of another run (" + lines.name() + " has " + has + ", and this run \"" +
+                     printable(of[k]) + "\") - resume with the command that saved it");
+  }
+  return text;
+}
+
+}  // namespace vex

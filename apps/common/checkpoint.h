@@ -1,0 +1,68 @@
+// Checkpoints: what a run saves of itself while it goes on, so that a killed one loses seconds.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "apps/common/option_parser.h"
+#include "apps/common/output_file.h"
+
+namespace vex {
+
+/// --checkpoint, --checkpoint-every and --resume, as they stand.
+struct CheckpointWords {
+  std::string checkpoint, checkpoint_every, resume;
+};
+
+/// What they mean.
+struct CheckpointOptions {
+  std::string checkpoint, resume;
+  double seconds_between = 5.0;
+
+  /// Whether a run goes on in its own file, which is then read before it is written, and need not be there yet.
+  bool is_own_file() const { return !resume.empty() && resume == checkpoint; }
+};
+
+void declare_checkpoint(OptionParser& options, CheckpointWords& words, const std::string& group);
+/// Throws UsageError.
+CheckpointOptions interpret_checkpoint(const CheckpointWords& words);
+
+/// Whether there is a run to go on from. Of a job that is started again and again with the same --checkpoint and
+/// --resume, the first time there is none: that is said, unless `quiet`, and the run begins.
+bool has_run_to_resume(const CheckpointOptions& options, const std::string& program, bool quiet);
+
+/// The file that a run saves itself in.
+class Checkpoint {
+ public:
+  /// Throws UsageError where the file is a device or a pipe, which cannot be replaced.
+  Checkpoint(OutputFile file, std::string program, double seconds_between);
+
+  /// Whether it is time: `seconds_between` after the last one, but so that no more than a fiftieth of the time is
+  /// spent on it.
+  bool is_due() const;
+  /// Replaces the file by the text as a whole. Where the disk or the folder refuses the run goes on: that is said on
+  /// standard error, once, after `before_message`.
+  void save(
+      std::string_view text, const std::function<void()>& before_message = [] {});
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  OutputFile file_;
+  std::string program_;
+  std::chrono::duration<double> between_, cost_{0.0};
+  Clock::time_point saved_ = Clock::now();
+  bool has_said_ = false;
+};
+
+/// A text that is read back: the lines of what it is of, then its own, then the checksum.
+std::string sealed_text(std::string_view title, std::span<const std::string> of, std::string_view text);
+
+/// The text out of such a file. Throws InputError where the file cannot be read, is cut off or damaged, or where its
+/// title or what it is of differs from what is given, naming both.
+std::string read_sealed_text(const std::string& path, std::string_view title, std::span<const std::string> of);
+
+}  // namespace vex

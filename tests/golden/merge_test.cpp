@@ -1,0 +1,116 @@
+// vex_merge: ranges of trials in any order are one run; what is no whole of them is refused.
+#include <algorithm>
+#include <random>
+
+#include "tests/golden/program.h"
+#include "tests/golden/run_documents.h"
+
+namespace vex::golden {
+namespace {
+
+using nlohmann::json;
+
+class Merge : public ProgramTest {
+ protected:
+  Merge() { setenv("MERGE", VEX_MERGE_PROGRAM, 1); }
+
+  void make_range(const Words& of, const std::string& name, std::uint64_t first, std::uint64_t n) const {
+    Words words = of;
+    words.insert(words.end(), {"--quiet", "--first-trial", std::to_string(first), "--trials", std::to_string(n),
+                               "--threads", std::to_string(1 + first % 3), "--json", name});
+    const Finished finished = run(words);
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+  }
+  Finished merge(const std::string& arguments) const { return shell("\"$MERGE\" " + arguments); }
+  void expect_refused(const std::string& arguments, int exit_code, const std::string& part) const {
+    expect_refusal(merge(arguments), exit_code, part, "vex_merge");
+  }
+};
+
+TEST_F(Merge, RangesInAnyOrderAreOneRun) {
+  std::mt19937_64 random(24);
+  const std::vector<Words> runs = {
+      {"box:1,1,2", "capsule:1,0.3"},
+      {"box:1,1,2", "capsule:1,0.3", "--estimator", "hit-or-miss"},
+      {"box:1,1,2", "capsule:1,0.3", "--estimator", "hit-or-miss-fitted", "--sequence", "sobol"},
+      {"box:1,1,2", "capsule:1,0.3", "--estimator", "stratified", "--cross-check"},
+      {"box:1,1,2", "capsule:1,0.3", "--orientations", "onsager:2", "--estimator", "mixed-volume"},
+      {"sphere:1", "--estimator", "hit-or-miss", "--domain", "ball"}};
+  for (const Words& of : runs) {
+    constexpr std::uint64_t kRange = 320, kLast = 77;
+    std::vector<std::string> names;
+    for (std::uint64_t k = 0; k < 5; ++k) {
+      names.push_back(std::to_string(k) + ".json");
+      make_range(of, names.back(), k * kRange, k < 4 ? kRange : kLast);
+    }
+    std::shuffle(names.begin(), names.end(), random);
+    std::string arguments = "--quiet --json all.json --max-z 20";
+    for (const std::string& name : names) arguments += " " + name;
+    const Finished merged = merge(arguments);
+    ASSERT_EQ(merged.exit_code, 0) << merged.err;
+    Words whole = of;
+    whole.insert(whole.end(), {"--trials", std::to_string(4 * kRange + kLast)});
+    EXPECT_EQ(without_times(json::parse(read_file("all.json"))), without_times(json_of(whole))) << of.back();
+  }
+}
+
+TEST_F(Merge, PartsOfPartsAreAdded) {
+  const Words of = {"box:1,1,1", "--estimator", "hit-or-miss"};
+  for (std::uint64_t k = 0; k < 4; ++k) make_range(of, std::to_string(k) + ".json", 1000 * k, 1000);
+  ASSERT_EQ(merge("3.json 2.json --part --quiet --json high.json").exit_code, 0);
+  ASSERT_EQ(merge("0.json 1.json --quiet --json low.json").exit_code, 0);
+  const Finished all = merge("high.json low.json --trials 4000 --json -");
+  ASSERT_EQ(all.exit_code, 0) << all.err;
+  EXPECT_EQ(without_times(json::parse(all.out)),
+            without_times(json_of({"box:1,1,1", "--estimator", "hit-or-miss", "--trials", "4000"})));
+  EXPECT_NE(merge("high.json low.json").out.find("2 documents, trials 0 ... 3999, hit-or-miss"), std::string::npos);
+}
+
+TEST_F(Merge, WhatIsNoWholeIsRefused) {
+  const Words of = {"box:1,1,1", "--estimator", "hit-or-miss"};
+  for (std::uint64_t k = 0; k < 4; ++k) make_range(of, std::to_string(k) + ".json", 1000 * k, 1000);
+  expect_refused("0.json 1.json 3.json", 3, "trials are in no document (trials 2000 ... 2999)");
+  expect_refused("1.json 2.json", 3, "trials are in no document (trials 0 ... 999)");
+  expect_refused("3.json 1.json", 3, "(trials 0 ... 999, trials 2000 ... 2999)");
+  expect_refused("0.json 1.json --trials 2001", 3, "(trial 2000)");
+  expect_refused("0.json 1.json --trials 1999", 3, "more trials than asked for");
+  expect_refused("0.json 1.json 0.json", 3, "trials 0 ... 999 are in two documents");
+  make_range(of, "over.json", 1500, 1000);
+  expect_refused("0.json 1.json over.json", 3, "trials 1500 ... 1999 are in two documents (1.json and over.json)");
+  make_range({"box:1,1,2", "--estimator", "hit-or-miss"}, "other.json", 1000, 1000);
+  expect_refused("0.json other.json", 3, "documents of unlike runs (other.json has \"A: box");
+  make_range({"box:1,1,1", "--estimator", "hit-or-miss", "--seed", "2"}, "seed.json", 1000, 1000);
+  expect_refused("0.json seed.json", 3, "has \"seed: 2\", and 0.json \"seed: 1\"");
+  make_range({"box:1,1,1", "--estimator", "hit-or-miss-fitted"}, "fitted.json", 1000, 1000);
+  expect_refused("0.json fitted.json", 3, "documents of unlike runs");
+  ASSERT_EQ(run({"box:1,1,1", "--rel-error", "1e-2", "--quiet", "--json", "error.json"}).exit_code, 0);
+  expect_refused("error.json", 3, "ended by \"rel-error\"");
+  expect_refused("0.json missing.json", 3, "missing.json: No such file");
+  expect_refused("0.json --json 0.json", 2, "the output file is an input");
+  expect_refused("", 2, "FILES");
+}
+
+TEST_F(Merge, DamagedDocumentsAreRefused) {
+  const Words of = {"box:1,1,1", "--estimator", "radial"};
+  make_range(of, "0.json", 0, 320);
+  const std::string whole = read_file("0.json");
+  for (const std::string text : {"", "{", "[]", "7", "{\"estimate\": 7}", "{\"estimate\": {}}",
+                                 "{\"estimate\": {}, \"tally\": {\"state\": [7]}}"}) {
+    write_file("x.json", text);
+    expect_refused("x.json", 3, "document");
+  }
+  std::mt19937_64 random(5);
+  const std::size_t tally = whole.find("\"tally\"");
+  for (int k = 0; k < 30; ++k) {
+    std::string changed = whole;
+    const std::size_t at = k % 2 == 0 ? random() % whole.size() : tally + random() % (whole.size() - tally);
+    changed[at] = "0123456789{}[],:\"x-"[random() % 19];
+    write_file("x.json", changed);
+    const Finished finished = merge("x.json --quiet");
+    EXPECT_TRUE(finished.exit_code == 0 || finished.exit_code == 3 || finished.exit_code == 4)
+        << at << ": " << finished.err;
+  }
+}
+
+}  // namespace
+}  // namespace vex::golden

@@ -1,0 +1,186 @@
+// Runs in parts: killed at random moments and gone on with, they end with the result of one run; what is no state of
+// the same run is refused.
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <random>
+#include <thread>
+
+#include "tests/golden/program.h"
+#include "tests/golden/run_documents.h"
+
+namespace vex::golden {
+namespace {
+
+using nlohmann::json;
+
+class Resume : public ProgramTest {
+ protected:
+  void expect_refused(const Words& words, int exit_code, const std::string& part) const {
+    expect_refusal(run(words), exit_code, part);
+  }
+
+  /// Kills the run with SIGKILL at random moments and starts it again until it ends; returns how often it was killed.
+  int kill_until_it_ends(Words words, std::mt19937_64& random, int most_kills) const {
+    words.insert(words.end(), {"--quiet", "--checkpoint", "c.state", "--resume", "c.state", "--checkpoint-every",
+                               "0.01", "--json", "parts.json", "--threads", ""});
+    int n_kills = 0;
+    for (;; ++n_kills) {
+      words.back() = std::to_string(std::vector<int>{1, 2, 3, 8}[random() % 4]);
+      const auto wait = std::chrono::milliseconds(30 + random() % 150);
+      const Finished finished = n_kills == most_kills ? run(words) : run_and_signal(words, SIGKILL, [wait](pid_t) {
+        std::this_thread::sleep_for(wait);
+        return true;
+      });
+      if (finished.exit_code != 128 + SIGKILL) {
+        EXPECT_EQ(finished.exit_code, 0) << finished.err;
+        return n_kills;
+      }
+    }
+  }
+};
+
+TEST_F(Resume, KilledRunsEndWithTheResultOfOneRun) {
+  std::mt19937_64 random(24);
+  const std::vector<Words> runs = {
+      {"box:1,1,2", "ellipsoid:1,2,3", "--estimator", "hit-or-miss", "--trials", "1e7"},
+      {"box:1,1,2", "capsule:1,0.5", "--rel-error", "5e-6"},
+      {"box:1,1,2", "ellipsoid:1,2,3", "--estimator", "hit-or-miss-fitted", "--rel-error", "4e-4"}};
+  int n_kills = 0;
+  for (const Words& words : runs) {
+    Words whole = words;
+    whole.insert(whole.end(), {"--quiet", "--json", "whole.json"});
+    ASSERT_EQ(run(whole).exit_code, 0);
+    n_kills += kill_until_it_ends(words, random, 3);
+    EXPECT_EQ(without_times(json::parse(read_file("parts.json"))), without_times(json::parse(read_file("whole.json"))));
+    std::filesystem::remove(path("c.state"));
+    // A file that never took its name may stay behind, but no more than one for each kill.
+    for (const std::string& name : files()) {
+      if (name.starts_with(".c.state.")) std::filesystem::remove(path(name));
+    }
+  }
+  EXPECT_GT(n_kills, 3);
+}
+
+TEST_F(Resume, AnInterruptedRunIsSavedToItsLastTrial) {
+  const Words words = {"box:1,1,1", "--estimator", "hit-or-miss",  "--trials", "1.5e7",
+                       "--json",    "r.json",      "--checkpoint", "c.state"};
+  const Finished finished = run_and_signal(words, SIGTERM, has_worker_threads);
+  ASSERT_EQ(finished.exit_code, 143) << finished.err;
+  const json part = json::parse(read_file("r.json"));
+  EXPECT_EQ(part["complete"], false);
+  EXPECT_NE(read_file("c.state").find("\ntrials " + part["estimate"]["trials"].dump() + " "), std::string::npos);
+  EXPECT_EQ(json_of({"box:1,1,1", "--estimator", "hit-or-miss", "--trials", "1.5e7", "--resume",
+                     "c.state"})["estimate"]["hits"],
+            json_of({"box:1,1,1", "--estimator", "hit-or-miss", "--trials", "1.5e7"})["estimate"]["hits"]);
+}
+
+TEST_F(Resume, TheFirstRunOfManyBeginsAndTheLastOneIsDone) {
+  const Words words = {"box:1,1,1", "--trials", "1e5", "--checkpoint", "c.state", "--resume", "c.state"};
+  const Finished first = run(words);
+  EXPECT_EQ(first.exit_code, 0);
+  EXPECT_EQ(first.err, "vex_mesh: no run to go on from yet (c.state): it begins\n");
+  const json once = without_times(json_of(words)), again = without_times(json_of(words));
+  EXPECT_EQ(once, again);
+  EXPECT_EQ(once, without_times(json_of({"box:1,1,1", "--trials", "1e5"})));
+  // Of as many trials more than there are, at the end of whole classes.
+  EXPECT_EQ(without_times(json_of({"box:1,1,1", "--trials", "2e5", "--resume", "c.state"})),
+            without_times(json_of({"box:1,1,1", "--trials", "2e5"})));
+  EXPECT_LT(read_file("c.state").size(), 4096u);
+}
+
+TEST_F(Resume, TheTimeAlreadySpentCounts) {
+  const Words words = {"box:1,1,1",    "--seconds", "0.5",      "--estimator", "hit-or-miss",
+                       "--checkpoint", "c.state",   "--resume", "c.state"};
+  const json first = json_of(words), second = json_of(words);
+  EXPECT_EQ(second["estimate"]["trials"], first["estimate"]["trials"]);
+  EXPECT_LT(second["seconds"].get<double>(), first["seconds"].get<double>() + 0.1);
+}
+
+TEST_F(Resume, GoesOnFromNothingElse) {
+  const Words words = {"box:1,1,1", "--trials", "1e4"};
+  const auto with = [](Words all, const Words& more) {
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  ASSERT_EQ(run(with(words, {"--checkpoint", "c.state"})).exit_code, 0);
+  expect_refused({"box:1,1,1.5", "--trials", "1e4", "--resume", "c.state"}, 3,
+                 "a state of another run (c.state has \"A: box");
+  for (const Words& more : std::vector<Words>{{"--seed", "2"},
+                                              {"--estimator", "radial"},
+                                              {"--orientations", "aligned"},
+                                              {"--rel-error", "1e-3"},
+                                              {"--max-trials", "1e6"},
+                                              {"--no-quick-verdicts"},
+                                              {"--verify"},
+                                              {"--sequence", "random"},
+                                              {"--scale", "2"}}) {
+    expect_refused(with(with(words, more), {"--resume", "c.state"}), 3, "a state of another run");
+  }
+  expect_refused(with(words, {"--resume", "missing.state"}), 3, "missing.state: No such file");
+  expect_refused({"box:1,1,1", "--trials", "1e3", "--resume", "c.state"}, 3, "more trials than the run may have");
+  const std::string whole = read_file("c.state");
+  const auto broken = [&](const std::string& content, const std::string& part) {
+    write_file("broken.state", content);
+    expect_refused(with(words, {"--resume", "broken.state"}), 3, part);
+  };
+  broken("", "the file is empty or cut off");
+  broken("box 1 2 3\n", "not a vex_mesh checkpoint");
+  for (std::size_t n = 30; n < whole.size() - 1; n += 997) broken(whole.substr(0, n), "");
+  std::mt19937_64 random(3);
+  for (int k = 0; k < 10; ++k) {
+    std::string changed = whole;
+    char& letter = changed[random() % (whole.size() - 1)];
+    letter = letter == '7' ? '8' : '7';
+    broken(changed, "");
+  }
+  broken(whole + "more\n", "something stands behind the end");
+  broken(whole + whole, "something stands behind the end");
+}
+
+TEST_F(Resume, WhereItCannotBeSavedTheRunGoesOn) {
+  std::filesystem::create_directory(path("there"));
+  const Finished finished = shell(kWithoutOverride +
+                                  "sh -c '(sleep 0.3; chmod a-w there) & exec \"$VEX\" box:1,1,1 --seconds 1 "
+                                  "--checkpoint there/c.state --checkpoint-every 0.1 --json r.json'");
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  const std::string said = "no state was saved";
+  EXPECT_NE(finished.err.find(said), std::string::npos) << finished.err;
+  EXPECT_EQ(finished.err.find(said), finished.err.rfind(said)) << finished.err;
+  EXPECT_EQ(json::parse(read_file("r.json"))["complete"], true);
+  std::filesystem::permissions(path("there"), std::filesystem::perms::owner_all);
+}
+
+TEST_F(Resume, WhatNamesNoFileIsWrongUsage) {
+  expect_refused({"box:1,1,1", "--checkpoint", "-"}, 2, "name a file");
+  expect_refused({"box:1,1,1", "--checkpoint", "/dev/null"}, 2, "cannot be replaced");
+  expect_refused({"box:1,1,1", "--resume", "-"}, 2, "is read from a file");
+  expect_refused({"box:1,1,1", "--checkpoint-every", "1"}, 2, "without --checkpoint");
+  expect_refused({"box:1,1,1", "--checkpoint", "c", "--checkpoint-every", "0"}, 2, "--checkpoint-every");
+  expect_refused({"box:1,1,1", "--checkpoint", "no/folder/c"}, 2, "no/folder");
+  expect_refused({"box:1,1,1", "--checkpoint", "c", "--json", "c"}, 2, "one file for two outputs");
+  expect_refused({"box:1,1,1", "--first-trial", "32"}, 2, "give --trials");
+  expect_refused({"box:1,1,1", "--first-trial", "32", "--trials", "10", "--rel-error", "1"}, 2, "give --trials");
+  expect_refused({"box:1,1,1", "--first-trial", "33", "--trials", "10", "--sequence", "sobol"}, 2, "multiple of 32");
+  expect_refused({"box:1,1,1", "--first-trial", "1e19", "--trials", "10"}, 2, "below 2^62");
+}
+
+TEST_F(Resume, ALongRunIsAnnouncedAndAdvised) {
+  const Words words = {"box:1,1,1", "--estimator", "hit-or-miss", "--rel-error", "1e-7", "--max-trials", "1e18"};
+  const auto said_by = [&](Words all) { return run_and_signal(all, SIGINT, has_worker_threads).err; };
+  EXPECT_NE(said_by({"box:1,1,1", "--estimator", "hit-or-miss", "--rel-error", "1e-7"}).find("reach --max-trials"),
+            std::string::npos);
+  const std::string said = said_by(words);
+  EXPECT_NE(said.find("vex_mesh: hit-or-miss will take about "), std::string::npos) << said;
+  EXPECT_NE(said.find("--checkpoint FILE saves what is done"), std::string::npos) << said;
+  Words saved = words;
+  saved.insert(saved.end(), {"--checkpoint", "c.state"});
+  EXPECT_EQ(said_by(saved).find("--checkpoint FILE"), std::string::npos);
+  Words quiet = words;
+  quiet.emplace_back("--quiet");
+  EXPECT_EQ(said_by(quiet), "");
+  EXPECT_EQ(run({"box:1,1,1", "--trials", "1e4"}).err, "");
+}
+
+}  // namespace
+}  // namespace vex::golden
