@@ -1,13 +1,17 @@
 // vex_percolate BODY...: the percolation threshold of overlapping convex bodies.
 #include <chrono>
+#include <cstdio>
+#include <exception>
 #include <iostream>
 #include <string_view>
 
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
 #include "apps/common/numbers.h"
+#include "apps/common/results.h"
 #include "apps/common/run_program.h"
 #include "apps/common/status_line.h"
+#include "apps/common/text.h"
 #include "apps/vex_percolate/realisations_file.h"
 #include "apps/vex_percolate/report.h"
 #include "engine/numeric/errors.h"
@@ -46,10 +50,22 @@ Outputs output_files(const PercolateOptions& options) {
 std::string status_of(const PercolateRun& run) {
   std::uint64_t fewest = ~std::uint64_t{0};
   for (const SizeRun& size : run.sizes) fewest = std::min<std::uint64_t>(fewest, size.found.size());
-  std::string text = "vex_percolate: " + std::to_string(fewest) + " realisations of each size";
+  std::string text = std::to_string(fewest) + " realisations of each size";
   const std::optional<CriticalValues> values = critical_values(run);
   if (values && values->eta) text += ", eta_c " + with_error(values->eta->value, values->eta->std_error);
   return text;
+}
+
+// The run goes on where its file cannot be written: what that would save is not lost yet.
+bool is_saved(const OutputFile& checkpoint, const PercolateRun& run) {
+  try {
+    checkpoint.write(realisations_text(run));
+    return true;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "vex_percolate: %s; the run goes on, and tries once more at its end\n",
+                 printable(error.what()).c_str());
+    return false;
+  }
 }
 
 int run_vex_percolate(const PercolateCommandLine& words, const std::string& command) {
@@ -62,26 +78,28 @@ int run_vex_percolate(const PercolateCommandLine& words, const std::string& comm
   using Clock = std::chrono::steady_clock;
   Clock::time_point saved = Clock::now();
   constexpr std::chrono::seconds kBetween{30};
+  bool can_save = outputs.checkpoint.has_value();
   StatusLine status(!options.quiet);
-  percolate(
-      run, [&] { status.show(status_of(run)); },
-      [&] {
-        if (!outputs.checkpoint || Clock::now() - saved < kBetween) return;
-        outputs.checkpoint->write_catching_interrupts(realisations_text(run));
-        saved = Clock::now();
-      });
+  const auto show = [&] { status.show("vex_percolate", [&] { return status_of(run); }); };
+  percolate(run, show, [&] {
+    if (!can_save || Clock::now() - saved < kBetween) return;
+    can_save = is_saved(*outputs.checkpoint, run);
+    saved = Clock::now();
+  });
   status.erase();
 
   const int signal = interrupting_signal().load();
   run.complete = signal == 0;
-  if (outputs.checkpoint) outputs.checkpoint->write_catching_interrupts(realisations_text(run));
-  if (!options.quiet && !outputs.own_standard_output()) std::cout << report_text(run);
-  if (outputs.csv) outputs.csv->write_catching_interrupts(realisations_text(run));
-  if (outputs.plot) outputs.plot->write_catching_interrupts(picture_of(run));
+  Results results("vex_percolate", outputs.own_standard_output());
+  const auto realisations = [&] { return realisations_text(run); };
+  results.write(outputs.checkpoint, Results::Kind::numbers, realisations);
+  if (!options.quiet && !outputs.own_standard_output()) results.print(report_text(run));
+  results.write(outputs.json, Results::Kind::numbers, [&] { return report_json(run); });
+  results.write(outputs.csv, Results::Kind::numbers, realisations);
+  results.write(outputs.plot, Results::Kind::picture, [&] { return picture_of(run); });
   const bool has_sample = !run.sizes.front().found.empty();
-  if (outputs.gltf && has_sample) outputs.gltf->write_catching_interrupts(sample_gltf(run));
-  if (outputs.json) outputs.json->write(report_json(run));
-  return signal == 0 ? kSuccess : kSignalBase + signal;
+  if (has_sample) results.write(outputs.gltf, Results::Kind::model, [&] { return sample_gltf(run); });
+  return results.exit_code(signal == 0 ? kSuccess : kSignalBase + signal);
 }
 
 }  // namespace

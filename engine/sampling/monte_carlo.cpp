@@ -11,7 +11,6 @@
 #include <numbers>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <thread>
 
 #include "engine/numeric/errors.h"
@@ -20,6 +19,7 @@
 #include "engine/query/packets/quick_verdict.h"
 #include "engine/sampling/poses/pose_map.h"
 #include "engine/sampling/trial_runner.h"
+#include "engine/scene/threads.h"
 
 namespace vex {
 namespace {
@@ -68,13 +68,14 @@ class Run {
   RunRecord go() {
     std::vector<std::jthread> threads;
     try {
-      threads.reserve(static_cast<std::size_t>(settings_.n_threads));
-      for (int k = 0; k < settings_.n_threads; ++k) threads.emplace_back([this] { work(); });
-      wait_and_report();
-    } catch (const std::system_error&) {
-      fail(std::make_exception_ptr(UsageError("this system starts no more than " + std::to_string(threads.size()) +
-                                              " threads (" + std::to_string(settings_.n_threads) +
-                                              " asked for) - use fewer threads")));
+      start_threads(threads, settings_.n_threads, [this](int) { work(false); });
+      const bool has_threads = !threads.empty();
+      note_threads(settings_.n_threads, has_threads ? static_cast<int>(threads.size()) : 1);
+      if (has_threads) {
+        wait_and_report();
+      } else {
+        work(true);
+      }
     } catch (...) {
       fail(std::current_exception());  // of on_progress; the threads must be told before they are joined
     }
@@ -168,7 +169,8 @@ class Run {
     return make_pose_runner(a_, b_, settings_, quick_ ? &*quick_ : nullptr);
   }
 
-  void work() {
+  /// `reports`: it is the calling thread's work, because the system gives no other; it tells the progress as well.
+  void work(bool reports) {
     try {
       const std::unique_ptr<TrialRunner> runner = make_runner();
       std::uint64_t block = 16 * grain_;
@@ -191,6 +193,7 @@ class Run {
         if (block_seconds > kBlockSeconds && block > grain_) block /= 2;
         lock.lock();
         take_home(std::move(done));
+        if (reports && !stopped_ && Clock::now() >= next_report_) report(lock);
       }
     } catch (...) {
       fail(std::current_exception());
@@ -220,17 +223,20 @@ class Run {
       ended_.wait_for(lock, kProgressInterval);
       if (stopped_) break;
       if (interrupted()) stop(StopReason::interrupted);
-      if (settings_.on_progress) {
-        Progress progress{record_.tally, std::numeric_limits<double>::infinity(), seconds_since(start_),
-                          settings_.stop};
-        if (record_.tally.n_trials > 0) {
-          progress.relative_error = volume_estimate(record_.tally, settings_.domain).relative_error();
-        }
-        lock.unlock();
-        settings_.on_progress(progress);
-        lock.lock();
-      }
+      report(lock);
     }
+  }
+
+  void report(std::unique_lock<std::mutex>& lock) {
+    next_report_ = Clock::now() + kProgressInterval;
+    if (!settings_.on_progress) return;
+    Progress progress{record_.tally, std::numeric_limits<double>::infinity(), seconds_since(start_), settings_.stop};
+    if (record_.tally.n_trials > 0) {
+      progress.relative_error = volume_estimate(record_.tally, settings_.domain).relative_error();
+    }
+    lock.unlock();
+    settings_.on_progress(progress);
+    lock.lock();
   }
 
   const ConvexBody& a_;
@@ -249,6 +255,7 @@ class Run {
   std::condition_variable ended_;               // for the caller, which would only be disturbed by every round
   std::uint64_t next_ = 0;                      // the first trial that no thread has taken
   std::uint64_t round_end_ = 0;                 // where the stop rule is looked at next
+  Clock::time_point next_report_ = start_ + kProgressInterval;
   bool stopped_ = false;
   std::exception_ptr failure_;
   RunRecord record_;
