@@ -4,13 +4,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <iostream>
 #include <stdexcept>
 #include <system_error>
 
-#include "apps/common/interrupt.h"
+#include "apps/common/patient_write.h"
 #include "apps/common/replace_file.h"
 #include "engine/numeric/errors.h"
+#include "engine/numeric/expect.h"
 #include "meshes/reader.h"
 
 namespace vex {
@@ -125,28 +125,15 @@ bool OutputFile::may_wait_for_a_reader() const {
   return is_standard_output() || has_no_name_to_replace(path_, target_);
 }
 
-void OutputFile::write(std::string_view text) const {
-  stop_catching_interrupts();
-  write_catching_interrupts(text);
-}
-
-void OutputFile::write_catching_interrupts(std::string_view text) const {
-  if (is_standard_output()) {
-    std::cout << text << std::flush;
-    if (!std::cout)
-      throw std::runtime_error(
-          "standard output cannot be written - look whether its disk is full or its reader has gone");
-    return;
-  }
+bool OutputFile::write(std::string_view text) const {
+  VEX_EXPECT(!is_standard_output());
   try {
-    if (has_no_name_to_replace(path_, target_)) {
-      write_in_place(path_, text);
-    } else {
-      replace_file(target_, text);
-    }
+    if (has_no_name_to_replace(path_, target_)) return write_in_place(path_, text);
+    replace_file(target_, text);
+    return true;
   } catch (const std::system_error& error) {
     throw std::runtime_error("the output file cannot be written (" + path_ + ": " + error.code().message() +
-                             ") - look whether its disk is full");
+                             ") - look whether its disk is full and its folder still there");
   }
 }
 

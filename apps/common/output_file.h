@@ -47,11 +47,10 @@ class OutputFile {
   /// Standard output, a device or a pipe: writing may wait for whoever reads.
   bool may_wait_for_a_reader() const;
 
-  /// Replaces the file as `replace_file` does; a device or a pipe is written to. Interrupts are not caught any more.
-  /// Throws std::runtime_error where the disk refuses.
-  void write(std::string_view text) const;
-  /// The same, for a program that has more to write: interrupts are caught as before.
-  void write_catching_interrupts(std::string_view text) const;
+  /// Replaces the file as `replace_file` does; into a device or a pipe it is written (patient_write.h): false where an
+  /// interrupt came before all of it was. Throws std::runtime_error where the disk refuses. Not of standard output,
+  /// which Results writes (results.h).
+  bool write(std::string_view text) const;
 
  private:
   std::string path_;

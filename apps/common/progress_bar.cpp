@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "apps/common/interrupt.h"
 #include "apps/common/numbers.h"
 
 namespace vex {
@@ -61,6 +62,10 @@ void ProgressBar::erase() {
 }
 
 void ProgressBar::show(const Progress& progress) {
+  answer_if_asked([&] {
+    if (drawn_) std::fputs("\r\033[K", stderr);
+    return label_ + progress_text(progress);
+  });
   if (!enabled_ || progress.tally.n_trials == 0 || progress.seconds < next_seconds_) return;
   next_seconds_ = progress.seconds + kSecondsBetween;
   const std::size_t width = terminal_width();
@@ -71,7 +76,7 @@ void ProgressBar::show(const Progress& progress) {
   drawn_ = true;
 }
 
-std::string progress_line(const Progress& progress, std::size_t width) {
+std::string progress_text(const Progress& progress) {
   const double fraction = fraction_done(progress);
   const double n = static_cast<double>(progress.tally.n_trials);
   std::string text = short_number(std::floor(100.0 * fraction), 3) + " %  ";
@@ -83,13 +88,18 @@ std::string progress_line(const Progress& progress, std::size_t width) {
   if (std::isfinite(progress.relative_error)) {
     text += "  rel. error " + short_number(progress.relative_error, 2);
   }
+  return text;
+}
+
+std::string progress_line(const Progress& progress, std::size_t width) {
+  const std::string text = progress_text(progress);
   // A line that reaches the terminal's edge goes on in the next one, where erasing it does not reach.
   constexpr std::size_t kWidest = 30;
   constexpr std::size_t kNarrowest = 5;
   const std::size_t around = text.size() + std::string("[] ").size() + 1;
   if (width < around + kNarrowest) return text.substr(0, width > 0 ? width - 1 : 0);
   const std::size_t bar = std::min(kWidest, width - around);
-  const auto filled = static_cast<std::size_t>(fraction * static_cast<double>(bar));
+  const auto filled = static_cast<std::size_t>(fraction_done(progress) * static_cast<double>(bar));
   return "[" + std::string(filled, '#') + std::string(bar - filled, ' ') + "] " + text;
 }
 

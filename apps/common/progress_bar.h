@@ -8,7 +8,8 @@
 
 namespace vex {
 
-/// Drawn on standard error, only where that is a terminal and `wanted`; erased at the end.
+/// Drawn on standard error, only where that is a terminal and `wanted`; erased at the end. Whether or not, SIGUSR1 is
+/// answered with a line (interrupt.h).
 class ProgressBar {
  public:
   /// `label` stands before all else.
@@ -33,7 +34,10 @@ class ProgressBar {
 /// How much of a run is done, 0 to 1: the largest share over its stop rules.
 double fraction_done(const Progress& progress);
 
-/// The bar and, beside it, remaining time, trials, rate and error: shorter than `width` columns.
+/// Percentage, remaining time, trials, rate and error.
+std::string progress_text(const Progress& progress);
+
+/// The bar and, beside it, the same: shorter than `width` columns.
 std::string progress_line(const Progress& progress, std::size_t width);
 
 }  // namespace vex

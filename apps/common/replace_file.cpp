@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <random>
@@ -11,44 +12,19 @@
 #include <system_error>
 #include <utility>
 
+#include "apps/common/descriptor.h"
+#include "apps/common/interrupt.h"
 #include "apps/common/text.h"
 
 namespace vex {
 namespace fs = std::filesystem;
 namespace {
 
-[[noreturn]] void fail(int error) { throw std::system_error(error, std::generic_category()); }
-
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {
-    if (number_ < 0) fail(errno);
-  }
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  int number() const { return number_; }
-
-  void write_all(std::string_view text) const {
-    while (!text.empty()) {
-      const ssize_t n = ::write(number_, text.data(), text.size());
-      if (n < 0 && errno != EINTR) fail(errno);
-      if (n > 0) text.remove_prefix(static_cast<std::size_t>(n));
-    }
-  }
-
-  /// Some disks tell only now that they are full.
-  void close() {
-    const int number = std::exchange(number_, -1);
-    if (::close(number) != 0 && errno != EINTR) fail(errno);
-  }
-
- private:
-  int number_;
-};
+// A descriptor, or what the system says of it.
+int opened(int number) {
+  if (number < 0) fail_with(errno);
+  return number;
+}
 
 // A signal that ended the program now would leave the other file behind; so would a limit on the size of files, whose
 // signal is ignored, so that writing fails instead.
@@ -56,8 +32,8 @@ class SignalsHeldBack {
  public:
   SignalsHeldBack() {
     sigset_t held;
-    sigemptyset(&held);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) sigaddset(&held, signal);
+    sigfillset(&held);
+    for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL}) sigdelset(&held, fault);
     pthread_sigmask(SIG_BLOCK, &held, &mask_);
     struct sigaction ignore = {};
     ignore.sa_handler = SIG_IGN;
@@ -72,19 +48,23 @@ class SignalsHeldBack {
   SignalsHeldBack& operator=(const SignalsHeldBack&) = delete;
 
  private:
+  EndHeldBack end_held_back_;
   sigset_t mask_ = {};
   struct sigaction at_limit_ = {};
 };
 
 // Hidden, named after the file that it will be, and with an end that nobody can foresee.
-std::string unforeseeable_name(const std::string& name) {
+std::string unforeseeable_name(int folder, const std::string& name) {
   constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
-  constexpr std::size_t kLongest = 200;  // of the 255 bytes that a name may have
+  constexpr std::size_t kUsual = 255,
+                        kAround = 12;  // bytes of a name: the system's most, and what stands around it here
   std::random_device random;
   std::uniform_int_distribution<std::size_t> letter(0, kLetters.size() - 1);
   std::string end;
   for (int k = 0; k < 10; ++k) end += kLetters[letter(random)];
-  return "." + std::string(first_bytes(name, kLongest)) + "." + end;
+  const long most = fpathconf(folder, _PC_NAME_MAX);
+  const std::size_t longest = most > 0 ? static_cast<std::size_t>(most) : kUsual;
+  return "." + std::string(first_bytes(name, longest - std::min(longest, kAround))) + "." + end;
 }
 
 // A new file in the folder, gone again unless it was put in place.
@@ -92,7 +72,9 @@ class NewFile {
  public:
   /// `old`: what is there already; null where nothing is.
   NewFile(int folder, const std::string& name, const struct stat* old)
-      : folder_(folder), name_(unforeseeable_name(name)), file_(make(old != nullptr ? S_IRUSR | S_IWUSR : kForAll)) {
+      : folder_(folder),
+        name_(unforeseeable_name(folder, name)),
+        file_(opened(make(old != nullptr ? S_IRUSR | S_IWUSR : kForAll))) {
     if (old != nullptr) keep_owner_and_permissions(*old);
   }
   ~NewFile() {
@@ -102,14 +84,18 @@ class NewFile {
   NewFile& operator=(const NewFile&) = delete;
 
   void write(std::string_view text) {
-    file_.write_all(text);
+    while (!text.empty()) {
+      const ssize_t n = ::write(file_.number(), text.data(), text.size());
+      if (n < 0 && errno != EINTR) fail_with(errno);
+      if (n > 0) text.remove_prefix(static_cast<std::size_t>(n));
+    }
     // Before the new name: a machine that loses its power must not find the name of a file whose bytes never came.
-    if (fsync(file_.number()) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS) fail(errno);
+    if (fsync(file_.number()) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS) fail_with(errno);
     file_.close();
   }
 
   void put_in_place(const std::string& name) {
-    if (renameat(folder_, name_.c_str(), folder_, name.c_str()) != 0) fail(errno);
+    if (renameat(folder_, name_.c_str(), folder_, name.c_str()) != 0) fail_with(errno);
     is_in_place_ = true;
   }
 
@@ -142,18 +128,12 @@ void replace_file(const fs::path& target, std::string_view text) {
   const fs::path folder_path = target.has_parent_path() ? target.parent_path() : fs::path(".");
   const std::string name = target.filename().string();
   const SignalsHeldBack held;
-  const Descriptor folder(open(folder_path.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  const Descriptor folder(opened(open(folder_path.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC)));
   struct stat old = {};
   const bool exists = fstatat(folder.number(), name.c_str(), &old, AT_SYMLINK_NOFOLLOW) == 0 && S_ISREG(old.st_mode);
   NewFile file(folder.number(), name, exists ? &old : nullptr);
   file.write(text);
   file.put_in_place(name);
-}
-
-void write_in_place(const fs::path& path, std::string_view text) {
-  Descriptor file(open(path.c_str(), O_WRONLY | O_TRUNC | O_NOCTTY | O_CLOEXEC));
-  file.write_all(text);
-  file.close();
 }
 
 }  // namespace vex

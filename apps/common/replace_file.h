@@ -11,12 +11,9 @@ namespace vex {
 /// shared folder leads it elsewhere. A file that was there keeps its permissions, and its owner and group as far as
 /// this user may give files away; a new one has those that the user's mask leaves.
 ///
-/// SIGINT, SIGTERM, SIGHUP and SIGQUIT wait until it is done, which takes one thread: call it when the others have
-/// ended. Throws std::system_error where the disk or the folder refuses; then the target is as it was, and the other
-/// file is gone.
+/// Whatever signals wait until it is done (EndHeldBack, interrupt.h; those that this program does not handle, as
+/// SIGQUIT, only where no other thread is there to take them). Throws std::system_error where the disk or the folder
+/// refuses; then the target is as it was, and the other file is gone.
 void replace_file(const std::filesystem::path& target, std::string_view text);
-
-/// Writes all of `text` where `path` leads, into a device or a pipe. Throws std::system_error.
-void write_in_place(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace vex

@@ -11,6 +11,7 @@
 #include <iostream>
 #include <memory>
 #include <new>
+#include <optional>
 #include <system_error>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "apps/common/interrupt.h"
 #include "apps/common/text.h"
 #include "engine/numeric/errors.h"
+#include "engine/scene/threads.h"
 #include "shapes/closest_word.h"
 
 namespace vex {
@@ -112,10 +114,7 @@ int run_program(OptionParser& options, int argc, char** argv, const std::functio
   end_on_interrupts(app.get_name());
   std::signal(SIGPIPE, SIG_IGN);  // a reader that went away is a write that fails, and --json FILE is still written
   const auto written = [&app](int code) {
-    return std::cout.flush()
-               ? code
-               : report(app, "standard output cannot be written - look whether its disk is full or its reader has gone",
-                        kFault);
+    return std::cout.flush() ? code : report(app, kNoStandardOutput, kFault);
   };
   for (CLI::Option* option : app.get_options()) {
     option->check([](const std::string& word) { return word.empty() ? "empty" : ""; }, "");
@@ -137,7 +136,14 @@ int run_program(OptionParser& options, int argc, char** argv, const std::functio
     return report(app, problem_in_words(app, error), kWrongUsage);
   }
   try {
-    return written(action());
+    const int code = action();
+    if (const std::optional<ThreadShortage> shortage = thread_shortage()) {
+      report(app,
+             "this system gave " + std::to_string(shortage->n_had) + " of " + std::to_string(shortage->n_wanted) +
+                 " threads, which costs time and changes no result - look at ulimit -u and at what confines the program",
+             code);
+    }
+    return written(code);
   } catch (const UsageError& error) {
     return report(app, error.what(), kWrongUsage);
   } catch (const InputError& error) {

@@ -17,6 +17,10 @@ enum ExitCode : int {
   kSignalBase = 128,  // plus the signal that interrupted
 };
 
+/// What to say where standard output fails.
+inline constexpr const char* kNoStandardOutput =
+    "standard output cannot be written - look whether its disk is full or its reader has gone";
+
 /// The project's version, as CMake has it.
 std::string version();
 

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "apps/common/interrupt.h"
 #include "apps/common/numbers.h"
 
 namespace vex {
@@ -22,11 +23,18 @@ bool StatusLine::is_due() const {
   return enabled_ && Clock::now() - shown_ >= kBetween;
 }
 
-void StatusLine::show(const std::string& text) {
+void StatusLine::show(const std::string& program, const std::function<std::string()>& doing) {
+  const auto text = [&] {
+    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    return doing() + ", " + fixed_number(0, seconds) + " s";
+  };
+  answer_if_asked([&] {
+    erase();
+    return text();
+  });
   if (!is_due()) return;
   shown_ = Clock::now();
-  const double seconds = std::chrono::duration<double>(shown_ - start_).count();
-  std::fprintf(stderr, "\r\033[K%s, %s s", text.c_str(), fixed_number(0, seconds).c_str());
+  std::fprintf(stderr, "\r\033[K%s: %s", program.c_str(), text().c_str());
   std::fflush(stderr);
   drawn_ = true;
 }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
 
 namespace vex {
 
-/// Written on standard error, only where that is a terminal and `wanted`; erased at the end.
+/// Written on standard error, only where that is a terminal and `wanted`; erased at the end. Whether or not, SIGUSR1 is
+/// answered with a line (interrupt.h).
 class StatusLine {
  public:
   explicit StatusLine(bool wanted);
@@ -14,12 +16,13 @@ class StatusLine {
   StatusLine(const StatusLine&) = delete;
   StatusLine& operator=(const StatusLine&) = delete;
 
-  bool is_due() const;
-  /// Shows the text with the seconds since the start, unless the last one was shown just before.
-  void show(const std::string& text);
+  /// Shows "program: what is done", with the seconds since the start, unless the last one was shown just before.
+  void show(const std::string& program, const std::function<std::string()>& doing);
   void erase();
 
  private:
+  bool is_due() const;
+
   using Clock = std::chrono::steady_clock;
   Clock::time_point start_ = Clock::now(), shown_ = start_;
   bool enabled_, drawn_ = false;

@@ -134,6 +134,7 @@ BodyCurves measure(const BenchBody& body, const BenchSettings& bench) {
     settings.sequence = one.sequence;
     settings.backend = one.backend;
     settings.interrupt = bench.interrupt;
+    settings.on_progress = bench.on_progress;
     set_estimator(settings, *one.estimator, body.shape, body.shape);
     double spent = 0.0;
     settings.stop.trials = kFirst;

@@ -66,6 +66,7 @@ struct BenchSettings {
   double least_error = 1e-6;  // shorter runs than these are enough
   const std::atomic<int>* interrupt = nullptr;
   std::function<void(const std::string& what)> on_curve;  // before each
+  std::function<void(const Progress&)> on_progress;       // of each of its runs
 };
 
 /// The six bodies that are measured where none is named.

@@ -3,10 +3,11 @@
 
 #include <chrono>
 #include <cstdio>
-#include <iostream>
 
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
+#include "apps/common/progress_bar.h"
+#include "apps/common/results.h"
 #include "apps/common/run_program.h"
 #include "apps/vex_bench/options.h"
 #include "apps/vex_bench/report.h"
@@ -38,8 +39,13 @@ void measure_all(BenchRun& run, const std::vector<BenchBody>& bodies) {
   settings.seconds = run.options.seconds;
   settings.interrupt = &interrupting_signal();
   const bool shows = !run.options.quiet && isatty(STDERR_FILENO) != 0;
-  settings.on_curve = [shows](const std::string& what) {
+  std::string curve;
+  settings.on_curve = [shows, &curve](const std::string& what) {
+    curve = what;
     if (shows) std::fprintf(stderr, "\r\033[K%s", what.c_str());
+  };
+  settings.on_progress = [&curve](const Progress& progress) {
+    answer_if_asked([&] { return curve + "  " + progress_text(progress); });
   };
   for (const BenchBody& body : bodies) {
     run.bodies.push_back(measure(body, settings));
@@ -65,15 +71,15 @@ int run_vex_bench(const BenchCommandLine& words, const std::string& command) {
   const auto is_standard_output = [](const std::optional<OutputFile>& file) {
     return file && file->is_standard_output();
   };
-  if (!run.options.quiet && !is_standard_output(json) && !is_standard_output(csv) && !is_standard_output(plot) &&
-      !is_standard_output(others)) {
-    std::cout << report_text(run);
-  }
-  if (json) json->write(report_json(run));
-  if (csv) csv->write(report_csv(run));
-  if (plot) plot->write(picture_of(run, Curves::main));
-  if (others) others->write(picture_of(run, Curves::others));
-  return run.complete ? kSuccess : kSignalBase + interrupting_signal().load();
+  const bool prints_elsewhere =
+      is_standard_output(json) || is_standard_output(csv) || is_standard_output(plot) || is_standard_output(others);
+  Results results("vex_bench", prints_elsewhere);
+  if (!run.options.quiet && !prints_elsewhere) results.print(report_text(run));
+  results.write(json, Results::Kind::numbers, [&] { return report_json(run); });
+  results.write(csv, Results::Kind::numbers, [&] { return report_csv(run); });
+  results.write(plot, Results::Kind::picture, [&] { return picture_of(run, Curves::main); });
+  results.write(others, Results::Kind::picture, [&] { return picture_of(run, Curves::others); });
+  return results.exit_code(run.complete ? kSuccess : kSignalBase + interrupting_signal().load());
 }
 
 }  // namespace

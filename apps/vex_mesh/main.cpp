@@ -1,12 +1,12 @@
 // vex_mesh A [B]: the orientation-averaged excluded volume of two convex bodies, by Monte Carlo and by the formula.
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 #include "apps/common/backends.h"
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
 #include "apps/common/progress_bar.h"
+#include "apps/common/results.h"
 #include "apps/common/run_program.h"
 #include "apps/vex_mesh/announcement.h"
 #include "apps/vex_mesh/options.h"
@@ -61,6 +61,13 @@ void sample(MeshRun& run, Checkpoint* checkpoint) {
   settings.resume = nullptr;
 }
 
+int exit_code_of(const MeshRun& run) {
+  if (run.result.record.stopped_by == StopReason::interrupted) return kSignalBase + interrupting_signal().load();
+  // A peer's verdict that has no proof is the peer's fault, and reported as such.
+  if (run.result.record.unproven.n_all > 0 && !run.options.settings.backend.is_peer) return kFault;
+  return run.result.z && std::fabs(*run.result.z) > run.options.max_z ? kDisagreement : kSuccess;
+}
+
 int run_vex_mesh(const CommandLine& words, const std::string& command) {
   const Options options = interpret(words);
 
@@ -89,13 +96,10 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
   catch_interrupts();
   sample(run, checkpoint ? &*checkpoint : nullptr);
 
-  if (!options.quiet && !(json && json->is_standard_output())) std::cout << report_text(run);
-  if (json) json->write(report_json(run));
-
-  if (run.result.record.stopped_by == StopReason::interrupted) return kSignalBase + interrupting_signal().load();
-  // A peer's verdict that has no proof is the peer's fault, and reported as such.
-  if (run.result.record.unproven.n_all > 0 && !run.options.settings.backend.is_peer) return kFault;
-  return run.result.z && std::fabs(*run.result.z) > options.max_z ? kDisagreement : kSuccess;
+  Results results("vex_mesh");
+  if (!options.quiet && !(json && json->is_standard_output())) results.print(report_text(run));
+  results.write(json, Results::Kind::numbers, [&] { return report_json(run); });
+  return results.exit_code(exit_code_of(run));
 }
 
 }  // namespace

@@ -8,12 +8,12 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/query/margin.h"
 #include "apps/vex_pair/query.h"
 #include "apps/vex_pair/query_certificate.h"
 #include "engine/query/certificate.h"
 #include "engine/query/contact_manifold.h"
 #include "engine/query/first_contact.h"
+#include "engine/query/margin.h"
 #include "engine/query/verdict.h"
 
 namespace vex {

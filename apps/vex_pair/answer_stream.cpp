@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
-#include <thread>
 #include <vector>
 
 #include "engine/numeric/errors.h"
+#include "engine/scene/threads.h"
 
 namespace vex {
 namespace {
@@ -45,7 +45,7 @@ class BlockAnswerer {
     }
     std::atomic<std::size_t> next{0};
     std::atomic<bool> stop{false};
-    const auto work = [&] {
+    const auto work = [&](int) {
       // Chunks are handed out in order, so that all before one that stops are answered.
       while (!stop.load()) {
         const std::size_t k = next.fetch_add(1);
@@ -59,9 +59,7 @@ class BlockAnswerer {
         if (chunks[k].stopped) stop.store(true);
       }
     };
-    std::vector<std::jthread> others;
-    for (std::size_t k = 1; k < std::min(n_threads, chunks.size()); ++k) others.emplace_back(work);
-    work();
+    on_threads(static_cast<int>(std::min(n_threads, chunks.size())), work);
     return chunks;
   }
 
@@ -137,7 +135,7 @@ StreamResult answer_stream(PoseFile& file, const Question& question, const Strea
   bool goes_on = true;
   while (goes_on) {
     if (result.unheard && !settings.lists_first_rows) return result;
-    file.read_rows(size.rows(), block);
+    file.read_rows(size.rows(), block, settings.while_waiting);
     if (block.rows.empty()) break;
     const Clock::time_point start = Clock::now();
     std::string text;
@@ -151,6 +149,7 @@ StreamResult answer_stream(PoseFile& file, const Question& question, const Strea
       if (!goes_on) break;
     }
     result.unheard = !write(text) || result.unheard;
+    if (settings.on_block) settings.on_block(result.counts);
     size.adapt(block.rows.size(), std::chrono::duration<double>(Clock::now() - start).count());
   }
   result.interrupted = interrupt.load() != 0;

@@ -17,6 +17,8 @@ struct StreamSettings {
   bool keep_going = false;        // behind bad rows
   bool lists_first_rows = false;  // for a document
   int n_threads = 1;
+  std::function<void(const Counts&)> on_block{};  // of all rows answered so far
+  std::function<void()> while_waiting{};          // for rows, several times a second
 };
 
 /// A document lists the rows of at most so many poses.

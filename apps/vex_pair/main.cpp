@@ -2,12 +2,13 @@
 // brings them into contact; in one pose or in each of a file of poses, and how that is proven.
 #include <chrono>
 #include <cstdio>
-#include <iostream>
 #include <memory>
 
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
+#include "apps/common/results.h"
 #include "apps/common/run_program.h"
+#include "apps/common/text.h"
 #include "apps/vex_pair/report.h"
 #include "engine/numeric/errors.h"
 
@@ -22,12 +23,6 @@ std::optional<OutputFile> output_file(const PairOptions& options) {
   const std::optional<OutputFile> json = files.output("--json", options.json);
   if (!options.quiet || options.layout.format != RowLayout::Format::screen) files.print_report();
   return json;
-}
-
-// Whether the text went out; nothing to write is written.
-bool write_out(std::string_view text) {
-  if (!text.empty()) std::cout << text << std::flush;
-  return static_cast<bool>(std::cout);
 }
 
 void answer_one(PairRun& run, const Question& question) {
@@ -59,30 +54,47 @@ int run_vex_pair(const PairCommandLine& words, const std::string& command) {
 
   catch_interrupts();
   const Question question(run.a.shape.body, run.b.shape.body, options.query);
+  Results results("vex_pair", options.layout.format != RowLayout::Format::screen);
   if (poses) {
-    poses->read_header();
+    Counts answered;
+    const auto answer = [&] {
+      answer_if_asked([&] { return plural(answered.n_rows, "pose", "poses") + " answered"; });
+    };
+    poses->read_header(answer);
     StreamSettings settings{options.layout, options.keep_going, json.has_value(), options.n_threads};
     const bool is_silent = owns_output || (options.quiet && options.layout.format == RowLayout::Format::screen);
+    settings.on_block = [&](const Counts& counts) {
+      answered = counts;
+      answer();
+    };
+    settings.while_waiting = answer;
     run.found = answer_stream(*poses, question, settings, interrupting_signal(),
-                              [&](std::string_view rows) { return is_silent || write_out(rows); });
+                              [&](std::string_view rows) { return is_silent || results.print_rows(rows); });
   } else {
     answer_one(run, question);
   }
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
   if (!run.found.first_problem.empty() && !options.keep_going) throw InputError(run.found.first_problem);
-  if (run.one && !owns_output) write_out(text_of_one(run));
-  if (poses && !options.quiet && !owns_output && std::cout) {
+  if (run.one && !owns_output) {
+    const std::string text = text_of_one(run);
+    if (options.layout.format == RowLayout::Format::screen) {
+      results.print(text);
+    } else {
+      results.print_rows(text);
+    }
+  }
+  if (poses && !options.quiet && !owns_output && !results.has_lost_standard_output()) {
     std::fprintf(stderr, "vex_pair: %s", summary_text(run).c_str());
   }
-  if (json) json->write(report_json(run));
-  if (run.found.interrupted) return kSignalBase + interrupting_signal().load();
+  results.write(json, Results::Kind::numbers, [&] { return report_json(run); });
+  if (run.found.interrupted) return results.exit_code(kSignalBase + interrupting_signal().load());
   if (run.found.counts.n_not_reproven > 0) return kFault;
   if (run.found.counts.n_refused > 0) {
     throw InputError(std::to_string(run.found.counts.n_refused) + " of " + std::to_string(run.found.counts.n_rows) +
                      " rows were refused - the first: " + run.found.first_problem);
   }
-  return kSuccess;
+  return results.exit_code(kSuccess);
 }
 
 }  // namespace

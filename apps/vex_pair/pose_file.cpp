@@ -46,6 +46,7 @@ PoseFile::Found PoseFile::fetch(bool wait) {
     if (n_ready < 0 && errno != EINTR) cannot_be_read(name_, errno);
     if (n_ready > 0) break;
     if (!wait) return Found::nothing_yet;
+    if (while_waiting_) while_waiting_();
   }
   buffer_.erase(0, begin_);
   searched_ -= begin_;
@@ -91,7 +92,8 @@ PoseFile::Found PoseFile::next_line(bool wait, std::string_view& line, bool& is_
   }
 }
 
-void PoseFile::read_header() {
+void PoseFile::read_header(const std::function<void()>& while_waiting) {
+  while_waiting_ = while_waiting;
   std::string_view line;
   bool is_too_long = false;
   if (next_line(true, line, is_too_long) == Found::end) {
@@ -111,7 +113,8 @@ void PoseFile::read_header() {
   }
 }
 
-void PoseFile::read_rows(std::size_t n_most, RowBlock& block) {
+void PoseFile::read_rows(std::size_t n_most, RowBlock& block, const std::function<void()>& while_waiting) {
+  while_waiting_ = while_waiting;
   block.clear();
   block.first_index = n_rows_;
   const auto add = [&](std::string_view line, std::uint64_t number, bool is_too_long) {

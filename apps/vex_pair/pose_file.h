@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,13 +41,14 @@ class PoseFile {
   PoseFile(const PoseFile&) = delete;
   PoseFile& operator=(const PoseFile&) = delete;
 
-  /// Reads the first line; before the rows. Throws InputError where it is not a header of poses.
-  void read_header();
+  /// Reads the first line; before the rows. `while_waiting`: called several times a second, also below. Throws
+  /// InputError where it is not a header of poses.
+  void read_header(const std::function<void()>& while_waiting = {});
   PoseFormat format() const { return format_; }
 
   /// The next rows: at most `n_most`, fewer where no more have arrived yet, none at the end or when interrupted. Lines
   /// that hold nothing are rows only if one that holds something follows. Throws InputError where reading fails.
-  void read_rows(std::size_t n_most, RowBlock& block);
+  void read_rows(std::size_t n_most, RowBlock& block, const std::function<void()>& while_waiting = {});
 
   /// For messages: the path, or that it is standard input.
   const std::string& name() const { return name_; }
@@ -58,6 +60,8 @@ class PoseFile {
   Found next_line(bool wait, std::string_view& line, bool& is_too_long);
   // More bytes of the file.
   Found fetch(bool wait);
+
+  std::function<void()> while_waiting_;
 
   int file_ = -1;
   std::string name_;

@@ -1,11 +1,11 @@
 // vex_paper: the tables and the text of Sreenivasan, Baker, Paul and Stanley (2002), computed again, and their faulty
 // values with the overlap test that gives them.
 #include <chrono>
-#include <iostream>
 
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
 #include "apps/common/progress_bar.h"
+#include "apps/common/results.h"
 #include "apps/common/run_program.h"
 #include "apps/vex_paper/options.h"
 #include "apps/vex_paper/report.h"
@@ -86,10 +86,11 @@ int run_vex_paper(const PaperCommandLine& words, const std::string& command) {
   for (const Part& part : parts) runner.all(part.cases, part.measure_one);
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
-  if (!run.options.quiet && !(json && json->is_standard_output())) std::cout << report_text(run);
-  if (json) json->write(report_json(run));
-  if (!run.complete) return kSignalBase + interrupting_signal().load();
-  return run.has_disagreement() ? kDisagreement : kSuccess;
+  Results results("vex_paper");
+  if (!run.options.quiet && !(json && json->is_standard_output())) results.print(report_text(run));
+  results.write(json, Results::Kind::numbers, [&] { return report_json(run); });
+  if (!run.complete) return results.exit_code(kSignalBase + interrupting_signal().load());
+  return results.exit_code(run.has_disagreement() ? kDisagreement : kSuccess);
 }
 
 }  // namespace

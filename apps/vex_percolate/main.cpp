@@ -5,6 +5,7 @@
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
 #include "apps/common/numbers.h"
+#include "apps/common/results.h"
 #include "apps/common/run_program.h"
 #include "apps/common/status_line.h"
 #include "apps/vex_percolate/realisations_file.h"
@@ -51,7 +52,7 @@ Outputs output_files(const PercolateOptions& options) {
 std::string status_of(const PercolateRun& run) {
   std::uint64_t fewest = ~std::uint64_t{0};
   for (const SizeRun& size : run.sizes) fewest = std::min<std::uint64_t>(fewest, size.found.size());
-  std::string text = "vex_percolate: " + std::to_string(fewest) + " realisations of each size";
+  std::string text = std::to_string(fewest) + " realisations of each size";
   const std::optional<CriticalValues> values = critical_values(run);
   if (values && values->eta) text += ", eta_c " + with_error(values->eta->value, values->eta->std_error);
   return text;
@@ -66,7 +67,7 @@ int run_vex_percolate(const PercolateCommandLine& words, const std::string& comm
 
   StatusLine status(!options.quiet);
   percolate(
-      run, [&] { status.show(status_of(run)); },
+      run, [&] { status.show(kProgram, [&] { return status_of(run); }); },
       [&] {
         if (!outputs.checkpoint || !outputs.checkpoint->is_due()) return;
         outputs.checkpoint->save(realisations_text(run), [&status] { status.erase(); });
@@ -76,13 +77,15 @@ int run_vex_percolate(const PercolateCommandLine& words, const std::string& comm
   const int signal = interrupting_signal().load();
   run.complete = signal == 0;
   if (outputs.checkpoint) outputs.checkpoint->save(realisations_text(run));
-  if (!options.quiet && !outputs.own_standard_output()) std::cout << report_text(run);
-  if (outputs.csv) outputs.csv->write_catching_interrupts(realisations_text(run));
-  if (outputs.plot) outputs.plot->write_catching_interrupts(picture_of(run));
+  Results results(kProgram, outputs.own_standard_output());
+  const auto realisations = [&] { return realisations_text(run); };
+  if (!options.quiet && !outputs.own_standard_output()) results.print(report_text(run));
+  results.write(outputs.json, Results::Kind::numbers, [&] { return report_json(run); });
+  results.write(outputs.csv, Results::Kind::numbers, realisations);
+  results.write(outputs.plot, Results::Kind::picture, [&] { return picture_of(run); });
   const bool has_sample = !run.sizes.front().found.empty();
-  if (outputs.gltf && has_sample) outputs.gltf->write_catching_interrupts(sample_gltf(run));
-  if (outputs.json) outputs.json->write(report_json(run));
-  return signal == 0 ? kSuccess : kSignalBase + signal;
+  if (has_sample) results.write(outputs.gltf, Results::Kind::model, [&] { return sample_gltf(run); });
+  return results.exit_code(signal == 0 ? kSuccess : kSignalBase + signal);
 }
 
 }  // namespace

@@ -1,12 +1,14 @@
 #include "apps/vex_percolate/percolate_run.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 
 #include "apps/common/backends.h"
 #include "apps/common/interrupt.h"
 #include "apps/common/numbers.h"
+#include "apps/common/text.h"
 #include "engine/numeric/errors.h"
 #include "engine/sampling/percolation/isotropy.h"
 #include "shapes/estimators/exact_average.h"
@@ -245,7 +247,14 @@ void percolate(PercolateRun& run, const std::function<void()>& on_round, const s
   const auto seconds = [start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   // The time of the runs that it goes on from counts.
   const auto is_late = [&] { return options.seconds && run.seconds_before + seconds() >= *options.seconds; };
-  const StopQuestion stop = [&] { return interrupting_signal().load() != 0 || is_late(); };
+  std::atomic<std::uint64_t> n_finished{0};
+  const StopQuestion stop = [&] {
+    answer_if_asked([&] {
+      return plural(n_finished.load(), "realisation", "realisations") + " of all sizes, " +
+             fixed_number(0, run.seconds_before + seconds()) + " s";
+    });
+    return interrupting_signal().load() != 0 || is_late();
+  };
   const std::uint64_t most = options.realisations.value_or(kMostRealisations);
   // A twentieth of the time that is asked for, where it is short.
   constexpr double kShare = 0.05, kNanoseconds = 1e9;
@@ -263,6 +272,7 @@ void percolate(PercolateRun& run, const std::function<void()>& on_round, const s
       const OnRealisations take = [&](std::span<const WrappingNumbers> finished, const PercolationCounts& counts) {
         size.found.insert(size.found.end(), finished.begin(), finished.end());
         size.counts += counts;
+        n_finished += finished.size();
         run.seconds = seconds();
         on_realisations();
       };

@@ -7,8 +7,10 @@
 #include <memory>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 #include "apps/common/interrupt.h"
+#include "engine/scene/threads.h"
 
 namespace vex {
 namespace {
@@ -21,13 +23,12 @@ struct WorkState {
 };
 
 // Threads have the mask of the one that starts them.
-std::thread without_signals(const std::function<void()>& work) {
+void start_without_signals(std::vector<std::jthread>& threads, const std::function<void()>& work) {
   sigset_t every, before;
   sigfillset(&every);
   pthread_sigmask(SIG_SETMASK, &every, &before);
-  std::thread thread(work);
+  start_threads(threads, 1, [work](int) { work(); });
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  return thread;
 }
 
 }  // namespace
@@ -35,7 +36,8 @@ std::thread without_signals(const std::function<void()>& work) {
 bool done_before_an_interrupt(const std::function<void()>& work, const std::function<void()>& meanwhile,
                               std::chrono::milliseconds grace) {
   const auto state = std::make_shared<WorkState>();
-  std::thread thread = without_signals([work, state] {
+  std::vector<std::jthread> beside;
+  start_without_signals(beside, [work, state] {
     std::exception_ptr fault;
     try {
       work();
@@ -47,17 +49,22 @@ bool done_before_an_interrupt(const std::function<void()>& work, const std::func
     state->fault = fault;
     state->changed.notify_one();
   });
+  if (beside.empty()) {
+    note_threads(2, 1);
+    work();  // here then: an interrupt waits for its end, and a second one ends the program
+    return true;
+  }
   std::unique_lock lock(state->mutex);
   while (!state->changed.wait_for(lock, std::chrono::milliseconds(50), [&] { return state->is_done; })) {
     if (interrupting_signal().load() != 0) {
       state->changed.wait_for(lock, grace, [&] { return state->is_done; });
-      thread.detach();
+      beside.front().detach();
       return false;
     }
     meanwhile();
   }
   lock.unlock();
-  thread.join();
+  beside.front().join();
   if (state->fault) std::rethrow_exception(state->fault);
   return true;
 }

@@ -1,20 +1,18 @@
 // vex_scene FILE: which of many bodies overlap, how near they are, and which clusters they make; in open space or in a
 // periodic box, proven.
-#include <unistd.h>
-
 #include <atomic>
-#include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
-#include <iostream>
 
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
+#include "apps/common/results.h"
 #include "apps/common/run_program.h"
 #include "apps/common/scene_gltf.h"
 #include "apps/common/status_line.h"
+#include "apps/common/text.h"
 #include "apps/vex_scene/beside.h"
 #include "apps/vex_scene/body_colours.h"
 #include "apps/vex_scene/random_scene.h"
@@ -56,7 +54,11 @@ Outputs output_files(const SceneOptions& options, std::vector<std::string> input
 class Pieces {
  public:
   Pieces(SceneRun& run, Clock::time_point start, const Outputs& outputs)
-      : run_(run), start_(start), outputs_(outputs), status_(!run.options.quiet) {
+      : run_(run),
+        start_(start),
+        outputs_(outputs),
+        status_(!run.options.quiet),
+        results_("vex_scene", run.options.has_rows() || outputs.own_standard_output) {
     catch_interrupts();
   }
 
@@ -65,62 +67,47 @@ class Pieces {
   void work(const std::function<void()>& action, const std::function<std::string()>& doing, const std::string& undone,
             std::chrono::milliseconds grace = {}) {
     const bool is_done = done_before_an_interrupt(
-        action, [&] { status_.show("vex_scene: " + doing()); }, grace);
+        action, [&] { status_.show("vex_scene", doing); }, grace);
     status_.erase();
     if (!is_done || interrupting_signal().load() != 0) end(undone);
   }
 
   /// Makes the text of a file, and writes it. A file that is replaced is written whole before the program ends.
-  void write(const std::optional<OutputFile>& file, const std::function<std::string()>& text) {
+  void write(const std::optional<OutputFile>& file, Results::Kind kind, const std::function<std::string()>& text) {
     if (!file) return;
-    const std::string undone = "interrupted before " + file->path() + " was written";
-    const bool may_wait = file->may_wait_for_a_reader();
     std::string made;
-    work(
-        [&] {
-          made = text();
-          if (may_wait) file->write_catching_interrupts(made);
-        },
-        [&] { return "writing " + file->path(); }, undone);
-    if (!may_wait) file->write_catching_interrupts(made);
+    work([&] { made = text(); }, [&] { return "writing " + file->path(); },
+         "interrupted before " + file->path() + " was written");
+    results_.write(file, kind, [&] { return std::move(made); });
+    if (interrupting_signal().load() != 0) end("");
   }
+
+  /// The last one, and the program's exit code.
+  int write_document() {
+    results_.write(outputs_.json, Results::Kind::numbers, [&] { return report_json(run_); });
+    const int signal = interrupting_signal().load();
+    return results_.exit_code(signal == 0 ? kSuccess : kSignalBase + signal);
+  }
+
+  Results& results() { return results_; }
 
  private:
   // The work may go on beside this, and ends with the program.
   [[noreturn]] void end(const std::string& undone) {
-    const int code = kSignalBase + interrupting_signal().load();
     run_.is_interrupted = true;
     run_.seconds = seconds_since(start_);
-    if (!run_.options.quiet && !outputs_.own_standard_output) std::fprintf(stderr, "vex_scene: %s\n", undone.c_str());
-    try {
-      if (outputs_.json) outputs_.json->write(report_json(run_));
-    } catch (const std::exception& error) {
-      std::fprintf(stderr, "vex_scene: %s\n", error.what());
-      std::_Exit(kFault);
+    if (!undone.empty() && !run_.options.quiet && !outputs_.own_standard_output) {
+      std::fprintf(stderr, "vex_scene: %s\n", undone.c_str());
     }
-    std::_Exit(code);
+    std::_Exit(write_document());
   }
 
   SceneRun& run_;
   Clock::time_point start_;
   const Outputs& outputs_;
   StatusLine status_;
+  Results results_;
 };
-
-// Whether the text went out, and more is wanted: after a signal there is none.
-bool write_out(std::string_view text) {
-  if (interrupting_signal().load() != 0) return false;
-  while (!text.empty()) {
-    const ssize_t n = ::write(STDOUT_FILENO, text.data(), text.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) {
-      std::cout.setstate(std::ios::badbit);  // as whoever looks at the end of the program finds it
-      return false;
-    }
-    text.remove_prefix(static_cast<std::size_t>(n));
-  }
-  return true;
-}
 
 SceneInput input_of(const SceneOptions& options, std::atomic<std::uint64_t>& n_lines) {
   if (!options.random) return read_scene_file(options.file, options.named_bodies, &n_lines);
@@ -154,12 +141,14 @@ void take(SceneRun& run, Loaded&& loaded, const SceneInput& input) {
   run.is_loaded = true;
 }
 
-void print(const SceneRun& run) {
+void print(const SceneRun& run, Results& results) {
   const SceneOptions& options = run.options;
   if (options.has_rows()) {
-    write_rows(options.query, options.rows, run.found, write_out);
+    // After a signal no more is wanted.
+    write_rows(options.query, options.rows, run.found,
+               [&](std::string_view rows) { return interrupting_signal().load() == 0 && results.print_rows(rows); });
   } else if (!options.quiet) {
-    write_out(summary_text(run));
+    results.print(summary_text(run));
   }
 }
 
@@ -194,7 +183,7 @@ int run_vex_scene(const SceneCommandLine& words, const std::string& command) {
   std::optional<SceneInput> input;
   std::atomic<std::uint64_t> n_lines{0};
   pieces.work([&] { input = input_of(options, n_lines); },
-              [&] { return std::to_string(n_lines.load()) + " lines read"; }, unread);
+              [&] { return plural(n_lines.load(), "line", "lines") + " read"; }, unread);
   const BodyOptions body_options = body_options_of(options, *input);
   outputs = output_files(options, files_of_bodies(input->texts(), body_options));
   Loaded loaded;
@@ -222,17 +211,16 @@ int run_vex_scene(const SceneCommandLine& words, const std::string& command) {
   if (!outputs.own_standard_output) {
     // A row that is begun is written to its end.
     constexpr std::chrono::milliseconds kForARow{200};
-    pieces.work([&] { print(run); }, [] { return "writing"; }, "interrupted while rows were written", kForARow);
-    if (options.has_rows() && !options.quiet && std::cout) {
+    pieces.work([&] { print(run, pieces.results()); }, [] { return "writing"; }, "interrupted while rows were written",
+                kForARow);
+    if (options.has_rows() && !options.quiet && !pieces.results().has_lost_standard_output()) {
       std::fprintf(stderr, "vex_scene: %s", summary_text(run).c_str());
     }
   }
-  pieces.write(outputs.save, [&] { return scene_file_text(*input); });
-  pieces.write(outputs.gltf, [&] { return gltf_text(run, *scene); });
-  pieces.write(outputs.svg, [&] { return stage_picture(run); });
-  if (outputs.json) outputs.json->write(report_json(run));
-  const int signal = interrupting_signal().load();
-  return signal == 0 ? kSuccess : kSignalBase + signal;
+  pieces.write(outputs.save, Results::Kind::numbers, [&] { return scene_file_text(*input); });
+  pieces.write(outputs.gltf, Results::Kind::model, [&] { return gltf_text(run, *scene); });
+  pieces.write(outputs.svg, Results::Kind::picture, [&] { return stage_picture(run); });
+  return pieces.write_document();
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
 #include "apps/common/progress_bar.h"
+#include "apps/common/results.h"
 #include "apps/common/run_program.h"
 #include "apps/vex_stress/options.h"
 #include "apps/vex_stress/plot.h"
@@ -60,11 +61,12 @@ int run_vex_stress(const StressCommandLine& words, const std::string& command) {
   catch_interrupts();
   measure_all(run);
   const bool prints_elsewhere = (json && json->is_standard_output()) || (plot && plot->is_standard_output());
-  if (!run.options.quiet && !prints_elsewhere) std::cout << report_text(run);
-  if (json) json->write(report_json(run));
-  if (plot) plot->write(picture_of(run));
-  if (!run.complete) return kSignalBase + interrupting_signal().load();
-  return run.total(0).n_faults() == 0 ? kSuccess : kFault;
+  Results results("vex_stress", prints_elsewhere);
+  if (!run.options.quiet && !prints_elsewhere) results.print(report_text(run));
+  results.write(json, Results::Kind::numbers, [&] { return report_json(run); });
+  results.write(plot, Results::Kind::picture, [&] { return picture_of(run); });
+  if (!run.complete) return results.exit_code(kSignalBase + interrupting_signal().load());
+  return results.exit_code(run.total(0).n_faults() == 0 ? kSuccess : kFault);
 }
 
 }  // namespace

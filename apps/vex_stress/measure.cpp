@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <exception>
 #include <map>
 #include <mutex>
-#include <thread>
 
 #include "apps/referees/general_referee.h"
 #include "engine/numeric/errors.h"
 #include "engine/query/overlap.h"
+#include "engine/scene/threads.h"
 
 namespace vex {
 namespace {
@@ -114,7 +113,6 @@ struct Shared {
   std::atomic<std::uint64_t> next = 0, n_done = 0;
   std::mutex mutex{};  // of what follows
   StressRow row{};
-  std::exception_ptr failure{};
 
   bool is_interrupted() const { return settings.interrupt != nullptr && settings.interrupt->load() != 0; }
 };
@@ -180,20 +178,14 @@ StressRow measure(const Stratum& stratum, const StressSettings& settings) {
   shared.row.bodies = stratum.bodies;
   shared.row.distance = stratum.distance;
   shared.row.counts.resize(settings.backends.size());
-  const auto guarded = [&shared](bool shows_progress) {
+  on_threads(settings.n_threads, [&shared](int k) {
     try {
-      work(shared, shows_progress);
+      work(shared, k == 0);
     } catch (...) {
-      const std::lock_guard lock(shared.mutex);
-      if (!shared.failure) shared.failure = std::current_exception();
-      shared.next = shared.n_poses;
+      shared.next = shared.n_poses;  // the others need not go on
+      throw;
     }
-  };
-  std::vector<std::thread> threads;
-  for (int k = 1; k < settings.n_threads; ++k) threads.emplace_back(guarded, false);
-  guarded(true);
-  for (std::thread& thread : threads) thread.join();
-  if (shared.failure) std::rethrow_exception(shared.failure);
+  });
   shared.row.complete = shared.row.n_pairs == shared.n_poses;
   return shared.row;
 }

@@ -97,6 +97,41 @@ std::optional<std::vector<Vec3d>> vertices_of_core(const ConvexBody& body) {
   return form->points;
 }
 
+// Whether their squares are. A body whose vertices and radius have nothing to do with each other has no face that could
+// be told.
+bool are_numbers(const std::vector<Vec3d>& vertices) {
+  return std::ranges::all_of(vertices, [](const Vec3d& v) { return norm_1(v) < 0x1p200; });
+}
+
+// Of vertices about the witness of A, in units of 2^unit, in which the contacts are then too.
+std::vector<ContactManifold::Contact> contacts_of_faces(const ConvexBody& a, const ConvexBody& b,
+                                                        const Transformd& a_from_b, const Separation& found,
+                                                        const std::vector<Vec3d>& vertices_a,
+                                                        const std::vector<Vec3d>& vertices_b, int unit, double margin,
+                                                        double feature_angle) {
+  std::vector<ContactManifold::Contact> contacts;
+  const ContactFrame frame(found.normal);
+  // Coordinates across the normal are rounded several times each. And flat is what was, before vertices were rounded to
+  // coordinates in their own frames and in A's.
+  const double reach =
+      std::ldexp(2.0 * (a.circumradius() + b.circumradius()) + std::fabs(found.signed_distance), -unit);
+  const double coordinates = std::ldexp(a.reach() + 2.0 * b.reach() + norm_1(a_from_b.translation), -unit);
+  const ContactResolution resolution(64.0 * kUnitRoundoff * reach, 4.0 * kUnitRoundoff * coordinates);
+  if (!std::isfinite(resolution.of_edges)) return contacts;
+  const double farthest = std::ldexp(std::fmax(margin, found.upper), -unit);
+  const double ball_a = std::ldexp(a.ball_radius(), -unit), ball_b = std::ldexp(b.ball_radius(), -unit);
+  ContactFace face_a(vertices_a, frame, 1.0, feature_angle, resolution);
+  ContactFace face_b(vertices_b, frame, -1.0, feature_angle, resolution);
+  for (const auto& [of_a, of_b] : common_places(face_a, face_b, feature_angle, resolution.of_points)) {
+    const double height_a = face_a.height_at(of_a) + ball_a;
+    const double height_b = -face_b.height_at(of_b) - ball_b;
+    if (height_b - height_a > farthest + resolution.of_points) continue;
+    contacts.push_back({frame.point(of_a, height_a), frame.point(of_b, height_b), height_b - height_a});
+  }
+  merge(contacts, resolution.of_edges);
+  return contacts;
+}
+
 }  // namespace
 
 ContactManifold contact_manifold(const ConvexBody& a, const ConvexBody& b, const Pose& pose, double margin,
@@ -111,33 +146,19 @@ ContactManifold contact_manifold(const ConvexBody& a, const ConvexBody& b, const
   if (found.lower > margin || !found.has_witnesses) return manifold;
   const std::optional<std::vector<Vec3d>> vertices_a = vertices_of_core(a);
   std::optional<std::vector<Vec3d>> vertices_b = vertices_of_core(b);
-  if (vertices_a && vertices_b) {
+  if (vertices_a && vertices_b && norm_1(found.normal) > 0.5) {
     // About the witness of A: what is small is then compared with the bodies, not with how far they are from origins.
     // B's vertices are what they are once placed and rounded, so all that is rounded here are differences, to within u
     // of themselves. And in units in which bodies are neither tiny nor huge: squares are numbers then.
+    const double size = a.circumradius() + b.circumradius();
+    const int unit = size > 0.0 ? std::ilogb(size) : 0;
     std::vector<Vec3d> from_a = *vertices_a;
     const Vec3d origin = found.point_a;
-    const int unit = std::ilogb(a.circumradius() + b.circumradius());
     for (Vec3d& v : from_a) v = times_power_of_two(v - origin, -unit);
     for (Vec3d& v : *vertices_b) v = times_power_of_two(a_from_b(v) - origin, -unit);
-    const ContactFrame frame(found.normal);
-    // Coordinates across the normal are rounded several times each. And flat is what was, before vertices were rounded
-    // to coordinates in their own frames and in A's.
-    const double reach =
-        std::ldexp(2.0 * (a.circumradius() + b.circumradius()) + std::fabs(found.signed_distance), -unit);
-    const double coordinates = std::ldexp(a.reach() + 2.0 * b.reach() + norm_1(a_from_b.translation), -unit);
-    const ContactResolution resolution(64.0 * kUnitRoundoff * reach, 4.0 * kUnitRoundoff * coordinates);
-    const double farthest = std::ldexp(std::fmax(margin, found.upper), -unit);
-    const double ball_a = std::ldexp(a.ball_radius(), -unit), ball_b = std::ldexp(b.ball_radius(), -unit);
-    ContactFace face_a(from_a, frame, 1.0, feature_angle, resolution);
-    ContactFace face_b(*vertices_b, frame, -1.0, feature_angle, resolution);
-    for (const auto& [of_a, of_b] : common_places(face_a, face_b, feature_angle, resolution.of_points)) {
-      const double height_a = face_a.height_at(of_a) + ball_a;
-      const double height_b = -face_b.height_at(of_b) - ball_b;
-      if (height_b - height_a > farthest + resolution.of_points) continue;
-      manifold.contacts.push_back({frame.point(of_a, height_a), frame.point(of_b, height_b), height_b - height_a});
+    if (are_numbers(from_a) && are_numbers(*vertices_b)) {
+      manifold.contacts = contacts_of_faces(a, b, a_from_b, found, from_a, *vertices_b, unit, margin, feature_angle);
     }
-    merge(manifold.contacts, resolution.of_edges);
     for (ContactManifold::Contact& contact : manifold.contacts) {
       contact.point_a = origin + times_power_of_two(contact.point_a, unit);
       contact.point_b = origin + times_power_of_two(contact.point_b, unit);

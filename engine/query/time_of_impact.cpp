@@ -32,8 +32,10 @@ int exponent_of_motion(const ConvexBody& a, const ConvexBody& b, const Transform
   const double moving = largest_of(motion.velocity);
   const double turning = std::fmax(largest_of(motion.angular_velocity), largest_of(spin_of_a));
   const int size = exponent_of_length(a.reach() + b.reach() + norm_1(a_from_b.translation));
-  const int by_turning = turning > 0.0 ? std::ilogb(turning) : std::numeric_limits<int>::min();
-  const int exponent = moving > 0.0 ? std::max(std::ilogb(moving) - size, by_turning) : by_turning;
+  constexpr int kNone = -(1 << 20);  // below every exponent, and no number that has no opposite
+  const int exponent =
+      std::max(moving > 0.0 ? std::ilogb(moving) - size : kNone, turning > 0.0 ? std::ilogb(turning) : kNone);
+  if (exponent == kNone) return 0;
   return std::abs(exponent) > kMostExponent ? exponent : 0;
 }
 

@@ -11,7 +11,6 @@
 #include <numbers>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <thread>
 
 #include "engine/numeric/errors.h"
@@ -21,6 +20,7 @@
 #include "engine/sampling/poses/pose_map.h"
 #include "engine/sampling/run_ledger.h"
 #include "engine/sampling/trial_runner.h"
+#include "engine/scene/threads.h"
 
 namespace vex {
 namespace {
@@ -52,13 +52,14 @@ class Run {
   RunRecord go() {
     std::vector<std::jthread> threads;
     try {
-      threads.reserve(static_cast<std::size_t>(settings_.n_threads));
-      for (int k = 0; k < settings_.n_threads; ++k) threads.emplace_back([this] { work(); });
-      wait_and_report();
-    } catch (const std::system_error&) {
-      fail(std::make_exception_ptr(UsageError("this system starts no more than " + std::to_string(threads.size()) +
-                                              " threads (" + std::to_string(settings_.n_threads) +
-                                              " asked for) - use fewer threads")));
+      start_threads(threads, settings_.n_threads, [this](int) { work(false); });
+      const bool has_threads = !threads.empty();
+      note_threads(settings_.n_threads, has_threads ? static_cast<int>(threads.size()) : 1);
+      if (has_threads) {
+        wait_and_report();
+      } else {
+        work(true);
+      }
     } catch (...) {
       fail(std::current_exception());  // of on_progress; the threads must be told before they are joined
     }
@@ -115,7 +116,8 @@ class Run {
     return make_pose_runner(a_, b_, settings_, quick_ ? &*quick_ : nullptr);
   }
 
-  void work() {
+  /// `reports`: it is the calling thread's work, because the system gives no other; it tells the progress as well.
+  void work(bool reports) {
     try {
       const std::unique_ptr<TrialRunner> runner = make_runner();
       const std::uint64_t grain = settings_.sequence == Sequence::sobol || settings_.stratified ? kClasses : 1;
@@ -136,9 +138,11 @@ class Run {
         if (block->end - block->begin == most && block_seconds < 0.5 * kBlockSeconds) most *= 2;
         if (block_seconds > kBlockSeconds && most > grain) most /= 2;
         lock.lock();
-        if (!ledger_.bring(*block, std::move(done))) continue;
-        changed_.notify_all();
-        if (ledger_.is_over()) ended_.notify_all();
+        if (ledger_.bring(*block, std::move(done))) {
+          changed_.notify_all();
+          if (ledger_.is_over()) ended_.notify_all();
+        }
+        if (reports && !ledger_.is_over() && Clock::now() >= next_report_) report(lock);
       }
     } catch (...) {
       fail(std::current_exception());
@@ -152,28 +156,31 @@ class Run {
   }
 
   void wait_and_report() {
-    double next_state = settings_.on_state ? settings_.seconds_between_states : HUGE_VAL;
     std::unique_lock lock(mutex_);
     while (!ledger_.is_over()) {
       ended_.wait_for(lock, kProgressInterval);
       if (ledger_.is_over()) break;
       if (interrupted()) stop(StopReason::interrupted);
-      if (settings_.on_progress) {
-        const Tally& tally = ledger_.tally();
-        Progress progress{tally, std::numeric_limits<double>::infinity(), seconds(), settings_.stop};
-        if (tally.n_trials > 0) progress.relative_error = volume_estimate(tally, settings_.domain).relative_error();
-        lock.unlock();
-        settings_.on_progress(progress);
-        lock.lock();
-      }
-      if (seconds_since(start_) >= next_state) {
-        const RunState state = ledger_.state(seconds());
-        lock.unlock();
-        settings_.on_state(state);
-        lock.lock();
-        next_state = seconds_since(start_) + settings_.seconds_between_states;
-      }
+      report(lock);
     }
+  }
+
+  void report(std::unique_lock<std::mutex>& lock) {
+    next_report_ = Clock::now() + kProgressInterval;
+    if (settings_.on_progress) {
+      const Tally& tally = ledger_.tally();
+      Progress progress{tally, std::numeric_limits<double>::infinity(), seconds(), settings_.stop};
+      if (tally.n_trials > 0) progress.relative_error = volume_estimate(tally, settings_.domain).relative_error();
+      lock.unlock();
+      settings_.on_progress(progress);
+      lock.lock();
+    }
+    if (!settings_.on_state || seconds_since(start_) < next_state_) return;
+    const RunState state = ledger_.state(seconds());
+    lock.unlock();
+    settings_.on_state(state);
+    lock.lock();
+    next_state_ = seconds_since(start_) + settings_.seconds_between_states;
   }
 
   const ConvexBody& a_;
@@ -189,6 +196,8 @@ class Run {
   std::condition_variable ended_;               // for the caller, which would only be disturbed by every round
   RunLedger ledger_;
   const double seconds_before_;  // of the run that it goes on from
+  Clock::time_point next_report_ = start_ + kProgressInterval;
+  double next_state_ = settings_.seconds_between_states;  // seconds from the start
   std::exception_ptr failure_;
 };
 

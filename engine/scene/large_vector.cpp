@@ -17,8 +17,8 @@ void* allocate_large(std::size_t n_bytes) {
   return memory;
 }
 
-void deallocate_large(void* memory, std::size_t n_bytes) {
-  ::operator delete (memory, n_bytes, std::align_val_t{kHugePage});
+void deallocate_large(void* memory, std::size_t /*n_bytes*/) {
+  ::operator delete(memory, std::align_val_t{kHugePage});
 }
 
 }  // namespace vex

@@ -1,15 +1,41 @@
-// Work shared among threads (internal).
+// Work shared among threads (internal): the one place that starts threads. A system that gives fewer than were asked
+// for
+// (`ulimit -u`, a filter of system calls, memory) costs time and nothing else.
 #pragma once
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <exception>
-#include <system_error>
+#include <optional>
 #include <thread>
 #include <vector>
 
 namespace vex {
+
+/// Fewer threads than were asked for.
+struct ThreadShortage {
+  int n_wanted = 0, n_had = 0;  // n_had with the caller's own, where that works too
+};
+
+/// The worst one that this process has had so far; none where it always had all. For a note to the user.
+std::optional<ThreadShortage> thread_shortage();
+
+/// For `thread_shortage`.
+void note_threads(int n_wanted, int n_had);
+
+/// Starts threads behind those that are there, each for work(k), k being its place among them, until there are
+/// `n_wanted`, or the system gives no more.
+template <class Work>
+void start_threads(std::vector<std::jthread>& threads, int n_wanted, const Work& work) {
+  try {
+    threads.reserve(static_cast<std::size_t>(n_wanted));
+    while (static_cast<int>(threads.size()) < n_wanted) threads.emplace_back(work, static_cast<int>(threads.size()));
+  } catch (const std::exception&) {
+    // A std::system_error where the system refuses, std::bad_alloc where there is no memory for one more. What it would
+    // have done is done by the others, or by whoever called.
+  }
+}
 
 /// work(k) for k = 0 ... n - 1, each on a thread of its own, the first on the caller's. The first exception is thrown
 /// again once all have ended.
@@ -29,12 +55,10 @@ void on_threads(int n, Work&& work) {
   };
   {
     std::vector<std::jthread> threads;
-    try {
-      for (int k = 1; k < n; ++k) threads.emplace_back(guarded, k);
-    } catch (const std::system_error&) {
-      // What a thread that cannot be had would have done is done here, after the caller's own part.
-    }
+    start_threads(threads, n - 1, [&](int k) { guarded(k + 1); });
+    note_threads(n, static_cast<int>(threads.size()) + 1);
     guarded(0);
+    // What a thread that cannot be had would have done is done here, after the caller's own part.
     for (int k = static_cast<int>(threads.size()) + 1; k < n; ++k) guarded(k);
   }
   for (const std::exception_ptr& failure : failures) {

@@ -78,7 +78,7 @@ constexpr auto declaring_support() {
 /// a mapping of its own, would be answered for the shape, and called proven.
 template <class S, class Member, class Class>
 constexpr bool is_of_older_mapping(Member Class::*) {
-  using Mapping = decltype(detail::declaring_support<S>())::type;
+  using Mapping = typename decltype(detail::declaring_support<S>())::type;
   return std::is_base_of_v<Class, Mapping> && !std::same_as<Class, Mapping>;
 }
 

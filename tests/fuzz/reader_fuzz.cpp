@@ -20,10 +20,6 @@
 namespace vex::tests {
 namespace {
 
-void demand(bool holds, const char* what) {
-  if (!holds) throw std::logic_error(std::string("broken: ") + what);
-}
-
 void check_soup(const PolygonSoup& soup, std::size_t n_bytes) {
   std::uint64_t n_corners = 0;
   for (const std::uint32_t size : soup.face_sizes) {
@@ -81,6 +77,10 @@ void read_strictly(const std::string& extension, std::string_view data) {
 }
 
 }  // namespace
+
+void demand(bool holds, const char* what) {
+  if (!holds) throw std::logic_error(std::string("broken: ") + what);
+}
 
 std::vector<FuzzFormat> fuzz_formats() {
   std::vector<FuzzFormat> formats;

@@ -17,6 +17,7 @@ struct FuzzFormat {
 std::vector<FuzzFormat> fuzz_formats();
 
 /// Throws std::logic_error, which says what is broken, where a promise is.
+void demand(bool holds, const char* what);
 void read_as(const FuzzFormat& format, std::string_view bytes);
 
 }  // namespace vex::tests

@@ -1,5 +1,5 @@
-// libFuzzer's way into the readers. VEX_FUZZ_FORMAT in the environment names the format; inputs are files of it.
-// tests/fuzz/run compiles and runs it.
+// libFuzzer's way into what is fuzzed: readers of meshes, of what else programs read, and queries. VEX_FUZZ_FORMAT in
+// the environment names the format; inputs are files of it. tests/fuzz/run compiles and runs it.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -8,13 +8,18 @@
 #include <string>
 #include <vector>
 
+#include "program_fuzz.h"
+#include "query_fuzz.h"
 #include "reader_fuzz.h"
 
 namespace {
 
 vex::tests::FuzzFormat named_format() {
   const char* const name = std::getenv("VEX_FUZZ_FORMAT");
-  const std::vector<vex::tests::FuzzFormat> formats = vex::tests::fuzz_formats();
+  std::vector<vex::tests::FuzzFormat> formats = vex::tests::fuzz_formats();
+  for (const auto& more : {vex::tests::program_formats(), vex::tests::query_formats()}) {
+    formats.insert(formats.end(), more.begin(), more.end());
+  }
   const auto found =
       std::ranges::find(formats, std::string(name != nullptr ? name : ""), &vex::tests::FuzzFormat::name);
   if (found == formats.end()) {
@@ -22,6 +27,13 @@ vex::tests::FuzzFormat named_format() {
     for (const vex::tests::FuzzFormat& format : formats) std::fprintf(stderr, " %s", format.name.c_str());
     std::fprintf(stderr, "\n");
     std::exit(2);
+  }
+  if (name == std::string("query")) {
+    std::atexit([] {
+      const vex::tests::MostAsked most = vex::tests::most_asked();
+      std::fprintf(stderr, "most points asked for: %llu, by %s\n", static_cast<unsigned long long>(most.n_points),
+                   most.query);
+    });
   }
   return *found;
 }

@@ -1,13 +1,20 @@
 #include "tests/golden/program.h"
 
 #include <fcntl.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
 #include <pty.h>
+#include <sched.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstddef>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -51,10 +58,27 @@ int wait_for(pid_t process) {
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
+/// For this process and those it starts, with an error that glibc does not take for a missing call.
+bool refuse_threads() {
+  constexpr unsigned kRefused = SECCOMP_RET_ERRNO | EPERM;
+  constexpr unsigned kNumber = offsetof(seccomp_data, nr), kFlags = offsetof(seccomp_data, args);
+  sock_filter filter[] = {
+      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, kNumber),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, __NR_clone3, 3, 0),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, __NR_clone, 0, 3),
+      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, kFlags),
+      BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, CLONE_THREAD, 0, 1),
+      BPF_STMT(BPF_RET | BPF_K, kRefused),
+      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+  };
+  sock_fprog program = {sizeof filter / sizeof filter[0], filter};
+  return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+}
+
 /// A child whose output goes into two files beside the folder it works in.
 class Child {
  public:
-  Child(Words words, const fs::path& folder) : base_(folder.string()) {
+  explicit Child(Words words, const fs::path& folder, bool may_start_threads = true) : base_(folder.string()) {
     std::vector<char*> arguments = pointers(words);
     id_ = fork();
     if (id_ != 0) return;
@@ -65,8 +89,9 @@ class Child {
     dup2(out, STDOUT_FILENO);
     dup2(err, STDERR_FILENO);
     for (const int extra : {in, out, err}) close(extra);
-    for (const int number : {SIGINT, SIGTERM, SIGPIPE}) signal(number, SIG_DFL);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGPIPE}) signal(number, SIG_DFL);
     if (chdir(folder.c_str()) != 0) _exit(126);
+    if (!may_start_threads && !refuse_threads()) _exit(125);
     execv(arguments[0], arguments.data());
     _exit(127);
   }
@@ -130,6 +155,10 @@ std::vector<std::string> ProgramTest::files() const {
 }
 
 Finished ProgramTest::run(const Words& words) const { return Child(with_program(words), folder_).finish(); }
+
+Finished ProgramTest::run_without_threads(const Words& words) const {
+  return Child(with_program(words), folder_, false).finish();
+}
 
 Finished ProgramTest::run_and_signal(const Words& words, int signal, const std::function<bool(pid_t)>& ready) const {
   const Child child(with_program(words), folder_);

@@ -45,6 +45,9 @@ class ProgramTest : public testing::Test {
   /// the signal.
   Finished run_and_signal(const Words& words, int signal, const std::function<bool(pid_t)>& ready) const;
 
+  /// Runs it where the system refuses every further thread, as filters of system calls do that know no clone3.
+  Finished run_without_threads(const Words& words) const;
+
   /// A line of the shell, in which "$VEX" is the program.
   Finished shell(const std::string& line) const;
 

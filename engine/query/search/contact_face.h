@@ -100,7 +100,7 @@ class ContactFace {
     };
     const ContactFeature feature(vertices, outward * frame.normal, feature_angle, resolution.of_edges);
     for (const Vec3d& v : vertices) {
-      if (feature.distance_of(v) <= resolution_) add(v);
+      if (!(feature.distance_of(v) > resolution_)) add(v);  // nor where that is no number: there always is a corner
     }
     outline_ = planar_hull(places, resolution_);
     if (!feature.is_face() || outline_.size() < 3) {

@@ -44,7 +44,8 @@ std::vector<PlanarPoint> planar_hull(std::vector<PlanarPoint> points, double res
   const double extent = length(to - from);
   if (!(extent > resolution)) return {from};
   const PlanarPoint along = (1.0 / extent) * (to - from);
-  std::ranges::sort(points, [&](const PlanarPoint& a, const PlanarPoint& b) {
+  // By rounded differences, which need not agree with each other: a sort that takes any answers.
+  std::ranges::stable_sort(points, [&](const PlanarPoint& a, const PlanarPoint& b) {
     const double by = dot(along, a - b);
     return by != 0.0 ? by < 0.0 : turn(along, a - b) < 0.0;
   });

@@ -84,7 +84,7 @@ PortalResult<L> refine_portal(const Difference& difference, const Vec3<L>& v0, c
   enum class Awaited { first, second, third, fourth } awaited = Awaited::first;  // what the next point will be: v1 ...
 
   while (true) {
-    if (result.n_support_calls == max_support_calls) {
+    if (result.n_support_calls >= max_support_calls) {
       result.capped = true;
       return result;
     }

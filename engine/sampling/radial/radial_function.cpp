@@ -110,7 +110,12 @@ class Bisection {
   }
 
   void close_in(double wanted, RadialBounds& bounds) {
-    const auto is_wide = [&](double from, double to) { return to - from > wanted * bounds.upper; };
+    // The bodies as placed are off by some u of their reach, in any direction. A part in a thousand of that is as near
+    // as is worth while, where r is next to 0: else it is halved for ever.
+    const double shift = 8.0 * kUnitRoundoff * ((a_.reach() + 2.0 * b_.reach()) + norm(together_)) / norm(dir_);
+    const auto is_wide = [&](double from, double to) {
+      return to - from > std::fmax(wanted * bounds.upper, 0x1p-10 * shift);
+    };
     std::optional<double> undecided;
     while (!undecided && is_wide(bounds.lower, bounds.upper)) {
       const std::optional<double> middle = between(bounds.lower, bounds.upper);
@@ -130,9 +135,8 @@ class Bisection {
         (outcome_at(*m) == Outcome::disjoint ? bounds.upper : apart) = *m;
       }
     }
-    // The bodies as placed are off by some u of their reach, in any direction; along the ray that is more where K's
-    // surface is nearly along it, by |x| / s at most about a point with a ball of radius s in K.
-    const double shift = 8.0 * kUnitRoundoff * ((a_.reach() + 2.0 * b_.reach()) + norm(together_)) / norm(dir_);
+    // Along the ray that is more where K's surface is nearly along it, by |x| / s at most about a point with a ball of
+    // radius s in K.
     const double reach = bounds.upper * norm(dir_);
     const double rounding = inner_radius_ > 0.0 ? shift * std::fmax(1.0, reach / inner_radius_) : shift;
     bounds.lower = std::fmax(0.0, bounds.lower - rounding);

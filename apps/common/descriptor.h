@@ -1,0 +1,36 @@
+// An open file of the system, closed again.
+#pragma once
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+namespace vex {
+
+[[noreturn]] inline void fail_with(int error) { throw std::system_error(error, std::generic_category()); }
+
+class Descriptor {
+ public:
+  /// Negative where there is none.
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  int number() const { return number_; }
+
+  /// Some disks tell only now that they are full. Throws std::system_error.
+  void close() {
+    const int number = std::exchange(number_, -1);
+    if (::close(number) != 0 && errno != EINTR) fail_with(errno);
+  }
+
+ private:
+  int number_;
+};
+
+}  // namespace vex
