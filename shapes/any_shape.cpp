@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "engine/numeric/errors.h"
+#include "shapes/antiprism.h"
+#include "shapes/archimedean.h"
 #include "shapes/box.h"
 #include "shapes/capsule.h"
 #include "shapes/closest_word.h"
@@ -25,6 +27,8 @@
 #include "shapes/needle.h"
 #include "shapes/octahedron.h"
 #include "shapes/plate.h"
+#include "shapes/prism.h"
+#include "shapes/pyramid.h"
 #include "shapes/rounded.h"
 #include "shapes/sphere.h"
 #include "shapes/tetrahedron.h"
@@ -36,39 +40,68 @@ using Sizes = std::span<const double>;
 
 struct Entry {
   NamedShape shape;
-  std::size_t n_sizes;
+  std::string_view sorts;  // of its numbers, in their order: l a length, n how many sides
   Body (*make)(Sizes sizes);
 };
 
-// The list: a new body is one line here. Every size is a length.
+int n_sides(double size) { return static_cast<int>(size); }
+
+template <ArchimedeanKind kKind>
+constexpr Entry archimedean(std::string_view name) {
+  return {{name, "E", "edge"}, "l", [](Sizes s) -> Body { return ArchimedeanSolid(kKind, s[0]); }};
+}
+
+// The list: a new body is one line here.
 constexpr std::array kShapes = {
-    Entry{{"sphere", "R", "radius"}, 1, [](Sizes s) -> Body { return Sphere(s[0]); }},
-    Entry{{"box", "A,B,C", "full edges along x, y, z"}, 3, [](Sizes s) -> Body { return Box(s[0], s[1], s[2]); }},
+    Entry{{"sphere", "R", "radius"}, "l", [](Sizes s) -> Body { return Sphere(s[0]); }},
+    Entry{{"box", "A,B,C", "full edges along x, y, z"}, "lll", [](Sizes s) -> Body { return Box(s[0], s[1], s[2]); }},
     Entry{{"ellipsoid", "A,B,C", "semi-axes along x, y, z"},
-          3,
+          "lll",
           [](Sizes s) -> Body { return Ellipsoid(s[0], s[1], s[2]); }},
     Entry{{"capsule", "L,R", "length of the straight part along z, radius"},
-          2,
+          "ll",
           [](Sizes s) -> Body { return Capsule(s[0], s[1]); }},
-    Entry{{"cylinder", "L,R", "length along z, radius"}, 2, [](Sizes s) -> Body { return Cylinder(s[0], s[1]); }},
+    Entry{{"cylinder", "L,R", "length along z, radius"}, "ll", [](Sizes s) -> Body { return Cylinder(s[0], s[1]); }},
     Entry{{"cone", "H,R", "height along z, radius of the base at z = -H/2"},
-          2,
+          "ll",
           [](Sizes s) -> Body { return Cone(s[0], s[1]); }},
     Entry{{"frustum", "H,R1,R2", "height along z, radii at z = -H/2 and z = H/2"},
-          3,
+          "lll",
           [](Sizes s) -> Body { return Frustum(s[0], s[1], s[2]); }},
     Entry{{"hemisphere", "R", "radius; flat face in z = 0, dome towards +z"},
-          1,
+          "l",
           [](Sizes s) -> Body { return Hemisphere(s[0]); }},
-    Entry{{"disc", "R", "radius; in z = 0, no thickness"}, 1, [](Sizes s) -> Body { return Disc(s[0]); }},
+    Entry{{"disc", "R", "radius; in z = 0, no thickness"}, "l", [](Sizes s) -> Body { return Disc(s[0]); }},
     Entry{{"plate", "A,B", "full edges along x, y; in z = 0, no thickness"},
-          2,
+          "ll",
           [](Sizes s) -> Body { return Plate(s[0], s[1]); }},
-    Entry{{"needle", "L", "length along z, no thickness"}, 1, [](Sizes s) -> Body { return Needle(s[0]); }},
-    Entry{{"tetrahedron", "E", "edge"}, 1, [](Sizes s) -> Body { return Tetrahedron(s[0]); }},
-    Entry{{"octahedron", "E", "edge"}, 1, [](Sizes s) -> Body { return Octahedron(s[0]); }},
-    Entry{{"dodecahedron", "E", "edge"}, 1, [](Sizes s) -> Body { return Dodecahedron(s[0]); }},
-    Entry{{"icosahedron", "E", "edge"}, 1, [](Sizes s) -> Body { return Icosahedron(s[0]); }},
+    Entry{{"needle", "L", "length along z, no thickness"}, "l", [](Sizes s) -> Body { return Needle(s[0]); }},
+    Entry{{"tetrahedron", "E", "edge"}, "l", [](Sizes s) -> Body { return Tetrahedron(s[0]); }},
+    Entry{{"octahedron", "E", "edge"}, "l", [](Sizes s) -> Body { return Octahedron(s[0]); }},
+    Entry{{"dodecahedron", "E", "edge"}, "l", [](Sizes s) -> Body { return Dodecahedron(s[0]); }},
+    Entry{{"icosahedron", "E", "edge"}, "l", [](Sizes s) -> Body { return Icosahedron(s[0]); }},
+    Entry{{"prism", "N,A,H", "number of sides, edge of the polygon, height along z"},
+          "nll",
+          [](Sizes s) -> Body { return Prism(n_sides(s[0]), s[1], s[2]); }},
+    Entry{{"antiprism", "N,A,H", "number of sides of each of the two polygons, their edge, height along z"},
+          "nll",
+          [](Sizes s) -> Body { return Antiprism(n_sides(s[0]), s[1], s[2]); }},
+    Entry{{"pyramid", "N,A,H", "number of sides of the base at z = -H/2, its edge, height along z"},
+          "nll",
+          [](Sizes s) -> Body { return Pyramid(n_sides(s[0]), s[1], s[2]); }},
+    archimedean<ArchimedeanKind::truncated_tetrahedron>("truncated-tetrahedron"),
+    archimedean<ArchimedeanKind::cuboctahedron>("cuboctahedron"),
+    archimedean<ArchimedeanKind::truncated_cube>("truncated-cube"),
+    archimedean<ArchimedeanKind::truncated_octahedron>("truncated-octahedron"),
+    archimedean<ArchimedeanKind::rhombicuboctahedron>("rhombicuboctahedron"),
+    archimedean<ArchimedeanKind::truncated_cuboctahedron>("truncated-cuboctahedron"),
+    archimedean<ArchimedeanKind::snub_cube>("snub-cube"),
+    archimedean<ArchimedeanKind::icosidodecahedron>("icosidodecahedron"),
+    archimedean<ArchimedeanKind::truncated_dodecahedron>("truncated-dodecahedron"),
+    archimedean<ArchimedeanKind::truncated_icosahedron>("truncated-icosahedron"),
+    archimedean<ArchimedeanKind::rhombicosidodecahedron>("rhombicosidodecahedron"),
+    archimedean<ArchimedeanKind::truncated_icosidodecahedron>("truncated-icosidodecahedron"),
+    archimedean<ArchimedeanKind::snub_dodecahedron>("snub-dodecahedron"),
 };
 
 // The one body that is made of another.
@@ -158,6 +191,16 @@ double size_in_range(double size, std::string_view text, const SizeRange& range)
   return size;
 }
 
+double parse_number(std::string_view word, char sort, std::string_view text, double scale, const SizeRange& range) {
+  const double value = parse_size(word, text, range);
+  if (sort == 'l') return size_in_range(value * scale, text, range);
+  if (value != std::floor(value) || value < 3.0 || value > kMostSides) {
+    throw InputError("not a number of sides (" + std::string(word) + " in " + std::string(text) +
+                     ") - give a whole number from 3 to " + std::to_string(kMostSides));
+  }
+  return value;
+}
+
 }  // namespace
 
 std::vector<NamedShape> named_shapes() {
@@ -208,16 +251,18 @@ Body parse_shape(std::string_view text, double scale, const SizeRange& range) {
   const auto* const entry =
       std::ranges::find_if(kShapes, [&](const Entry& candidate) { return candidate.shape.name == name; });
   if (entry == kShapes.end()) refuse_name(name, text);
+  const std::string_view sorts = entry->sorts;
   std::vector<double> sizes;
   std::string_view rest = text.substr(std::min(name.size() + 1, text.size()));
   if (rest.empty()) refuse_count(0, text, entry->shape);
   while (true) {
     const std::size_t comma = rest.find(',');
-    sizes.push_back(size_in_range(parse_size(rest.substr(0, comma), text, range) * scale, text, range));
+    const char sort = sizes.size() < sorts.size() ? sorts[sizes.size()] : 'l';
+    sizes.push_back(parse_number(rest.substr(0, comma), sort, text, scale, range));
     if (comma == std::string_view::npos) break;
     rest = rest.substr(comma + 1);
   }
-  if (sizes.size() != entry->n_sizes) refuse_count(sizes.size(), text, entry->shape);
+  if (sizes.size() != sorts.size()) refuse_count(sizes.size(), text, entry->shape);
   Body made = entry->make(sizes);
   made.kind = entry->shape.name;
   require_size_in_range(made.body, made.measures, text, range);

@@ -19,7 +19,7 @@ bool looks_like_a_named_shape(const std::string& text) {
   if (std::filesystem::exists(text, error)) return false;
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) return names_a_shape(text + ":");
-  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-'; };
   return colon > 1 && std::ranges::all_of(text.substr(0, colon), is_letter);
 }
 

@@ -82,3 +82,83 @@ def dodecahedron(edge: float) -> Body:
 def icosahedron(edge: float) -> Body:
     """A regular icosahedron."""
     return _named("icosahedron", edge)
+
+
+def prism(n_sides: int, edge: float, height: float) -> Body:
+    """A right prism along z on a regular polygon of this edge, a side towards +x."""
+    return _named("prism", n_sides, edge, height)
+
+
+def antiprism(n_sides: int, edge: float, height: float) -> Body:
+    """Two regular polygons of this edge at z = -height/2 and height/2, the upper one turned by half a side."""
+    return _named("antiprism", n_sides, edge, height)
+
+
+def pyramid(n_sides: int, edge: float, height: float) -> Body:
+    """A right pyramid along z, its base, a regular polygon of this edge, at z = -height/2."""
+    return _named("pyramid", n_sides, edge, height)
+
+
+def truncated_tetrahedron(edge: float) -> Body:
+    """A truncated tetrahedron: 4 hexagons and 4 triangles."""
+    return _named("truncated-tetrahedron", edge)
+
+
+def cuboctahedron(edge: float) -> Body:
+    """A cuboctahedron: 8 triangles and 6 squares."""
+    return _named("cuboctahedron", edge)
+
+
+def truncated_cube(edge: float) -> Body:
+    """A truncated cube: 6 octagons and 8 triangles."""
+    return _named("truncated-cube", edge)
+
+
+def truncated_octahedron(edge: float) -> Body:
+    """A truncated octahedron: 8 hexagons and 6 squares."""
+    return _named("truncated-octahedron", edge)
+
+
+def rhombicuboctahedron(edge: float) -> Body:
+    """A rhombicuboctahedron: 18 squares and 8 triangles."""
+    return _named("rhombicuboctahedron", edge)
+
+
+def truncated_cuboctahedron(edge: float) -> Body:
+    """A truncated cuboctahedron: 6 octagons."""
+    return _named("truncated-cuboctahedron", edge)
+
+
+def snub_cube(edge: float) -> Body:
+    """A snub cube: 6 squares and 32 triangles."""
+    return _named("snub-cube", edge)
+
+
+def icosidodecahedron(edge: float) -> Body:
+    """An icosidodecahedron: 12 pentagons and 20 triangles."""
+    return _named("icosidodecahedron", edge)
+
+
+def truncated_dodecahedron(edge: float) -> Body:
+    """A truncated dodecahedron: 12 decagons and 20 triangles."""
+    return _named("truncated-dodecahedron", edge)
+
+
+def truncated_icosahedron(edge: float) -> Body:
+    """A truncated icosahedron: 12 pentagons and 20 hexagons."""
+    return _named("truncated-icosahedron", edge)
+
+
+def rhombicosidodecahedron(edge: float) -> Body:
+    """A rhombicosidodecahedron: 12 pentagons."""
+    return _named("rhombicosidodecahedron", edge)
+
+
+def truncated_icosidodecahedron(edge: float) -> Body:
+    """A truncated icosidodecahedron: 12 decagons."""
+    return _named("truncated-icosidodecahedron", edge)
+
+
+def snub_dodecahedron(edge: float) -> Body:
+    """A snub dodecahedron: 12 pentagons and 80 triangles."""
+    return _named("snub-dodecahedron", edge)

@@ -42,6 +42,30 @@ Subject regular(const std::string& text, double right, double up) {
 
 Subject mesh(const std::filesystem::path& path) { return {path.filename().string(), ConvexBody(load(path).body)}; }
 
+// The height beside the body, between the planes of its ends.
+Dimension height_beside(double height, double radius) {
+  const Vec3d left = across(-radius, 0.0);
+  return {left + Vec3d{0, 0, -0.5 * height}, left + Vec3d{0, 0, 0.5 * height}, "H", {-16, 0}, {-10, 0}};
+}
+
+Subject prism() {
+  Subject subject = named("prism:6,0.8,1.5", {height_beside(1.5, 0.8)});
+  subject.dimensions.push_back(outer_edge(subject.body, "A", 0.3, -1));
+  return subject;
+}
+
+Subject antiprism() {
+  Subject subject = named("antiprism:5,0.9,1.1", {height_beside(1.1, 0.8)});
+  subject.dimensions.push_back(outer_edge(subject.body, "A", 0.3, -1));
+  return subject;
+}
+
+Subject pyramid() {
+  Subject subject = named("pyramid:5,1.1,1.6", {height_beside(1.6, 0.95)});
+  subject.dimensions.push_back(outer_edge(subject.body, "A", 0.3, -1));
+  return subject;
+}
+
 Subject rounded_box() {
   Subject subject = named("rounded:0.25,box:1.6,1.4,1.1", {});
   subject.core = parse_shape("box:1.6,1.4,1.1").body;
@@ -85,6 +109,15 @@ std::vector<ShapePicture> shape_pictures(const std::filesystem::path& meshes) {
   add("octahedron", regular("octahedron:1", -1, 1));
   add("dodecahedron", regular("dodecahedron:1", -1, 1));
   add("icosahedron", regular("icosahedron:1", -1, 1));
+  add("prism", prism());
+  add("antiprism", antiprism());
+  add("pyramid", pyramid());
+  for (const char* const name :
+       {"truncated-tetrahedron", "cuboctahedron", "truncated-cube", "truncated-octahedron", "rhombicuboctahedron",
+        "truncated-cuboctahedron", "snub-cube", "icosidodecahedron", "truncated-dodecahedron", "truncated-icosahedron",
+        "rhombicosidodecahedron", "truncated-icosidodecahedron", "snub-dodecahedron"}) {
+    add(name, regular(std::string(name) + ":1", -1, 1));
+  }
   add("rounded", rounded_box());
   add("gem", mesh(meshes / "gem.obj"));
   add("pebble", mesh(meshes / "pebble.obj"));

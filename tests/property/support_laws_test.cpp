@@ -82,7 +82,7 @@ TEST_P(SupportLaws, TheMeasuresObeyTheIsoperimetricInequalities) {
             4.0 * std::numbers::pi * m.surface_area * (1 - 1e-14));
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, SupportLaws, testing::ValuesIn(kTestBodies));
+INSTANTIATE_TEST_SUITE_P(Bodies, SupportLaws, testing::ValuesIn(every_test_body()));
 
 }  // namespace
 }  // namespace vex

@@ -35,6 +35,27 @@ inline constexpr std::array kTestBodies = {
     "rounded:0.1,tetrahedron:1",
 };
 
+/// Further bodies: each by itself meets the laws that those above do, but is paired with itself and one of those alone.
+inline constexpr std::array kFurtherBodies = {
+    "prism:5,0.7,1",     "antiprism:4,0.8,0.9",
+    "pyramid:6,0.6,1.1", "truncated-tetrahedron:0.6",
+    "snub-cube:0.5",     "truncated-icosidodecahedron:0.2",
+};
+/// These are not paired at all.
+inline constexpr std::array kUnpairedBodies = {
+    "cuboctahedron:0.8",           "truncated-cube:0.5",    "truncated-octahedron:0.6",   "rhombicuboctahedron:0.5",
+    "truncated-cuboctahedron:0.3", "icosidodecahedron:0.5", "truncated-dodecahedron:0.3", "truncated-icosahedron:0.4",
+    "rhombicosidodecahedron:0.4",  "snub-dodecahedron:0.4",
+};
+
+/// Of all three lists.
+inline std::vector<const char*> every_test_body() {
+  std::vector<const char*> all(kTestBodies.begin(), kTestBodies.end());
+  all.insert(all.end(), kFurtherBodies.begin(), kFurtherBodies.end());
+  all.insert(all.end(), kUnpairedBodies.begin(), kUnpairedBodies.end());
+  return all;
+}
+
 /// Two bodies of the list, by the names they are made from.
 struct BodyPair {
   std::string a, b;
@@ -45,7 +66,17 @@ inline bool exclude_volume(const BodyPair& pair) {
   return average_excluded_volume(parse_shape(pair.a).measures, parse_shape(pair.b).measures) > 0.0;
 }
 
-/// Every pair in both orders, but those that exclude no volume.
+/// Of the further bodies: with itself, and with one that another further body is not paired with.
+inline std::vector<BodyPair> further_pairs() {
+  std::vector<BodyPair> pairs;
+  for (std::size_t k = 0; k < kFurtherBodies.size(); ++k) {
+    pairs.push_back({kFurtherBodies[k], kFurtherBodies[k]});
+    pairs.push_back({kFurtherBodies[k], kTestBodies[(3 * k + 4) % kTestBodies.size()]});
+  }
+  return pairs;
+}
+
+/// Every pair of `kTestBodies` in both orders, but those that exclude no volume; and the further ones.
 inline std::vector<BodyPair> ordered_pairs() {
   std::vector<BodyPair> pairs;
   for (const char* a : kTestBodies) {
@@ -53,10 +84,11 @@ inline std::vector<BodyPair> ordered_pairs() {
       if (exclude_volume({a, b})) pairs.push_back({a, b});
     }
   }
+  for (const BodyPair& pair : further_pairs()) pairs.push_back(pair);
   return pairs;
 }
 
-/// Every pair in one order, for laws that look at both orders themselves or do not depend on it.
+/// The same in one order, for laws that look at both orders themselves or do not depend on it.
 inline std::vector<BodyPair> unordered_pairs() {
   std::vector<BodyPair> pairs;
   for (std::size_t i = 0; i < kTestBodies.size(); ++i) {
@@ -64,6 +96,7 @@ inline std::vector<BodyPair> unordered_pairs() {
       if (exclude_volume({kTestBodies[i], kTestBodies[j]})) pairs.push_back({kTestBodies[i], kTestBodies[j]});
     }
   }
+  for (const BodyPair& pair : further_pairs()) pairs.push_back(pair);
   return pairs;
 }
 
@@ -71,7 +104,7 @@ inline std::vector<BodyPair> unordered_pairs() {
 inline std::string test_name(const BodyPair& pair) {
   std::string name = pair.a + "_" + pair.b;
   for (char& c : name) {
-    if (c == ':' || c == ',' || c == '.') c = '_';
+    if (c == ':' || c == ',' || c == '.' || c == '-') c = '_';
   }
   return name;
 }

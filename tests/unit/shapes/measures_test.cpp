@@ -54,6 +54,82 @@ TEST(Measures, OfRegularPolyhedra) {
   expect_measures("icosahedron:1", 2.1816949906249124, 8.6602540378443865, 15 * (180 - 138.18968510422140) * degree);
 }
 
+TEST(Measures, OfPrismsAndPyramids) {
+  expect_measures("prism:4,2,3", 12, 32, 7 * pi);  // a box
+  for (const int n : {3, 5, 6, 50, 1000}) {
+    for (const double h : {1e-6, 0.3, 2.0, 1e6}) {
+      const double a = 0.7, apothem = a / (2 * std::tan(pi / n)), base = 0.5 * n * a * apothem;
+      const double radius = a / (2 * std::sin(pi / n)), slant = std::hypot(h, apothem), lateral = std::hypot(h, radius);
+      const auto text = [&](const char* name) {
+        char of[96];
+        std::snprintf(of, sizeof of, "%s:%d,%.17g,%.17g", name, n, a, h);
+        return std::string(of);
+      };
+      expect_measures(text("prism"), base * h, 2 * base + n * a * h, pi * h + pi / 2 * n * a);
+      // At the base the exterior angle has the tangent h / apothem from the other side; between two sides the normals
+      // (h, apothem) / slant are turned by 2 pi / n about the axis.
+      const double between = 2 * std::asin(h / slant * std::sin(pi / n));
+      expect_measures(text("pyramid"), base * h / 3, base + 0.5 * n * a * slant,
+                      0.5 * n * (a * (pi - std::atan2(h, apothem)) + lateral * between));
+      // Normals (h, apothem - radius) / s of triangles: from one to the next, which looks down, and to the base.
+      const double s = std::hypot(h, radius - apothem), down = (radius - apothem) / s, out = h / s;
+      const double side = std::hypot(std::hypot(0.5 * a, radius - apothem), h);
+      const double chord = 2 * std::hypot(out * std::sin(pi / (2 * n)), down), sum = 2 * out * std::cos(pi / (2 * n));
+      const double step = 2 * std::atan2(chord, sum), to_base = std::atan2(out, down);
+      // The section at half the height is regular, of 2n sides of a / 2 each.
+      const double middle_area = 0.25 * n * a * a / (2 * std::tan(pi / (2 * n)));
+      expect_measures(text("antiprism"), h / 6 * (2 * base + 4 * middle_area), 2 * base + n * a * s,
+                      0.5 * (2 * n * side * step + 2 * n * a * to_base));
+    }
+  }
+  EXPECT_NEAR(parse_shape("antiprism:3,1,0.81649658092772603").measures.volume, std::sqrt(2.0) / 3, 1e-14);
+}
+
+struct ArchimedeanValues {
+  const char* name;
+  std::size_t n_vertices, n_faces;
+  double volume, surface_area, curvature;  // the last in degrees, of edges 1
+};
+
+TEST(Measures, OfArchimedeanSolids) {
+  const double r2 = std::sqrt(2.0), r3 = std::sqrt(3.0), r5 = std::sqrt(5.0), degree = pi / 180;
+  const auto angle = [&](double cosine) { return std::acos(cosine) / degree; };
+  const double tetra = angle(1 / 3.0), octa = 180 - tetra, a = angle(-1 / r3), b = angle(-r2 / r3);
+  const double dodeca = 180 - std::atan(2.0) / degree, icosa = angle(-r5 / 3);
+  const double c = angle(-std::sqrt((5 + 2 * r5) / 15)), d = angle(-(r3 + r3 * r5) / 6);
+  const double e = angle(-std::sqrt((5 + r5) / 10));
+  const double pentagons = 3 * std::sqrt(25 + 10 * r5);
+  const double t = 1.8392867552141612;  // the tribonacci constant
+  const std::initializer_list<ArchimedeanValues> all = {
+      {"truncated-tetrahedron", 12, 8, 23 * r2 / 12, 7 * r3, 6 * (180 - tetra) + 12 * (180 - octa)},
+      {"cuboctahedron", 12, 14, 5 * r2 / 3, 6 + 2 * r3, 24 * (180 - a)},
+      {"truncated-cube", 24, 14, (21 + 14 * r2) / 3, 12 + 12 * r2 + 2 * r3, 12 * 90.0 + 24 * (180 - a)},
+      {"truncated-octahedron", 24, 14, 8 * r2, 6 + 12 * r3, 12 * (180 - octa) + 24 * (180 - a)},
+      {"rhombicuboctahedron", 24, 26, (12 + 10 * r2) / 3, 18 + 2 * r3, 24 * 45.0 + 24 * (180 - b)},
+      {"truncated-cuboctahedron", 48, 26, 22 + 14 * r2, 12 * (2 + r2 + r3), 24 * ((180 - b) + 45 + (180 - a))},
+      {"snub-cube", 24, 38, (8 * t + 6) / (3 * std::sqrt(2 * (t * t - 3))), 6 + 8 * r3,
+       36 * (180 - 153.2345877) + 24 * (180 - 142.9834301)},
+      {"icosidodecahedron", 30, 32, (45 + 17 * r5) / 6, 5 * r3 + pentagons, 60 * (180 - c)},
+      {"truncated-dodecahedron", 60, 32, 5 * (99 + 47 * r5) / 12, 5 * (r3 + 6 * std::sqrt(5 + 2 * r5)),
+       30 * (180 - dodeca) + 60 * (180 - c)},
+      {"truncated-icosahedron", 60, 32, (125 + 43 * r5) / 4, 30 * r3 + pentagons, 30 * (180 - icosa) + 60 * (180 - c)},
+      {"rhombicosidodecahedron", 60, 62, (60 + 29 * r5) / 3, 30 + 5 * r3 + pentagons, 60 * ((180 - d) + (180 - e))},
+      {"truncated-icosidodecahedron", 120, 62, 95 + 50 * r5, 30 * (1 + r3 + std::sqrt(5 + 2 * r5)),
+       60 * ((180 - d) + (180 - e) + (180 - c))},
+      {"snub-dodecahedron", 60, 92, 37.61664996273336, 20 * r3 + pentagons,
+       90 * (180 - 164.1753661) + 60 * (180 - 152.9299202)}};
+  for (const ArchimedeanValues& of : all) {
+    const Body body = parse_shape(std::string(of.name) + ":1");
+    EXPECT_EQ(vertices_of(body.body).size(), of.n_vertices) << of.name;
+    EXPECT_EQ(body.n_faces, of.n_faces) << of.name;
+    const bool is_snub = std::string_view(of.name).starts_with("snub");  // whose angles are known to seven digits
+    const double m = 0.5 * of.curvature * degree;
+    EXPECT_NEAR(body.measures.volume, of.volume, 1e-13 * of.volume) << of.name;
+    EXPECT_NEAR(body.measures.surface_area, of.surface_area, 1e-13 * of.surface_area) << of.name;
+    EXPECT_NEAR(body.measures.integrated_mean_curvature, m, (is_snub ? 2e-8 : 1e-13) * m) << of.name;
+  }
+}
+
 TEST(Measures, OfRoundedBodiesAreSteiners) {
   expect_measures("rounded:0.5,needle:2", pi * 0.25 * 2 + pi / 6, 2 * pi * 0.5 * 2 + pi, 2 * pi + 2 * pi);
   expect_measures("rounded:0.5,sphere:1.5", 32 * pi / 3, 16 * pi, 8 * pi);

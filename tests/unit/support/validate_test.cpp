@@ -39,7 +39,7 @@ TEST_P(EveryTestBody, KeepsItsPromises) {
     EXPECT_TRUE(found.empty()) << scale << all_of(found);
   }
 }
-INSTANTIATE_TEST_SUITE_P(Validate, EveryTestBody, ::testing::ValuesIn(kTestBodies));
+INSTANTIATE_TEST_SUITE_P(Validate, EveryTestBody, ::testing::ValuesIn(every_test_body()));
 
 TEST(Validate, FindsNothingWrongWithHulls) {
   for (const std::size_t n : {33U, 300U, 5000U}) {
