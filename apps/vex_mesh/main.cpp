@@ -1,44 +1,13 @@
 // vex_mesh A [B]: the orientation-averaged excluded volume of two convex bodies, by Monte Carlo and by the formula.
-#include <algorithm>
-#include <cmath>
 #include <iostream>
 
-#include "apps/common/backends.h"
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
-#include "apps/common/progress_bar.h"
 #include "apps/common/run_program.h"
-#include "apps/vex_mesh/options.h"
 #include "apps/vex_mesh/report.h"
-#include "engine/numeric/errors.h"
 
 namespace vex {
 namespace {
-
-std::string why_left_out(const BackendKind& kind, const MeshRun& run) {
-  return why_left_out(kind, {&run.a.shape.body, run.a.source, run.a.shape.kind},
-                      {&run.b.shape.body, run.b.source, run.b.shape.kind});
-}
-
-void choose_backends(MeshRun& run) {
-  if (const std::string reason = why_left_out(run.options.settings.backend, run); !reason.empty()) {
-    throw UsageError(reason + " - use another --backend");
-  }
-  std::erase_if(run.options.settings.cross_check, [&run](const BackendKind& kind) {
-    const std::string reason = why_left_out(kind, run);
-    if (!reason.empty()) run.left_out.push_back(reason);
-    return !reason.empty();
-  });
-}
-
-void sample(MeshRun& run) {
-  ExcludedVolumeSettings& settings = run.options.settings;
-  for (const LoadedBody& simpler : run.control_bodies) settings.control_variate.push_back(simpler.shape);
-  settings.interrupt = &interrupting_signal();
-  ProgressBar bar(!run.options.quiet);
-  settings.on_progress = [&bar](const Progress& progress) { bar.show(progress); };
-  run.result = excluded_volume(run.a.shape, run.b.shape, settings);
-}
 
 int run_vex_mesh(const CommandLine& words, const std::string& command) {
   const Options options = interpret(words);
@@ -49,14 +18,7 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
   const std::optional<OutputFile> json = files.output("--json", options.json);
   if (!options.quiet) files.print_report();
 
-  auto [loaded_a, loaded_b] = load_two_bodies(options.a, options.b, options.bodies);
-  MeshRun run{command, options, std::move(loaded_a), std::move(loaded_b)};
-  if (const std::vector<std::string>& simpler = options.control_variate; !simpler.empty()) {
-    auto [like_a, like_b] = load_two_bodies(simpler.front(), simpler.back(), options.bodies);
-    run.control_bodies = {std::move(like_a), std::move(like_b)};
-  }
-  if (options.dump_vertices) require_vertices_to_list(run.a, run.b);
-  choose_backends(run);
+  MeshRun run = prepare_run(options, load_two_bodies(options.a, options.b, options.bodies), command);
   catch_interrupts();
   sample(run);
 
@@ -64,9 +26,7 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
   if (json) json->write(report_json(run));
 
   if (run.result.record.stopped_by == StopReason::interrupted) return kSignalBase + interrupting_signal().load();
-  // A peer's verdict that has no proof is the peer's fault, and reported as such.
-  if (run.result.record.unproven.n_all > 0 && !run.options.settings.backend.is_peer) return kFault;
-  return run.result.z && std::fabs(*run.result.z) > options.max_z ? kDisagreement : kSuccess;
+  return exit_code_of(run);
 }
 
 }  // namespace

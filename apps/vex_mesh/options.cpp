@@ -32,7 +32,23 @@ std::string estimators_help() {
 void declare_options(OptionParser& options, CommandLine& words) {
   options.add_option("A", words.a, kBodyHelp).type_name("").required();
   options.add_option("B", words.b, "The second body; without it, A again").type_name("");
+  declare_run_options(options, words);
 
+  const std::string later = "Not built yet";
+  options.add_option("--checkpoint", words.checkpoint, "Save the run's state").type_name("FILE").group(later);
+  options.add_option("--resume", words.resume, "Continue a saved run").type_name("FILE").group(later);
+
+  options.footer(named_bodies_help() +
+                 "\n\nExit codes:"
+                 "\n  0  success"
+                 "\n  1  a fault of the program"
+                 "\n  2  wrong usage"
+                 "\n  3  input refused"
+                 "\n  4  Monte Carlo and formula disagree"
+                 "\n  130, 143  interrupted (what was done is reported)");
+}
+
+void declare_run_options(OptionParser& options, CommandLine& words) {
   const std::string stop = "When to stop (whichever comes first; without any, --rel-error 1e-3)";
   options.add_option("--trials", words.trials, "Stop after this many trials, written like 1e7")
       .type_name("N")
@@ -50,7 +66,8 @@ void declare_options(OptionParser& options, CommandLine& words) {
       .add_option(
           "--orientations", words.orientations,
           "isotropic (default); aligned; fixed:W,X,Y,Z, B's quaternion in A's frame; cone:DEG, both z axes within this "
-          "angle of +-z; angle:DEG, B's z axis at this angle to A's, each body spun about its own; onsager:ALPHA, both z "
+          "angle of +-z; angle:DEG, B's z axis at this angle to A's, each body spun about its own; onsager:ALPHA, both "
+          "z "
           "axes by the density cosh(ALPHA cos theta)")
       .type_name("LAW")
       .group(sampling);
@@ -100,19 +117,16 @@ void declare_options(OptionParser& options, CommandLine& words) {
 
   declare_options_of_two_bodies(options, words);
   declare_output(options, words);
+}
 
-  const std::string later = "Not built yet";
-  options.add_option("--checkpoint", words.checkpoint, "Save the run's state").type_name("FILE").group(later);
-  options.add_option("--resume", words.resume, "Continue a saved run").type_name("FILE").group(later);
-
-  options.footer(named_bodies_help() +
-                 "\n\nExit codes:"
-                 "\n  0  success"
-                 "\n  1  a fault of the program"
-                 "\n  2  wrong usage"
-                 "\n  3  input refused"
-                 "\n  4  Monte Carlo and formula disagree"
-                 "\n  130, 143  interrupted (what was done is reported)");
+std::vector<std::string*> words_of_run(CommandLine& words) {
+  std::vector<std::string*> all = {
+      &words.trials,   &words.relative_error, &words.seconds,         &words.max_trials,   &words.estimator,
+      &words.sequence, &words.domain,         &words.backend,         &words.orientations, &words.isa,
+      &words.weld,     &words.unit,           &words.format,          &words.scale,        &words.scale_a,
+      &words.scale_b,  &words.max_z,          &words.convex_tolerance};
+  for (std::string& body : words.control_variate) all.push_back(&body);
+  return all;
 }
 
 Options interpret(const CommandLine& words) {
