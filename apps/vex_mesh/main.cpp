@@ -1,72 +1,20 @@
 // vex_mesh A [B]: the orientation-averaged excluded volume of two convex bodies, by Monte Carlo and by the formula.
-#include <algorithm>
-#include <cmath>
+#include <iostream>
+#include <optional>
 
-#include "apps/common/backends.h"
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
-#include "apps/common/progress_bar.h"
 #include "apps/common/results.h"
 #include "apps/common/run_program.h"
 #include "apps/vex_mesh/announcement.h"
-#include "apps/vex_mesh/options.h"
+#include "apps/vex_mesh/mesh_run.h"
 #include "apps/vex_mesh/report.h"
 #include "apps/vex_mesh/run_identity.h"
-#include "engine/numeric/errors.h"
 
 namespace vex {
 namespace {
 
 constexpr const char* kProgram = "vex_mesh";
-
-std::string why_left_out(const BackendKind& kind, const MeshRun& run) {
-  return why_left_out(kind, {&run.a.shape.body, run.a.source, run.a.shape.kind},
-                      {&run.b.shape.body, run.b.source, run.b.shape.kind});
-}
-
-void choose_backends(MeshRun& run) {
-  if (const std::string reason = why_left_out(run.options.settings.backend, run); !reason.empty()) {
-    throw UsageError(reason + " - use another --backend");
-  }
-  std::erase_if(run.options.settings.cross_check, [&run](const BackendKind& kind) {
-    const std::string reason = why_left_out(kind, run);
-    if (!reason.empty()) run.left_out.push_back(reason);
-    return !reason.empty();
-  });
-}
-
-void sample(MeshRun& run, Checkpoint* checkpoint) {
-  ExcludedVolumeSettings& settings = run.options.settings;
-  std::optional<RunState> resumed;
-  if (has_run_to_resume(run.options.checkpoint, kProgram, run.options.quiet)) {
-    resumed = read_checkpoint(run.options.checkpoint.resume, run);
-    settings.resume = &*resumed;
-  }
-  for (const LoadedBody& simpler : run.control_bodies) settings.control_variate.push_back(simpler.shape);
-  settings.interrupt = &interrupting_signal();
-  ProgressBar bar(!run.options.quiet);
-  settings.on_progress = [&bar](const Progress& progress) { bar.show(progress); };
-  if (!run.options.quiet) {
-    settings.on_start = [&run](const Outlook& outlook) {
-      const std::string text = announcement(outlook, run.options);
-      if (!text.empty()) std::cerr << kProgram << ": " << text;
-    };
-  }
-  if (checkpoint != nullptr) {
-    settings.on_state = [&](const RunState& state) {
-      checkpoint->save(checkpoint_text(run, state), [&bar] { bar.erase(); });
-    };
-  }
-  run.result = excluded_volume(run.a.shape, run.b.shape, settings);
-  settings.resume = nullptr;
-}
-
-int exit_code_of(const MeshRun& run) {
-  if (run.result.record.stopped_by == StopReason::interrupted) return kSignalBase + interrupting_signal().load();
-  // A peer's verdict that has no proof is the peer's fault, and reported as such.
-  if (run.result.record.unproven.n_all > 0 && !run.options.settings.backend.is_peer) return kFault;
-  return run.result.z && std::fabs(*run.result.z) > run.options.max_z ? kDisagreement : kSuccess;
-}
 
 int run_vex_mesh(const CommandLine& words, const std::string& command) {
   const Options options = interpret(words);
@@ -85,21 +33,27 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
   }
   if (!options.quiet) files.print_report();
 
-  auto [loaded_a, loaded_b] = load_two_bodies(options.a, options.b, options.bodies);
-  MeshRun run{command, options, std::move(loaded_a), std::move(loaded_b)};
-  if (const std::vector<std::string>& simpler = options.control_variate; !simpler.empty()) {
-    auto [like_a, like_b] = load_two_bodies(simpler.front(), simpler.back(), options.bodies);
-    run.control_bodies = {std::move(like_a), std::move(like_b)};
+  MeshRun run = prepare_run(options, load_two_bodies(options.a, options.b, options.bodies), command);
+  ExcludedVolumeSettings& settings = run.options.settings;
+  std::optional<RunState> resumed;
+  if (has_run_to_resume(options.checkpoint, kProgram, options.quiet)) {
+    resumed = read_checkpoint(options.checkpoint.resume, run);
+    settings.resume = &*resumed;
   }
-  if (options.dump_vertices) require_vertices_to_list(run.a, run.b);
-  choose_backends(run);
+  if (!options.quiet) {
+    settings.on_start = [&run](const Outlook& outlook) {
+      const std::string text = announcement(outlook, run.options);
+      if (!text.empty()) std::cerr << kProgram << ": " << text;
+    };
+  }
   catch_interrupts();
-  sample(run, checkpoint ? &*checkpoint : nullptr);
+  sample(run, "", checkpoint ? &*checkpoint : nullptr);
 
-  Results results("vex_mesh");
+  Results results(kProgram);
   if (!options.quiet && !(json && json->is_standard_output())) results.print(report_text(run));
   results.write(json, Results::Kind::numbers, [&] { return report_json(run); });
-  return results.exit_code(exit_code_of(run));
+  const bool was_interrupted = run.result.record.stopped_by == StopReason::interrupted;
+  return results.exit_code(was_interrupted ? kSignalBase + interrupting_signal().load() : exit_code_of(run));
 }
 
 }  // namespace

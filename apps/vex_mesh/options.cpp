@@ -30,7 +30,28 @@ std::string estimators_help() {
 void declare_options(OptionParser& options, CommandLine& words) {
   options.add_option("A", words.a, kBodyHelp).type_name("").required();
   options.add_option("B", words.b, "The second body; without it, A again").type_name("");
+  declare_run_options(options, words);
 
+  const std::string parts = "A run in parts";
+  declare_checkpoint(options, words, parts);
+  options
+      .add_option(
+          "--first-trial", words.first_trial,
+          "With --trials N: trials FIRST ... FIRST + N - 1, a part of a longer run, which vex_merge puts together")
+      .type_name("FIRST")
+      .group(parts);
+
+  options.footer(named_bodies_help() +
+                 "\n\nExit codes:"
+                 "\n  0  success"
+                 "\n  1  a fault of the program"
+                 "\n  2  wrong usage"
+                 "\n  3  input refused"
+                 "\n  4  Monte Carlo and formula disagree"
+                 "\n  130, 143  interrupted (what was done is reported)");
+}
+
+void declare_run_options(OptionParser& options, CommandLine& words) {
   const std::string stop = "When to stop (whichever comes first; without any, --rel-error 1e-3)";
   options.add_option("--trials", words.trials, "Stop after this many trials, written like 1e7")
       .type_name("N")
@@ -99,24 +120,16 @@ void declare_options(OptionParser& options, CommandLine& words) {
 
   declare_options_of_two_bodies(options, words);
   declare_output(options, words);
+}
 
-  const std::string parts = "A run in parts";
-  declare_checkpoint(options, words, parts);
-  options
-      .add_option(
-          "--first-trial", words.first_trial,
-          "With --trials N: trials FIRST ... FIRST + N - 1, a part of a longer run, which vex_merge puts together")
-      .type_name("FIRST")
-      .group(parts);
-
-  options.footer(named_bodies_help() +
-                 "\n\nExit codes:"
-                 "\n  0  success"
-                 "\n  1  a fault of the program"
-                 "\n  2  wrong usage"
-                 "\n  3  input refused"
-                 "\n  4  Monte Carlo and formula disagree"
-                 "\n  130, 143  interrupted (what was done is reported)");
+std::vector<std::string*> words_of_run(CommandLine& words) {
+  std::vector<std::string*> all = {
+      &words.trials,   &words.relative_error, &words.seconds,         &words.max_trials,   &words.estimator,
+      &words.sequence, &words.domain,         &words.backend,         &words.orientations, &words.isa,
+      &words.weld,     &words.unit,           &words.format,          &words.scale,        &words.scale_a,
+      &words.scale_b,  &words.max_z,          &words.convex_tolerance};
+  for (std::string& body : words.control_variate) all.push_back(&body);
+  return all;
 }
 
 Options interpret(const CommandLine& words) {

@@ -24,6 +24,11 @@ struct CommandLine : CommonWords, BodyWords, CheckpointWords {
 /// Declares the options; parsing fills `words`, which must outlive `options`.
 void declare_options(OptionParser& options, CommandLine& words);
 
+/// Of these all that say how a pair is run and what comes out, without A and B: for a program that runs many.
+void declare_run_options(OptionParser& options, CommandLine& words);
+/// Their words, all but those of flags, --seed, --threads and --json.
+std::vector<std::string*> words_of_run(CommandLine& words);
+
 /// What the words mean.
 struct Options : CommonOptions {
   std::string a, b;

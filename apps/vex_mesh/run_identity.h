@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/vex_mesh/mesh_run.h"
 #include "apps/vex_mesh/options.h"
-#include "apps/vex_mesh/report.h"
 
 namespace vex {
 

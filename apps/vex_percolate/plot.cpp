@@ -5,6 +5,7 @@
 
 #include "apps/common/log_axis.h"
 #include "apps/common/numbers.h"
+#include "apps/common/plot_axis.h"
 #include "apps/common/svg.h"
 #include "apps/vex_percolate/report.h"
 
@@ -12,32 +13,6 @@ namespace vex {
 namespace {
 
 constexpr double kLeft = 86.0, kRight = 690.0, kTop = 92.0, kBottom = 520.0, kWidth = 900.0, kHeight = 590.0;
-constexpr const char* kInk = "#1f2933";
-constexpr const char* kGrey = "#5b6773";
-
-struct Axis {
-  double from, to, begin, end;
-  double pixel(double value) const { return begin + (value - from) / (to - from) * (end - begin); }
-};
-
-// About six round numbers within the axis.
-std::vector<double> ticks(double from, double to) {
-  const double rough = (to - from) / 6.0, power = std::pow(10.0, std::floor(std::log10(rough)));
-  const double step = power * (rough > 5.0 * power ? 10.0 : rough > 2.0 * power ? 5.0 : rough > power ? 2.0 : 1.0);
-  std::vector<double> values;
-  for (double k = std::ceil(from / step); k * step <= to; ++k) values.push_back(k * step);
-  return values;
-}
-
-std::string text_style(int size, const char* colour) {
-  return "font-size=\"" + std::to_string(size) + "\" fill=\"" + std::string(colour) + "\"";
-}
-
-std::string colour_of(std::size_t k) {
-  static constexpr std::array kColours = {"#8e5ea2", "#1f6fb4", "#2a9d8f", "#d98c00", "#b2182b", "#6a8f00", "#a0522d"};
-  return kColours[k % kColours.size()];
-}
-
 // Where R by `x` of the smallest size, the widest curve, goes from one to the other end.
 std::pair<double, double> range_of(const PercolateRun& run) {
   const SizeRun& smallest = run.sizes.front();
@@ -52,21 +27,7 @@ std::pair<double, double> range_of(const PercolateRun& run) {
   return {from * unit, to * unit};
 }
 
-void draw_axes(Svg& svg, const Axis& x, const Axis& y) {
-  for (const double value : ticks(x.from, x.to)) {
-    svg.line({x.pixel(value), kBottom}, {x.pixel(value), kTop}, "stroke=\"#e3e8ee\" stroke-width=\"1\"");
-    svg.label({x.pixel(value), kBottom + 20.0}, short_number(value, 6), text_style(14, kInk));
-  }
-  for (int k = 0; k <= 5; ++k) {
-    const double value = 0.2 * k;
-    svg.line({kLeft, y.pixel(value)}, {kRight, y.pixel(value)}, "stroke=\"#e3e8ee\" stroke-width=\"1\"");
-    svg.label({kLeft - 10.0, y.pixel(value)}, short_number(value, 2), anchored("end", text_style(14, kInk)));
-  }
-  svg.line({kLeft, kBottom}, {kRight, kBottom}, "stroke=\"#333\" stroke-width=\"1.5\"");
-  svg.line({kLeft, kBottom}, {kLeft, kTop}, "stroke=\"#333\" stroke-width=\"1.5\"");
-}
-
-void draw_curves(Svg& svg, const PercolateRun& run, const Axis& x, const Axis& y) {
+void draw_curves(Svg& svg, const PercolateRun& run, const PlotAxis& x, const PlotAxis& y) {
   constexpr int kPoints = 160;
   constexpr std::array dashes = {"", " stroke-dasharray=\"7 4\"", " stroke-dasharray=\"2 3\""};
   for (std::size_t k = 0; k < run.sizes.size(); ++k) {
@@ -81,7 +42,7 @@ void draw_curves(Svg& svg, const PercolateRun& run, const Axis& x, const Axis& y
         const double r = wrapping_probability(size.found, static_cast<WrappingCriterion>(c), lambda);
         points.push_back({x.pixel(eta), y.pixel(r)});
       }
-      svg.path(svg_path(points, false), "fill=\"none\" stroke=\"" + colour_of(k) + "\" stroke-width=\"" +
+      svg.path(svg_path(points, false), "fill=\"none\" stroke=\"" + colour_of_curve(k) + "\" stroke-width=\"" +
                                             std::string(c == 0 ? "2.4" : "1.4") + "\"" + dashes[c]);
     }
   }
@@ -94,7 +55,7 @@ double probability_at_threshold(const PercolateRun& run, std::size_t c) {
   return (r[0] + r[1] + r[2]) / 3.0;
 }
 
-void draw_threshold(Svg& svg, const PercolateRun& run, const Axis& x, const Axis& y) {
+void draw_threshold(Svg& svg, const PercolateRun& run, const PlotAxis& x, const PlotAxis& y) {
   const double eta = run.threshold->density * run.eta_unit();
   svg.line({x.pixel(eta), kBottom}, {x.pixel(eta), kTop}, "stroke=\"#111\" stroke-width=\"1\"");
   for (std::size_t c = 0; c < (run.crossing ? 1 : kNWrappingCriteria); ++c) {
@@ -106,26 +67,27 @@ void draw_threshold(Svg& svg, const PercolateRun& run, const Axis& x, const Axis
 void draw_legend(Svg& svg, const PercolateRun& run) {
   double at = kTop + 8.0;
   const double left = kRight + 22.0;
-  svg.label({left, at}, "cube's edge", anchored("start", text_style(14, kGrey)));
+  svg.label({left, at}, "cube's edge", anchored("start", text_style(14, kPlotGrey)));
   for (std::size_t k = 0; k < run.sizes.size(); ++k) {
     at += 24.0;
-    svg.line({left, at}, {left + 30.0, at}, "stroke=\"" + colour_of(k) + "\" stroke-width=\"2.4\"");
-    svg.label({left + 38.0, at}, short_number(run.sizes[k].system.edge, 5), anchored("start", text_style(14, kInk)));
+    svg.line({left, at}, {left + 30.0, at}, "stroke=\"" + colour_of_curve(k) + "\" stroke-width=\"2.4\"");
+    svg.label({left + 38.0, at}, short_number(run.sizes[k].system.edge, 5),
+              anchored("start", text_style(14, kPlotInk)));
   }
   at += 40.0;
-  svg.label({left, at}, "wraps along", anchored("start", text_style(14, kGrey)));
+  svg.label({left, at}, "wraps along", anchored("start", text_style(14, kPlotGrey)));
   const std::array<std::pair<const char*, const char*>, kNWrappingCriteria> kinds = {
       {{"an axis (mean)", ""}, {"any axis", " stroke-dasharray=\"7 4\""}, {"all three", " stroke-dasharray=\"2 3\""}}};
   for (const auto& [name, dash] : kinds) {
     at += 24.0;
     svg.line({left, at}, {left + 30.0, at}, "stroke=\"#333\" stroke-width=\"1.6\"" + std::string(dash));
-    svg.label({left + 38.0, at}, name, anchored("start", text_style(14, kInk)));
+    svg.label({left + 38.0, at}, name, anchored("start", text_style(14, kPlotInk)));
   }
   at += 30.0;
   svg.dot({left + 15.0, at}, 4.5, "fill=\"#fff\" stroke=\"#111\" stroke-width=\"1.6\"");
-  svg.label({left + 38.0, at}, "threshold, and", anchored("start", text_style(14, kInk)));
+  svg.label({left + 38.0, at}, "threshold, and", anchored("start", text_style(14, kPlotInk)));
   svg.label({left + 38.0, at + 18.0}, run.crossing ? "fitted values" : "universal values",
-            anchored("start", text_style(14, kInk)));
+            anchored("start", text_style(14, kPlotInk)));
 }
 
 std::string title_of(const PercolateRun& run) {
@@ -142,23 +104,24 @@ std::string picture_of(const PercolateRun& run) {
             anchored("start", "font-size=\"20\" font-weight=\"bold\" fill=\"#111\""));
   const std::optional<CriticalValues> values = critical_values(run);
   if (!values) {
-    svg.label({24.0, 56.0}, "too few realisations", anchored("start", text_style(15, kGrey)));
+    svg.label({24.0, 56.0}, "too few realisations", anchored("start", text_style(15, kPlotGrey)));
     return svg.text();
   }
   std::string head = run.is_flat()
                          ? "n_c = " + with_error(values->number_density.value, values->number_density.std_error)
                          : "&#951;_c = " + with_error(values->eta->value, values->eta->std_error);
   if (values->b) head += ",  B_c = " + with_error(values->b->value, values->b->std_error);
-  svg.label({24.0, 56.0}, head + "; orientations " + in_xml(run.options.law), anchored("start", text_style(15, kGrey)));
+  svg.label({24.0, 56.0}, head + "; orientations " + in_xml(run.options.law),
+            anchored("start", text_style(15, kPlotGrey)));
   const auto [from, to] = range_of(run);
-  const Axis x{from, to, kLeft, kRight}, y{0.0, 1.0, kBottom, kTop};
-  draw_axes(svg, x, y);
+  const PlotAxis x{from, to, kLeft, kRight}, y{0.0, 1.0, kBottom, kTop};
+  draw_plot_axes(svg, x, y);
   draw_curves(svg, run, x, y);
   draw_threshold(svg, run, x, y);
   draw_legend(svg, run);
   svg.label({0.5 * (kLeft + kRight), kBottom + 48.0},
-            run.is_flat() ? "number density n" : "reduced density &#951; = n V", text_style(15, kInk));
-  upright_label(svg, {28.0, 0.5 * (kTop + kBottom)}, "wrapping probability R", text_style(15, kInk));
+            run.is_flat() ? "number density n" : "reduced density &#951; = n V", text_style(15, kPlotInk));
+  upright_label(svg, {28.0, 0.5 * (kTop + kBottom)}, "wrapping probability R", text_style(15, kPlotInk));
   return svg.text();
 }
 

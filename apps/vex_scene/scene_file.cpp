@@ -5,9 +5,9 @@
 #include <span>
 
 #include "apps/common/append_number.h"
+#include "apps/common/csv_cells.h"
 #include "apps/common/line_reader.h"
 #include "apps/common/pose_numbers.h"
-#include "apps/vex_scene/csv_cells.h"
 #include "engine/numeric/errors.h"
 
 namespace vex {

@@ -1,4 +1,4 @@
-#include "apps/vex_scene/csv_cells.h"
+#include "apps/common/csv_cells.h"
 
 #include "apps/common/pose_numbers.h"
 #include "engine/numeric/errors.h"

@@ -1,0 +1,146 @@
+// vex_scan BODIES...: excluded volumes of many bodies, or of one that changes, a row a case.
+#include <chrono>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <set>
+
+#include "apps/common/command_files.h"
+#include "apps/common/interrupt.h"
+#include "apps/common/results.h"
+#include "apps/common/run_program.h"
+#include "apps/common/text.h"
+#include "apps/vex_scan/scan_run.h"
+#include "engine/numeric/errors.h"
+
+namespace vex {
+namespace {
+
+constexpr const char* kProgram = "vex_scan";
+
+struct ScanOutputs {
+  std::optional<OutputFile> json, csv, jsonl, plot;
+
+  bool own_standard_output() const {
+    for (const std::optional<OutputFile>* const file : {&json, &csv, &jsonl, &plot}) {
+      if (*file && (*file)->is_standard_output()) return true;
+    }
+    return false;
+  }
+};
+
+/// All files that any case reads. What a case's words are worth is not looked at here.
+std::vector<std::string> inputs_of(const Scan& scan) {
+  std::set<std::string> texts;
+  for (std::size_t index = 0; index < scan.n_cases(); ++index) {
+    const ScanCase one = case_of(scan, index);
+    texts.insert(one.a());
+    texts.insert(one.b());
+    texts.insert(one.words.control_variate.begin(), one.words.control_variate.end());
+  }
+  std::vector<std::string> inputs;
+  BodyOptions options;
+  options.format = scan.words.format;
+  for (const std::string& text : texts) {
+    try {
+      const std::vector<std::string> files = files_of_bodies({&text, 1}, options);
+      inputs.insert(inputs.end(), files.begin(), files.end());
+    } catch (const Error&) {  // its case will say why
+    }
+  }
+  return inputs;
+}
+
+ScanOutputs output_files(const Scan& scan, bool is_quiet) {
+  CommandFiles files(inputs_of(scan));
+  ScanOutputs outputs;
+  outputs.json = files.output("--json", scan.words.json);
+  outputs.csv = files.output("--csv", scan.words.csv);
+  outputs.jsonl = files.output("--jsonl", scan.words.jsonl);
+  outputs.plot = files.output("--plot", scan.words.plot);
+  if (!is_quiet) files.print_report();
+  return outputs;
+}
+
+/// Writes the rows while the scan runs, but no more often than this: a machine that goes down takes little with it.
+class RowsSaver {
+ public:
+  RowsSaver(const ScanRun& run, const ScanOutputs& outputs) : run_(run), outputs_(outputs) {}
+
+  void save_if_due() {
+    constexpr std::chrono::milliseconds kBetween{500};
+    const bool is_new = run_.rows.size() > n_saved_;
+    if (!is_new || Clock::now() - saved_ < kBetween) return;
+    save(outputs_.csv, [this] { return csv_text(run_.scan, run_.rows); });
+    save(outputs_.jsonl, [this] { return jsonl_text(run_.scan, run_.rows); });
+    n_saved_ = run_.rows.size();
+    saved_ = Clock::now();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  // The scan goes on where the disk refuses: the rows are written once more at its end.
+  void save(const std::optional<OutputFile>& file, const std::function<std::string()>& rows) {
+    if (!file || file->may_wait_for_a_reader()) return;
+    try {
+      file->write(rows());
+    } catch (const std::exception& error) {
+      if (!has_said_) std::cerr << kProgram << ": " << printable(error.what()) << "; the scan goes on\n";
+      has_said_ = true;
+    }
+  }
+
+  const ScanRun& run_;
+  const ScanOutputs& outputs_;
+  std::size_t n_saved_ = 0;
+  bool has_said_ = false;
+  Clock::time_point saved_ = Clock::now();
+};
+
+/// Of both files; JSON lines know more.
+std::map<std::string, ScanRow> earlier_rows(const Scan& scan) {
+  std::map<std::string, ScanRow> rows = rows_of_jsonl(scan.words.jsonl, scan);
+  rows.merge(rows_of_csv(scan.words.csv, scan));
+  return rows;
+}
+
+int exit_code_of(const ScanRun& run) {
+  if (!run.complete) return kSignalBase + interrupting_signal().load();
+  if (run.has_fault) return kFault;
+  if (run.n_refused > 0) return kInputRefused;
+  return run.has_disagreement ? kDisagreement : kSuccess;
+}
+
+int run_vex_scan(const ScanCommandLine& words, const std::string& command) {
+  ScanRun run{command, interpret(words)};
+  run.options = interpret_common(words);
+  require_a_case_that_means_something(run.scan);
+  const ScanOutputs outputs = output_files(run.scan, run.options.quiet);
+  const std::map<std::string, ScanRow> earlier = earlier_rows(run.scan);
+  catch_interrupts();
+  RowsSaver saver(run, outputs);
+  run_scan(run, earlier, [&saver] { saver.save_if_due(); });
+
+  Results results(kProgram, outputs.own_standard_output());
+  results.write(outputs.csv, Results::Kind::numbers, [&] { return csv_text(run.scan, run.rows); });
+  results.write(outputs.jsonl, Results::Kind::numbers, [&] { return jsonl_text(run.scan, run.rows); });
+  if (!run.options.quiet && !outputs.own_standard_output()) results.print(report_text(run));
+  results.write(outputs.json, Results::Kind::numbers, [&] { return report_json(run); });
+  results.write(outputs.plot, Results::Kind::picture, [&] { return picture_of(run); });
+  return results.exit_code(exit_code_of(run));
+}
+
+}  // namespace
+}  // namespace vex
+
+int main(int argc, char** argv) {
+  vex::OptionParser options(
+      "Average excluded volumes of many bodies, of one whose sizes change, or at many angles: vex_mesh once a case, a "
+      "row "
+      "each.",
+      "vex_scan");
+  vex::ScanCommandLine words;
+  vex::declare_options(options, words);
+  return vex::run_program(options, argc, argv, [&] { return vex::run_vex_scan(words, vex::command_line(argc, argv)); });
+}
