@@ -77,7 +77,7 @@ bool Checkpoint::is_due() const {
 void Checkpoint::save(std::string_view text, const std::function<void()>& before_message) {
   const Clock::time_point start = Clock::now();
   try {
-    file_.write_catching_interrupts(text);
+    file_.write(text);
   } catch (const std::runtime_error& error) {
     if (!has_said_) {
       has_said_ = true;
