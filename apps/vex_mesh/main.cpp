@@ -1,13 +1,16 @@
 // vex_mesh A [B]: the orientation-averaged excluded volume of two convex bodies, by Monte Carlo and by the formula.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iostream>
+#include <memory>
 
 #include "apps/common/backends.h"
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
 #include "apps/common/progress_bar.h"
 #include "apps/common/run_program.h"
+#include "apps/ranks/program_ranks.h"
 #include "apps/vex_mesh/announcement.h"
 #include "apps/vex_mesh/options.h"
 #include "apps/vex_mesh/report.h"
@@ -35,10 +38,17 @@ void choose_backends(MeshRun& run) {
   });
 }
 
-void sample(MeshRun& run, Checkpoint* checkpoint) {
+void sample(MeshRun& run, Checkpoint* checkpoint, ProgramRanks* ranks) {
   ExcludedVolumeSettings& settings = run.options.settings;
   std::optional<RunState> resumed;
-  if (has_run_to_resume(run.options.checkpoint, kProgram, run.options.quiet)) {
+  const bool leads = ranks == nullptr || ranks->leads();
+  if (ranks != nullptr) {
+    settings.ranks = ranks;
+    std::string identity;
+    for (const std::string& line : run_identity(run)) identity += line + "\n";
+    ranks->introduce(identity);
+  }
+  if (leads && has_run_to_resume(run.options.checkpoint, kProgram, run.options.quiet)) {
     resumed = read_checkpoint(run.options.checkpoint.resume, run);
     settings.resume = &*resumed;
   }
@@ -61,7 +71,7 @@ void sample(MeshRun& run, Checkpoint* checkpoint) {
   settings.resume = nullptr;
 }
 
-int run_vex_mesh(const CommandLine& words, const std::string& command) {
+int run_vex_mesh(const CommandLine& words, const std::string& command, ProgramRanks* ranks) {
   const Options options = interpret(words);
 
   std::vector<std::string> bodies = {options.a, options.b};
@@ -87,7 +97,8 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
   if (options.dump_vertices) require_vertices_to_list(run.a, run.b);
   choose_backends(run);
   catch_interrupts();
-  sample(run, checkpoint ? &*checkpoint : nullptr);
+  sample(run, checkpoint ? &*checkpoint : nullptr, ranks);
+  if (ranks != nullptr && !ranks->leads()) return kSuccess;
 
   if (!options.quiet && !(json && json->is_standard_output())) std::cout << report_text(run);
   if (json) json->write(report_json(run));
@@ -102,10 +113,16 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
 }  // namespace vex
 
 int main(int argc, char** argv) {
+  const std::unique_ptr<vex::ProgramRanks> ranks = vex::join_ranks();
   vex::OptionParser options(
       "Average excluded volume <V_ex> of two convex bodies: by Monte Carlo, and by the formula from V, S and M.",
       "vex_mesh");
   vex::CommandLine words;
   vex::declare_options(options, words);
-  return vex::run_program(options, argc, argv, [&] { return vex::run_vex_mesh(words, vex::command_line(argc, argv)); });
+  const std::function<int()> action = [&] {
+    return vex::run_vex_mesh(words, vex::command_line(argc, argv), ranks.get());
+  };
+  const int code =
+      vex::run_program(options, argc, argv, [&] { return ranks == nullptr ? action() : ranks->run(action); });
+  return ranks == nullptr ? code : ranks->leave(code);
 }
