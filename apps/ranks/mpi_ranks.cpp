@@ -10,6 +10,8 @@
 #include <map>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 #include <thread>
 
 #include "apps/ranks/program_ranks.h"
@@ -75,6 +77,7 @@ class MpiRanks final : public ProgramRanks {
   }
 
   bool leads() const override { return rank_ == kLeader; }
+  int n_ranks() const override { return n_ranks_; }
 
   void introduce(const std::string& identity) override {
     identity_ = identity;
@@ -92,7 +95,11 @@ class MpiRanks final : public ProgramRanks {
   }
 
   void serve(const Desk& desk) override {
-    while (std::optional<Message> message = receive_message()) {
+    // Not for ever: the run has other things to do.
+    constexpr int kMostAtOnce = 1000;
+    for (int k = 0; k < kMostAtOnce; ++k) {
+      const std::optional<Message> message = receive_message();
+      if (!message) break;
       switch (message->letter) {
         case kHello:
           if (message->text != identity_) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
-#include <deque>
 #include <exception>
 #include <list>
+#include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -49,7 +49,7 @@ class RankWorker {
     BlockRecord record;
     RankClock::time_point start;
   };
-  static constexpr double kPieceSeconds = 0.01, kOrderSeconds = 0.2;
+  static constexpr double kPieceSeconds = 0.01;
   static constexpr auto kBetweenMessages = std::chrono::milliseconds(1);
 
   void work() {
@@ -95,6 +95,10 @@ class RankWorker {
     arrived_.notify_all();
   }
 
+  // A block takes so long: a fifth of a second, and with very many ranks so much longer that no more than 2000 records
+  // a second come to the leader (docs/scaling.md).
+  double order_seconds() const { return std::max(0.2, 5e-4 * ranks_.n_ranks()); }
+
   void exchange_messages() {
     std::uint64_t most = 16 * factory_.grain() * static_cast<std::uint64_t>(settings_.n_threads);
     std::size_t n_asked = 0;
@@ -115,8 +119,8 @@ class RankWorker {
       }
       if (finished) {
         const double seconds = seconds_between(finished->start, RankClock::now());
-        if (finished->end - finished->begin == most && seconds < 0.5 * kOrderSeconds) most *= 2;
-        if (seconds > kOrderSeconds && most > factory_.grain()) most /= 2;
+        if (finished->end - finished->begin == most && seconds < 0.5 * order_seconds()) most *= 2;
+        if (seconds > order_seconds() && most > factory_.grain()) most /= 2;
         hand_in(std::move(*finished));
       }
       if (n_in_stock + n_asked < 2) {

@@ -25,6 +25,7 @@ class Ranks {
 
   virtual ~Ranks() = default;
   virtual bool leads() const = 0;
+  virtual int n_ranks() const = 0;
 
   /// Of the leader: answers all that has arrived, and waits for nothing. Throws what another rank failed with.
   virtual void serve(const Desk& desk) = 0;
