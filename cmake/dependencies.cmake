@@ -18,6 +18,11 @@ if(VEX_BUILD_PROGRAMS OR VEX_BUILD_TESTS)
   if(VEX_WITH_FCL)
     find_package(fcl 0.7 REQUIRED)             # its package file finds libccd and octomap itself
   endif()
+  find_package(MPI 3.0 QUIET COMPONENTS CXX)   # optional
+  option(VEX_WITH_MPI "Let mpirun -n K start programs that make one run together" ${MPI_CXX_FOUND})
+  if(VEX_WITH_MPI)
+    find_package(MPI 3.0 REQUIRED COMPONENTS CXX)
+  endif()
   find_package(CLI11 2.1 REQUIRED)
   find_package(nlohmann_json 3.11 REQUIRED)
 endif()

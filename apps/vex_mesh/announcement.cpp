@@ -21,7 +21,8 @@ std::string about(double seconds) {
       {{1.0, " s"}, {60.0, " min"}, {kHour, " h"}, {kDay, " days"}, {kYear, " years"}}};
   std::size_t k = 0;
   while (k + 1 < kUnits.size() && seconds >= 2.0 * kUnits[k + 1].seconds) ++k;
-  return short_number(seconds / kUnits[k].seconds, 2) + kUnits[k].name;
+  const double number = seconds / kUnits[k].seconds;
+  return (number < 10.0 ? short_number(number, 2) : fixed_number(0, number)) + kUnits[k].name;
 }
 
 }  // namespace

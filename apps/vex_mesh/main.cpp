@@ -1,11 +1,14 @@
 // vex_mesh A [B]: the orientation-averaged excluded volume of two convex bodies, by Monte Carlo and by the formula.
+#include <functional>
 #include <iostream>
+#include <memory>
 #include <optional>
 
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
 #include "apps/common/results.h"
 #include "apps/common/run_program.h"
+#include "apps/ranks/program_ranks.h"
 #include "apps/vex_mesh/announcement.h"
 #include "apps/vex_mesh/mesh_run.h"
 #include "apps/vex_mesh/report.h"
@@ -16,7 +19,7 @@ namespace {
 
 constexpr const char* kProgram = "vex_mesh";
 
-int run_vex_mesh(const CommandLine& words, const std::string& command) {
+int run_vex_mesh(const CommandLine& words, const std::string& command, ProgramRanks* ranks) {
   const Options options = interpret(words);
 
   std::vector<std::string> bodies = {options.a, options.b};
@@ -35,8 +38,15 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
 
   MeshRun run = prepare_run(options, load_two_bodies(options.a, options.b, options.bodies), command);
   ExcludedVolumeSettings& settings = run.options.settings;
+  const bool leads = ranks == nullptr || ranks->leads();
+  if (ranks != nullptr) {
+    settings.ranks = ranks;
+    std::string identity;
+    for (const std::string& line : run_identity(run)) identity += line + "\n";
+    ranks->introduce(identity);
+  }
   std::optional<RunState> resumed;
-  if (has_run_to_resume(options.checkpoint, kProgram, options.quiet)) {
+  if (leads && has_run_to_resume(options.checkpoint, kProgram, options.quiet)) {
     resumed = read_checkpoint(options.checkpoint.resume, run);
     settings.resume = &*resumed;
   }
@@ -48,6 +58,7 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
   }
   catch_interrupts();
   sample(run, "", checkpoint ? &*checkpoint : nullptr);
+  if (!leads) return kSuccess;
 
   Results results(kProgram);
   if (!options.quiet && !(json && json->is_standard_output())) results.print(report_text(run));
@@ -60,10 +71,16 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
 }  // namespace vex
 
 int main(int argc, char** argv) {
+  const std::unique_ptr<vex::ProgramRanks> ranks = vex::join_ranks();
   vex::OptionParser options(
       "Average excluded volume <V_ex> of two convex bodies: by Monte Carlo, and by the formula from V, S and M.",
       "vex_mesh");
   vex::CommandLine words;
   vex::declare_options(options, words);
-  return vex::run_program(options, argc, argv, [&] { return vex::run_vex_mesh(words, vex::command_line(argc, argv)); });
+  const std::function<int()> action = [&] {
+    return vex::run_vex_mesh(words, vex::command_line(argc, argv), ranks.get());
+  };
+  const int code =
+      vex::run_program(options, argc, argv, [&] { return ranks == nullptr ? action() : ranks->run(action); });
+  return ranks == nullptr ? code : ranks->leave(code);
 }

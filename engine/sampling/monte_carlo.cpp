@@ -16,9 +16,10 @@
 #include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
 #include "engine/query/overlap.h"
-#include "engine/query/packets/quick_verdict.h"
 #include "engine/sampling/poses/pose_map.h"
+#include "engine/sampling/rank_worker.h"
 #include "engine/sampling/run_ledger.h"
+#include "engine/sampling/runner_factory.h"
 #include "engine/sampling/trial_runner.h"
 #include "engine/scene/threads.h"
 
@@ -33,19 +34,12 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 // every block that they took.
 class Run {
  public:
-  Run(const ConvexBody& a, const ConvexBody& b, const MonteCarloSettings& settings)
-      : a_(a),
-        b_(b),
+  /// `certain`: every trial hits by construction.
+  Run(RunnerFactory& factory, const MonteCarloSettings& settings, bool certain)
+      : factory_(factory),
         settings_(settings),
-        ledger_(settings, !settings.integrand && hits_by_construction(a, b, settings.law, settings.domain)),
+        ledger_(settings, certain),
         seconds_before_(settings.resume != nullptr ? settings.resume->seconds : 0.0) {
-    if (settings.quick_verdicts && !settings.backend.is_peer && !settings.integrand)
-      quick_.emplace(a, b, kDrawnRotationError);
-    if (settings.integrand) {
-      first_integrand_ = settings.integrand();
-      if (first_integrand_ == nullptr) throw UsageError("a run's integrand is none - give one");
-      reference_ = reference_value(*first_integrand_);
-    }
     if (settings.resume != nullptr) require_state_of_this_run(*settings.resume);
   }
 
@@ -55,15 +49,13 @@ class Run {
       start_threads(threads, settings_.n_threads, [this](int) { work(false); });
       const bool has_threads = !threads.empty();
       note_threads(settings_.n_threads, has_threads ? static_cast<int>(threads.size()) : 1);
-      if (has_threads) {
-        wait_and_report();
-      } else {
-        work(true);
-      }
+      if (!has_threads) work(true);
+      wait_and_report();
     } catch (...) {
       fail(std::current_exception());  // of on_progress; the threads must be told before they are joined
     }
     threads.clear();
+    if (settings_.ranks != nullptr) settings_.ranks->end();
     // Also of a run that fails: what came home is right.
     if (settings_.on_state) settings_.on_state(ledger_.state(seconds()));
     if (failure_) std::rethrow_exception(failure_);
@@ -73,6 +65,7 @@ class Run {
  private:
   static constexpr double kBlockSeconds = 0.01;  // an interrupt is answered within a block or two
   static constexpr auto kProgressInterval = std::chrono::milliseconds(100);
+  static constexpr auto kMessageInterval = std::chrono::milliseconds(1);
 
   double seconds() const { return seconds_before_ + seconds_since(start_); }
 
@@ -81,7 +74,7 @@ class Run {
   // Values that are counted from another offset, or in another unit, would add up to nothing.
   void require_state_of_this_run(const RunState& state) {
     if (state.done.tally.n_trials == 0) return;
-    const BlockRecord none = make_runner()->run(state.end(), state.end());
+    const BlockRecord none = factory_.make()->run(state.end(), state.end());
     if (none.tally.by_class.is_like(state.done.tally.by_class)) return;
     throw InputError(
         "the state to go on from is of another estimator, or of other bodies - give the settings of its run");
@@ -97,37 +90,57 @@ class Run {
     return ledger_.take(most);
   }
 
+  // Called with the lock held.
+  void bring(const RunLedger::Block& block, BlockRecord&& done) {
+    const bool evaluated = ledger_.bring(block, std::move(done));
+    // With other ranks a thread may also wait until fewer blocks stand behind a gap.
+    if (evaluated || settings_.ranks != nullptr) changed_.notify_all();
+    if (ledger_.is_over()) ended_.notify_all();
+  }
+
+  // What other ranks sent: blocks are theirs, and come home here.
+  void serve_ranks() {
+    settings_.ranks->serve({[this](std::uint64_t most) -> std::optional<Ranks::Block> {
+                              const std::lock_guard lock(mutex_);
+                              if (ledger_.is_over()) return std::nullopt;
+                              const std::optional<RunLedger::Block> block =
+                                  take_block(std::max(most, factory_.grain()) / factory_.grain() * factory_.grain());
+                              if (!block) return std::nullopt;
+                              return Ranks::Block{block->begin, block->end};
+                            },
+                            [this](RunState&& state) {
+                              if (state.domain_volume != (settings_.integrand ? 0.0 : settings_.domain.volume)) {
+                                throw InputError(
+                                    "another rank samples another domain - give all ranks the same bodies");
+                              }
+                              const std::lock_guard lock(mutex_);
+                              bring({state.first_trial, state.end()}, std::move(state.done));
+                            }});
+  }
+
   void stop(StopReason reason) {
     ledger_.stop(reason);
     changed_.notify_all();
     ended_.notify_all();
   }
 
-  std::unique_ptr<TrialRunner> make_runner() {
-    if (settings_.integrand) {
-      std::unique_ptr<Integrand> integrand;
-      {
-        const std::lock_guard lock(mutex_);
-        integrand = std::move(first_integrand_);
-      }
-      if (integrand == nullptr) integrand = settings_.integrand();
-      return make_averaging_runner(settings_, std::move(integrand), reference_);
-    }
-    return make_pose_runner(a_, b_, settings_, quick_ ? &*quick_ : nullptr);
-  }
-
-  /// `reports`: it is the calling thread's work, because the system gives no other; it tells the progress as well.
+  /// `reports`: it is the calling thread's work, because the system gives no other; it does what that does as well.
   void work(bool reports) {
     try {
-      const std::unique_ptr<TrialRunner> runner = make_runner();
-      const std::uint64_t grain = settings_.sequence == Sequence::sobol || settings_.stratified ? kClasses : 1;
-      std::uint64_t most = 16 * grain;  // blocks begin at multiples of the grain
+      const std::unique_ptr<TrialRunner> runner = factory_.make();
+      const std::uint64_t grain = factory_.grain();
+      std::uint64_t most = 16 * grain;
       std::unique_lock lock(mutex_);
       while (true) {
         const std::optional<RunLedger::Block> block = take_block(most);
         if (!block) {
           if (ledger_.is_over()) return;
-          changed_.wait(lock);
+          if (reports) {
+            changed_.wait_for(lock, wait_);
+            report(lock);
+          } else {
+            changed_.wait(lock);
+          }
           continue;
         }
         lock.unlock();
@@ -138,11 +151,8 @@ class Run {
         if (block->end - block->begin == most && block_seconds < 0.5 * kBlockSeconds) most *= 2;
         if (block_seconds > kBlockSeconds && most > grain) most /= 2;
         lock.lock();
-        if (ledger_.bring(*block, std::move(done))) {
-          changed_.notify_all();
-          if (ledger_.is_over()) ended_.notify_all();
-        }
-        if (reports && !ledger_.is_over() && Clock::now() >= next_report_) report(lock);
+        bring(*block, std::move(done));
+        if (reports) report(lock);
       }
     } catch (...) {
       fail(std::current_exception());
@@ -155,49 +165,59 @@ class Run {
     stop(StopReason::interrupted);
   }
 
+  void report_progress(std::unique_lock<std::mutex>& lock) {
+    const Tally& tally = ledger_.tally();
+    Progress progress{tally, std::numeric_limits<double>::infinity(), seconds(), settings_.stop};
+    if (tally.n_trials > 0) progress.relative_error = volume_estimate(tally, settings_.domain).relative_error();
+    lock.unlock();
+    settings_.on_progress(progress);
+    lock.lock();
+  }
+
   void wait_and_report() {
     std::unique_lock lock(mutex_);
-    while (!ledger_.is_over()) {
-      ended_.wait_for(lock, kProgressInterval);
-      if (ledger_.is_over()) break;
-      if (interrupted()) stop(StopReason::interrupted);
+    // A run that time ends counts what others still work on.
+    while (!ledger_.is_over() || ledger_.awaits_others()) {
+      ended_.wait_for(lock, wait_);
       report(lock);
     }
   }
 
+  // What the calling thread does between waits.
   void report(std::unique_lock<std::mutex>& lock) {
-    next_report_ = Clock::now() + kProgressInterval;
-    if (settings_.on_progress) {
-      const Tally& tally = ledger_.tally();
-      Progress progress{tally, std::numeric_limits<double>::infinity(), seconds(), settings_.stop};
-      if (tally.n_trials > 0) progress.relative_error = volume_estimate(tally, settings_.domain).relative_error();
+    if (settings_.ranks != nullptr) {
       lock.unlock();
-      settings_.on_progress(progress);
+      serve_ranks();
       lock.lock();
     }
-    if (!settings_.on_state || seconds_since(start_) < next_state_) return;
-    const RunState state = ledger_.state(seconds());
-    lock.unlock();
-    settings_.on_state(state);
-    lock.lock();
-    next_state_ = seconds_since(start_) + settings_.seconds_between_states;
+    if (ledger_.is_over()) return;
+    if (interrupted()) stop(StopReason::interrupted);
+    if (settings_.on_progress && Clock::now() >= next_progress_) {
+      report_progress(lock);
+      next_progress_ = Clock::now() + kProgressInterval;
+    }
+    if (settings_.on_state && seconds_since(start_) >= next_state_) {
+      const RunState state = ledger_.state(seconds());
+      lock.unlock();
+      settings_.on_state(state);
+      lock.lock();
+      next_state_ = seconds_since(start_) + settings_.seconds_between_states;
+    }
   }
 
-  const ConvexBody& a_;
-  const ConvexBody& b_;
+  RunnerFactory& factory_;
   const MonteCarloSettings& settings_;
-  std::optional<QuickVerdict> quick_;  // where the run uses it
   const Clock::time_point start_ = Clock::now();
-  double reference_ = 0.0;  // of an integrand: made once, before the threads
 
-  std::mutex mutex_;                            // guards all below; taken once a block, not once a trial
-  std::unique_ptr<Integrand> first_integrand_;  // which the reference is of: for the thread that comes first
-  std::condition_variable changed_;             // for threads that wait for the next round
-  std::condition_variable ended_;               // for the caller, which would only be disturbed by every round
+  std::mutex mutex_;                 // guards all below; taken once a block, not once a trial
+  std::condition_variable changed_;  // for threads that wait for the next round
+  std::condition_variable ended_;    // for the caller, which would only be disturbed by every round
   RunLedger ledger_;
   const double seconds_before_;  // of the run that it goes on from
-  Clock::time_point next_report_ = start_ + kProgressInterval;
-  double next_state_ = settings_.seconds_between_states;  // seconds from the start
+  // Of the calling thread.
+  const std::chrono::milliseconds wait_ = settings_.ranks != nullptr ? kMessageInterval : kProgressInterval;
+  Clock::time_point next_progress_ = start_ + kProgressInterval;
+  double next_state_ = settings_.seconds_between_states;  // from the start
   std::exception_ptr failure_;
 };
 
@@ -281,7 +301,12 @@ RunRecord run_monte_carlo(const ConvexBody& a, const ConvexBody& b, const MonteC
     throw UsageError("strata are of hit-or-miss in a ball - give a ball as the domain and no integrand");
   }
   require_whole_classes(settings);
-  return Run(a, b, settings).go();
+  RunnerFactory factory(a, b, settings);
+  if (settings.ranks != nullptr && !settings.ranks->leads()) {
+    work_for_leader(factory, settings);
+    return {};
+  }
+  return Run(factory, settings, !settings.integrand && hits_by_construction(a, b, settings.law, settings.domain)).go();
 }
 
 double inner_share(const ConvexBody& a, const ConvexBody& b, const Domain& domain) {

@@ -13,6 +13,7 @@
 #include "engine/sampling/integrand.h"
 #include "engine/sampling/points/trial_points.h"
 #include "engine/sampling/poses/orientation_law.h"
+#include "engine/sampling/ranks.h"
 #include "engine/sampling/run_state.h"
 #include "engine/sampling/stop_rule.h"
 #include "engine/sampling/tally.h"
@@ -69,6 +70,9 @@ struct MonteCarloSettings {
   /// others go on.
   std::function<void(const RunState&)> on_state;
   double seconds_between_states = 5.0;
+  /// Other processes that take part, with the same bodies and settings but for threads: the result is that of one
+  /// process. On a rank that does not lead nothing else is called, and the record is empty. Not owned; null: none.
+  Ranks* ranks = nullptr;
 };
 
 struct RunRecord : BlockRecord {  // of the trials first_trial ... first_trial + n_trials - 1, also where interrupted

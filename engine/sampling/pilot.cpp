@@ -56,6 +56,7 @@ PilotCost pilot(const ConvexBody& a, const ConvexBody& b, MonteCarloSettings set
   settings.on_progress = nullptr;
   settings.on_state = nullptr;
   settings.resume = nullptr;
+  settings.ranks = nullptr;
   settings.first_trial = 0;
   settings.cross_check.clear();
   settings.verify = false;

@@ -60,7 +60,7 @@ void RunLedger::resume(const RunState& state) {
     refuse("was compared with other backends, or verified", "give the settings of its run");
   }
   done_ = state.done;
-  next_ = n_trials;
+  next_ = n_brought_ = n_trials;
   while (round_end_ < n_trials) round_end_ = evaluation_after(round_end_);
   if (round_end_ == n_trials) {
     evaluate();
@@ -72,13 +72,20 @@ void RunLedger::resume(const RunState& state) {
 }
 
 std::optional<RunLedger::Block> RunLedger::take(std::uint64_t most) {
-  if (over_ || next_ == round_end_) return std::nullopt;
+  constexpr std::size_t kMostWaiting = 4096;
+  if (over_ || waiting_.size() >= kMostWaiting) return std::nullopt;  // whoever has the first of them brings it
+  block_end_ = std::max(block_end_, round_end_);
+  if (next_ == block_end_) {
+    if (settings_.ranks == nullptr || block_end_ == limit_) return std::nullopt;
+    block_end_ = evaluation_after(block_end_);
+  }
   const std::uint64_t begin = next_;
-  next_ += std::min(most, round_end_ - next_);
+  next_ += std::min(most, block_end_ - next_);
   return Block{settings_.first_trial + begin, settings_.first_trial + next_};
 }
 
 bool RunLedger::bring(const Block& block, BlockRecord&& record) {
+  n_brought_ += block.end - block.begin;
   waiting_.emplace(block.begin - settings_.first_trial, std::move(record));
   bool evaluated = false;
   // Also behind the end of a run that was interrupted: what was done counts. But nothing beyond an evaluation that

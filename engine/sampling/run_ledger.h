@@ -25,7 +25,8 @@ class RunLedger {
   RunLedger(const MonteCarloSettings& settings, bool certain);
 
   /// The next trials that nobody has, up to `most` of them: none where the run is over, or where all trials up to the
-  /// next evaluation are given out.
+  /// next evaluation are given out; with other ranks trials behind it are given out, too, so that nobody waits for the
+  /// slowest, unless very many blocks wait for one. No block goes beyond an evaluation.
   std::optional<Block> take(std::uint64_t most);
   /// Counts a block that was taken, and evaluates where it closes a round. Returns whether it did.
   bool bring(const Block& block, BlockRecord&& record);
@@ -34,6 +35,9 @@ class RunLedger {
   void stop(StopReason reason);
   /// Whether any trial was given out, or came with the state.
   bool has_begun() const { return next_ > 0; }
+
+  /// Whether the run was ended by its time, and blocks that were given out are still to come.
+  bool awaits_others() const { return over_ && stopped_by_ == StopReason::seconds && n_brought_ < next_; }
 
   const Tally& tally() const { return done_.tally; }
   RunState state(double seconds) const;
@@ -56,6 +60,8 @@ class RunLedger {
   const std::uint64_t limit_;
   // Numbers of trials, counted from the run's first one.
   std::uint64_t next_ = 0;       // given out
+  std::uint64_t n_brought_ = 0;  // come home, waiting or not
+  std::uint64_t block_end_ = 0;  // the evaluation that no block goes beyond now: round_end_, or a later one
   std::uint64_t round_end_ = 0;  // where the stop rule is looked at next
   BlockRecord done_;
   std::map<std::uint64_t, BlockRecord> waiting_;  // behind a gap, by where they begin

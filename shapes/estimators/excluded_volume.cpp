@@ -91,6 +91,7 @@ MonteCarloSettings driver_settings(const Settings& settings) {
   driver.resume = settings.resume;
   driver.on_state = settings.on_state;
   driver.seconds_between_states = settings.seconds_between_states;
+  driver.ranks = settings.ranks;
   return driver;
 }
 

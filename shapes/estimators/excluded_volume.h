@@ -64,6 +64,7 @@ struct ExcludedVolumeSettings {
   const RunState* resume = nullptr;
   std::function<void(const RunState&)> on_state{};
   double seconds_between_states = MonteCarloSettings{}.seconds_between_states;
+  Ranks* ranks = nullptr;
 };
 
 /// What <V_ex> is known to be, from other means than the run.

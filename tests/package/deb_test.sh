@@ -201,6 +201,13 @@ step "vex_paper computes a table in an empty environment"
 env -i "$scratch/root/usr/bin/vex_paper" --table 1 --trials 2000 --max-z 100 >"$scratch/report" || fail "exit code $?"
 grep -qE '^ *1e-6 +2000007 ' "$scratch/report" || { cat "$scratch/report"; fail "the row of ratio 1e-6"; }
 
+step "vex_merge puts two ranges together in an empty environment"
+for k in 0 1; do
+  env -i "$scratch/root/usr/bin/vex_mesh" box:1,1,1 --estimator radial --first-trial $((k * 3200)) --trials 3200 --quiet \
+    --json "$scratch/$k.json" || fail "exit code $?"
+done
+env -i "$scratch/root/usr/bin/vex_merge" "$scratch/0.json" "$scratch/1.json" --trials 6400 >"$scratch/report" || fail "exit code $?"
+
 step "vex_stress judges a stratum in an empty environment"
 env -i "$scratch/root/usr/bin/vex_stress" --stratum random/cubes --pairs 100 >"$scratch/report" || fail "exit code $?"
 grep -q 'gjk: 0 wrong' "$scratch/report" || { cat "$scratch/report"; fail "a wrong answer"; }

@@ -1,0 +1,78 @@
+// mpirun -n K vex_mesh: what one process says, whatever the number of ranks; and what is left where one is lost.
+#include <csignal>
+
+#include "tests/golden/program.h"
+#include "tests/golden/run_documents.h"
+
+namespace vex::golden {
+namespace {
+
+using nlohmann::json;
+
+class RanksTest : public ProgramTest {
+ protected:
+  void SetUp() override {
+#ifndef VEX_WITH_MPI
+    GTEST_SKIP() << "this build is without MPI";
+#endif
+    if (shell("command -v mpirun").exit_code != 0) GTEST_SKIP() << "no mpirun";
+  }
+  Finished on_ranks(int n, const std::string& arguments) const {
+    return shell("exec mpirun --oversubscribe --allow-run-as-root --bind-to none -n " + std::to_string(n) +
+                 " \"$VEX\" " + arguments);
+  }
+};
+
+TEST_F(RanksTest, AnyNumberOfThemSaysWhatOneProcessSays) {
+  const std::vector<std::string> runs = {"box:1,1,2 capsule:1,0.3 --estimator hit-or-miss --trials 3e6",
+                                         "box:1,1,2 capsule:1,0.3 --estimator hit-or-miss-fitted --rel-error 1e-3",
+                                         "box:1,1,2 --rel-error 3e-5"};
+  for (const std::string& words : runs) {
+    ASSERT_EQ(shell("\"$VEX\" " + words + " --quiet --json one.json").exit_code, 0);
+    const json one = without_times(json::parse(read_file("one.json")));
+    for (const int n : {2, 4}) {
+      const Finished finished = on_ranks(n, words + " --quiet --threads 1 --json ranks.json");
+      ASSERT_EQ(finished.exit_code, 0) << finished.err;
+      EXPECT_EQ(without_times(json::parse(read_file("ranks.json"))), one) << n << " ranks: " << words;
+    }
+  }
+}
+
+TEST_F(RanksTest, OneOfThemSpeaks) {
+  const Finished report = on_ranks(3, "box:1,1,2 --trials 1e4 --threads 1");
+  EXPECT_EQ(report.exit_code, 0) << report.err;
+  EXPECT_EQ(report.out.find("<V_ex>, Monte Carlo"), report.out.rfind("<V_ex>, Monte Carlo")) << report.out;
+  const Finished refused = on_ranks(3, "missing.obj");
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_EQ(refused.err.find("vex_mesh: "), refused.err.rfind("vex_mesh: ")) << refused.err;
+  EXPECT_EQ(on_ranks(2, "needle:1 --quiet").exit_code, 0);  // nothing to do for anybody
+}
+
+TEST_F(RanksTest, OneThatHasAnotherBodyTakesNoPart) {
+  const Finished finished = shell(
+      "printf 'exec \"$VEX\" box:1,1,$((1 + OMPI_COMM_WORLD_RANK)) --estimator hit-or-miss --seconds 20 --threads 1' > "
+      "run.sh; "
+      "exec mpirun --oversubscribe --allow-run-as-root --bind-to none -n 2 sh run.sh");
+  EXPECT_EQ(finished.exit_code, 3) << finished.out;
+  EXPECT_NE(finished.err.find("rank 1 has other bodies"), std::string::npos) << finished.err;
+}
+
+TEST_F(RanksTest, WhereOneIsLostTheCheckpointIsUsable) {
+  const Finished finished = shell(
+      "printf 'if [ $OMPI_COMM_WORLD_RANK = 1 ]; then (sleep 1; kill -KILL $$) & fi; exec \"$VEX\" box:1,1,2 "
+      "--estimator "
+      "hit-or-miss --trials 2e8 --threads 1 --checkpoint c.state --quiet --json part.json' > run.sh; "
+      "exec mpirun --oversubscribe --allow-run-as-root --bind-to none -n 2 sh run.sh");
+  EXPECT_NE(finished.exit_code, 0);
+  EXPECT_NE(read_file("c.state").find("# end, crc32 "), std::string::npos) << finished.err;
+  const json part = json::parse(read_file("part.json"));
+  EXPECT_EQ(part["complete"], false);
+  // It goes on: of as many trials as it has, which is done at once.
+  const std::string trials = part["estimate"]["trials"].dump();
+  EXPECT_EQ(json_of({"box:1,1,2", "--estimator", "hit-or-miss", "--trials", trials, "--resume",
+                     "c.state"})["estimate"]["hits"],
+            part["estimate"]["hits"]);
+}
+
+}  // namespace
+}  // namespace vex::golden
