@@ -8,6 +8,8 @@
 #include "apps/common/interrupt.h"
 #include "apps/common/progress_bar.h"
 #include "apps/common/run_program.h"
+#include "apps/vex_mesh/history.h"
+#include "apps/vex_mesh/html_report.h"
 #include "apps/vex_mesh/options.h"
 #include "apps/vex_mesh/report.h"
 #include "engine/numeric/errors.h"
@@ -31,12 +33,15 @@ void choose_backends(MeshRun& run) {
   });
 }
 
-void sample(MeshRun& run) {
+void sample(MeshRun& run, History* history) {
   ExcludedVolumeSettings& settings = run.options.settings;
   for (const LoadedBody& simpler : run.control_bodies) settings.control_variate.push_back(simpler.shape);
   settings.interrupt = &interrupting_signal();
   ProgressBar bar(!run.options.quiet);
-  settings.on_progress = [&bar](const Progress& progress) { bar.show(progress); };
+  settings.on_progress = [&bar, history](const Progress& progress) {
+    bar.show(progress);
+    history->add(progress);
+  };
   run.result = excluded_volume(run.a.shape, run.b.shape, settings);
 }
 
@@ -47,6 +52,7 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
   bodies.insert(bodies.end(), options.control_variate.begin(), options.control_variate.end());
   CommandFiles files(files_of_bodies(bodies, options.bodies));
   const std::optional<OutputFile> json = files.output("--json", options.json);
+  const std::optional<OutputFile> page = files.output("--report", options.report);
   if (!options.quiet) files.print_report();
 
   auto [loaded_a, loaded_b] = load_two_bodies(options.a, options.b, options.bodies);
@@ -58,9 +64,16 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
   if (options.dump_vertices) require_vertices_to_list(run.a, run.b);
   choose_backends(run);
   catch_interrupts();
-  sample(run);
+  History history;
+  sample(run, &history);
 
-  if (!options.quiet && !(json && json->is_standard_output())) std::cout << report_text(run);
+  const bool is_standard_output_taken = (json && json->is_standard_output()) || (page && page->is_standard_output());
+  if (!options.quiet && !is_standard_output_taken) std::cout << report_text(run) << std::flush;
+  if (page) {
+    const std::vector<HistoryPoint> points =
+        history_of(run.result, history, run.a.shape, run.b.shape, run.options.settings);
+    page->write_catching_interrupts(html_report(run, points, report_json(run)));
+  }
   if (json) json->write(report_json(run));
 
   if (run.result.record.stopped_by == StopReason::interrupted) return kSignalBase + interrupting_signal().load();

@@ -50,7 +50,8 @@ void declare_options(OptionParser& options, CommandLine& words) {
       .add_option(
           "--orientations", words.orientations,
           "isotropic (default); aligned; fixed:W,X,Y,Z, B's quaternion in A's frame; cone:DEG, both z axes within this "
-          "angle of +-z; angle:DEG, B's z axis at this angle to A's, each body spun about its own; onsager:ALPHA, both z "
+          "angle of +-z; angle:DEG, B's z axis at this angle to A's, each body spun about its own; onsager:ALPHA, both "
+          "z "
           "axes by the density cosh(ALPHA cos theta)")
       .type_name("LAW")
       .group(sampling);
@@ -100,6 +101,13 @@ void declare_options(OptionParser& options, CommandLine& words) {
 
   declare_options_of_two_bodies(options, words);
   declare_output(options, words);
+  options
+      .add_option(
+          "--report", words.report,
+          "Write a page to look at in a browser, which needs no other file and no network: the bodies to turn, the "
+          "excluded body, all numbers with their meaning, the way to the result; - is standard output")
+      .type_name("FILE.html")
+      .group("Output");
 
   const std::string later = "Not built yet";
   options.add_option("--checkpoint", words.checkpoint, "Save the run's state").type_name("FILE").group(later);
@@ -174,6 +182,7 @@ Options interpret(const CommandLine& words) {
   bodies.insert(bodies.end(), words.control_variate.begin(), words.control_variate.end());
   options.bodies = interpret_bodies(words, bodies);
   options.dump_vertices = words.dump_vertices;
+  options.report = words.report;
   return options;
 }
 

@@ -16,7 +16,7 @@ struct CommandLine : CommonWords, BodyWords {
   std::string trials, relative_error, seconds, max_trials;
   std::string estimator, sequence, domain, backend, orientations, isa;
   std::vector<std::string> control_variate;
-  std::string checkpoint, resume;
+  std::string report, checkpoint, resume;
   bool no_quick_verdicts = false, cross_check = false;
   bool verify = false;
 };
@@ -32,6 +32,7 @@ struct Options : CommonOptions {
   bool is_cross_check = false;
   BodyOptions bodies;
   bool dump_vertices = false;
+  std::string report;
 };
 
 /// Throws UsageError where a word means nothing, or something that is not built yet.
