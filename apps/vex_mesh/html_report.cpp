@@ -161,8 +161,9 @@ void add_orientations(HtmlPage& page, const MeshRun& run, const PairView& view) 
 void add_costs(HtmlPage& page, const MeshRun& run, const nlohmann::ordered_json& document) {
   if (!document.contains("pilot") || run.result.record.tally.n_trials == 0) return;
   PageTable table;
-  table.caption = "Measured by a pilot of each before the run; times to this run’s error of " +
-                  short_number(100.0 * run.result.std_error / run.result.value, 2) + " %, on as many threads.";
+  table.caption = "Told by a pilot of each before the run: about how many seconds to this run’s error of " +
+                  short_number(100.0 * run.result.std_error / run.result.value, 2) +
+                  " %, on as many threads. What uses the geometry of the formula is no check of it.";
   table.columns = {"estimator", "seconds to this error, about", "microseconds a trial", "with the formula’s geometry"};
   const auto number = [](const nlohmann::ordered_json& value, double factor) {
     return value.is_number() ? short_number(factor * value.get<double>(), 2) : std::string("unknown");
@@ -175,7 +176,7 @@ void add_costs(HtmlPage& page, const MeshRun& run, const nlohmann::ordered_json&
     table.rows.push_back(
         {name + (is_this ? " (this run)" : "") + how,
          is_this ? short_number(run.result.record.seconds, 2) : number(row.at("seconds_to_this_error"), 1.0),
-         number(row.at("seconds_per_trial"), 1e6), row.at("runs_gjk").get<bool>() ? "no" : "yes"});
+         number(row.at("seconds_per_trial"), 1e6), row.at("runs_gjk").get<bool>() ? "yes" : "no"});
   }
   page.begin_section("What other ways would have cost", true);
   page.table(table);

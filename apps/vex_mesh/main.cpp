@@ -69,12 +69,16 @@ int run_vex_mesh(const CommandLine& words, const std::string& command) {
 
   const bool is_standard_output_taken = (json && json->is_standard_output()) || (page && page->is_standard_output());
   if (!options.quiet && !is_standard_output_taken) std::cout << report_text(run) << std::flush;
-  if (page) {
-    const std::vector<HistoryPoint> points =
-        history_of(run.result, history, run.a.shape, run.b.shape, run.options.settings);
-    page->write_catching_interrupts(html_report(run, points, report_json(run)));
+  if (json || page) {
+    const std::string document = report_json(run);
+    std::string html;
+    if (page) {
+      html =
+          html_report(run, history_of(run.result, history, run.a.shape, run.b.shape, run.options.settings), document);
+    }
+    if (json) json->write(document);
+    if (page) page->write(html);
   }
-  if (json) json->write(report_json(run));
 
   if (run.result.record.stopped_by == StopReason::interrupted) return kSignalBase + interrupting_signal().load();
   // A peer's verdict that has no proof is the peer's fault, and reported as such.

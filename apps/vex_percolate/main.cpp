@@ -16,10 +16,10 @@ namespace vex {
 namespace {
 
 struct Outputs {
-  std::optional<OutputFile> json, plot, csv, gltf, checkpoint;
+  std::optional<OutputFile> json, plot, csv, gltf, report, checkpoint;
 
   bool own_standard_output() const {
-    for (const std::optional<OutputFile>* const file : {&json, &plot, &csv, &gltf}) {
+    for (const std::optional<OutputFile>* const file : {&json, &plot, &csv, &gltf, &report}) {
       if (*file && (*file)->is_standard_output()) return true;
     }
     return false;
@@ -38,6 +38,7 @@ Outputs output_files(const PercolateOptions& options) {
   outputs.plot = files.output("--plot", options.plot);
   outputs.csv = files.output("--csv", options.csv);
   outputs.gltf = files.output("--gltf", options.gltf, ".glb");
+  outputs.report = files.output("--report", options.report);
   outputs.checkpoint = files.output("--checkpoint", options.checkpoint);
   if (!options.quiet) files.print_report();
   return outputs;
@@ -80,7 +81,12 @@ int run_vex_percolate(const PercolateCommandLine& words, const std::string& comm
   if (outputs.plot) outputs.plot->write_catching_interrupts(picture_of(run));
   const bool has_sample = !run.sizes.front().found.empty();
   if (outputs.gltf && has_sample) outputs.gltf->write_catching_interrupts(sample_gltf(run));
-  if (outputs.json) outputs.json->write(report_json(run));
+  if (outputs.json || outputs.report) {
+    const std::string document = report_json(run);
+    const std::string html = outputs.report ? html_report(run, document) : std::string();
+    if (outputs.json) outputs.json->write(document);
+    if (outputs.report) outputs.report->write(html);
+  }
   return signal == 0 ? kSuccess : kSignalBase + signal;
 }
 

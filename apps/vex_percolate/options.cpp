@@ -242,6 +242,7 @@ PercolateOptions interpret(const PercolateCommandLine& words) {
   options.plot = words.plot;
   options.csv = words.csv;
   options.gltf = words.gltf;
+  options.report = words.report;
   options.checkpoint = words.checkpoint;
   options.resume = words.resume;
   return options;

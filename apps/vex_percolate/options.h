@@ -16,7 +16,7 @@ namespace vex {
 struct PercolateCommandLine : CommonWords, BodyWords {
   std::vector<std::string> bodies;
   std::string sizes, realisations, std_error, seconds, orientations, shell, backend, isa;
-  std::string plot, csv, gltf, checkpoint, resume;
+  std::string plot, csv, gltf, report, checkpoint, resume;
 };
 
 /// Declares the options; parsing fills `words`, which must outlive `options`.
@@ -50,7 +50,7 @@ struct PercolateOptions : CommonOptions {
   std::string backend_name;
   InstructionSet instruction_set = best_instruction_set();
   bool dump_vertices = false;
-  std::string plot, csv, gltf, checkpoint, resume;
+  std::string plot, csv, gltf, report, checkpoint, resume;
 };
 
 /// Throws UsageError where a word means nothing.

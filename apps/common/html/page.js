@@ -49,7 +49,7 @@
   }
 
   const scene = new THREE.Scene();
-  const camera = new THREE.PerspectiveCamera(28, 1, view.size / 100, view.size * 20);
+  const camera = new THREE.PerspectiveCamera(28, 1, 0.01, 20);
   camera.up.set(0, 0, 1);
   const renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true });
   const canvas = renderer.domElement;
@@ -94,7 +94,7 @@
   bodyB.matrixAutoUpdate = false;
   scene.add(bodyB);
   const centre = new THREE.Mesh(
-    new THREE.SphereBufferGeometry(view.size / 110, 16, 12),
+    new THREE.SphereBufferGeometry(1 / 110, 16, 12),
     new THREE.MeshBasicMaterial({ color: 0xffffff, depthTest: false, transparent: true }));
   centre.renderOrder = 5;
   scene.add(centre);
@@ -121,7 +121,7 @@
       const a = corner(surface.triangles[t]), b = corner(surface.triangles[t + 1]), c = corner(surface.triangles[t + 2]);
       const normal = b.clone().sub(a).cross(c.clone().sub(a));
       const longest = Math.max(a.distanceTo(b), b.distanceTo(c), c.distanceTo(a));
-      if (normal.length() > 1e-3 * longest * view.size) planes.push([normal.normalize(), normal.dot(a)]);
+      if (normal.length() > 1e-3 * longest) planes.push([normal.normalize(), normal.dot(a)]);
     }
     group.visible = false;
     scene.add(group);
@@ -165,7 +165,7 @@
     const angle = Number(place.value) / 180 * Math.PI;
     const dir = right.clone().multiplyScalar(Math.cos(angle)).addScaledVector(up, Math.sin(angle));
     dir.addScaledVector(start, 0.45 * Math.sin(2 * angle)).normalize();
-    let distance = planes.length ? Infinity : view.size * 0.6;
+    let distance = planes.length ? Infinity : 0.6;
     for (const [normal, offset] of planes) {
       const slope = normal.dot(dir);
       if (slope > 1e-9) distance = Math.min(distance, offset / slope);
@@ -183,7 +183,7 @@
     renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
     renderer.setSize(width, height);
     const half = Math.tan(camera.fov / 360 * Math.PI) * Math.min(1, width / height);
-    const far = view.size * 0.66 / Math.sin(Math.atan(half));
+    const far = 0.66 / Math.sin(Math.atan(half));
     const dir = camera.position.lengthSq() ? camera.position.clone().normalize() : start;
     camera.position.copy(dir.clone().multiplyScalar(far));
     camera.aspect = width / height;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "apps/common/body_colours.h"
 
@@ -99,33 +100,30 @@ class PairPicture {
     return dot(cross(points[c[1]] - points[c[0]], points[c[2]] - points[c[0]]), kUnitView);
   }
 
-  // Those that face the eye (side 1) or away (-1). Neighbours of one shade are one path, so that no seam is seen.
+  // Those that face the eye (side 1) or away (-1): of one shade one path, from the dark to the light, so that no seams
+  // are seen.
   void faces(const BodyMesh& mesh, const std::vector<Vec3d>& points, const Colour& colour, double side,
              const std::string& attributes) {
+    constexpr double kTones = 48.0;
     if (mesh.is_line || mesh.indices.empty()) return;
-    std::string path, shade;
-    const auto flush = [&] {
-      if (!path.empty()) svg_.path(path, "fill=\"" + shade + "\" stroke=\"" + shade + "\"");
-      path.clear();
-    };
-    svg_.begin_group({}, attributes + " stroke-width=\"12\" stroke-linejoin=\"round\"");  // steps of the fine grid
-    svg_.begin_fine_grid();
+    std::map<double, std::string> paths;  // by light
     for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
       const std::uint32_t* const c = &mesh.indices[t];
       const Vec3d area = cross(points[c[1]] - points[c[0]], points[c[2]] - points[c[0]]);
       const double seen = side * dot(area, kUnitView);
       if (!(seen > 0.0) && !(mesh.is_flat && seen < 0.0)) continue;
       const Vec3d normal = (dot(area, kUnitView) < 0.0 ? -1.0 : 1.0) / norm(area) * area;
-      const double light = 0.42 + 0.58 * std::max(0.0, dot(normal, light_));
-      const double gloss = 0.22 * light * light * light * light;
-      constexpr double kTones = 40.0;
-      const auto tone = [&](double v) { return std::floor(kTones * (v * light + gloss) + 0.5) / kTones; };
-      const std::string here = hex({tone(colour[0]), tone(colour[1]), tone(colour[2])});
-      if (here != shade) flush();
-      shade = here;
-      path += svg_fine_path({pixel(points[c[0]]), pixel(points[c[1]]), pixel(points[c[2]])});
+      const double light = std::floor(kTones * std::max(0.0, dot(normal, light_)) + 0.5) / kTones;
+      paths[light] += svg_fine_path({pixel(points[c[0]]), pixel(points[c[1]]), pixel(points[c[2]])});
     }
-    flush();
+    // In steps of the fine grid.
+    svg_.begin_group({}, attributes + " stroke-width=\"12\" stroke-linejoin=\"round\"");
+    svg_.begin_fine_grid();
+    for (const auto& [light, path] : paths) {
+      const double part = 0.42 + 0.58 * light, gloss = 0.22 * part * part * part * part;
+      const std::string shade = hex({part * colour[0] + gloss, part * colour[1] + gloss, part * colour[2] + gloss});
+      svg_.path(path, "fill=\"" + shade + "\" stroke=\"" + shade + "\"");
+    }
     svg_.end_group();
     svg_.end_group();
   }

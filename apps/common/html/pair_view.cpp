@@ -8,6 +8,7 @@
 
 #include "apps/common/numbers.h"
 #include "apps/common/quaternion_of.h"
+#include "engine/numeric/errors.h"
 #include "engine/numeric/quaternion.h"
 #include "engine/sampling/points/sobol.h"
 #include "meshes/difference_mesh.h"
@@ -29,12 +30,16 @@ constexpr int kSurfaceAround = 24;
 
 // A polytope of very many vertices is drawn by some of them.
 BodyMesh drawn_mesh(const ConvexBody& body) {
-  if (vertices_of(body).size() <= kMostDrawnVertices) return mesh_of(body, kAround);
-  std::vector<Vec3d> points;
-  for (const Vec3d& dir : directions_around(2 * kAround)) points.push_back(body.support(dir) - body.centre());
-  BodyMesh mesh = mesh_of_points(points, kFlatRad);
-  mesh.origin = body.centre();
-  return mesh;
+  try {
+    if (vertices_of(body).size() <= kMostDrawnVertices) return mesh_of(body, kAround);
+    std::vector<Vec3d> points;
+    for (const Vec3d& dir : directions_around(2 * kAround)) points.push_back(body.support(dir) - body.centre());
+    BodyMesh mesh = mesh_of_points(points, kFlatRad);
+    mesh.origin = body.centre();
+    return mesh;
+  } catch (const InputError&) {
+    return {};  // too thin for a picture's grid, and in no plane of the frame
+  }
 }
 
 bool is_summable(const Body& body) {
@@ -94,9 +99,9 @@ bool has_flat_faces(const BodyMesh& mesh) {
   return true;
 }
 
-// Points to 1/4095 of the size, which is less than a pixel. Of flat faces the script finds the normals itself, and a
-// point is told once.
-Json mesh_json(const BodyMesh& mesh) {
+// In units of the whole view, whatever the unit of length; points to 1/4095 of the mesh's size, which is less than a
+// pixel. Of flat faces the script finds the normals itself, and a point is told once.
+Json mesh_json(const BodyMesh& mesh, double whole) {
   constexpr double kSteps = 4095.0, kNormalSteps = 127.0;
   const double size = reach(mesh);
   std::vector<std::uint32_t> triangles, ends, number_of(mesh.points.size());
@@ -116,7 +121,7 @@ Json mesh_json(const BodyMesh& mesh) {
   for (std::vector<std::uint32_t>* const list : {&triangles, &ends}) {
     for (std::uint32_t& index : *list) index = number_of[index];
   }
-  return {{"unit", size / kSteps},
+  return {{"unit", size / whole / kSteps},
           {"points", vectors_json(points, size > 0.0 ? kSteps / size : 0.0)},
           {"normals", is_flat ? Json::array() : vectors_json(mesh.normals, kNormalSteps)},
           {"triangles", indices_json(triangles)},
@@ -198,7 +203,7 @@ std::string viewer_document(const PairView& view) {
     Json json = {{"quaternion", one.quaternion},
                  {"rotation",
                   {r.row_x.x, r.row_x.y, r.row_x.z, r.row_y.x, r.row_y.y, r.row_y.z, r.row_z.x, r.row_z.y, r.row_z.z}},
-                 {"surface", one.surface.points.empty() ? Json(nullptr) : mesh_json(one.surface)},
+                 {"surface", one.surface.points.empty() ? Json(nullptr) : mesh_json(one.surface, view.size)},
                  {"value", nullptr}};
     if (one.excluded_volume) {
       json["value"] = one.error > 1e-11 * *one.excluded_volume ? with_error(*one.excluded_volume, one.error)
@@ -206,7 +211,7 @@ std::string viewer_document(const PairView& view) {
     }
     list.push_back(std::move(json));
   }
-  return Json{{"size", view.size}, {"a", mesh_json(view.a)}, {"b", mesh_json(view.b)}, {"orientations", list}}.dump();
+  return Json{{"a", mesh_json(view.a, view.size)}, {"b", mesh_json(view.b, view.size)}, {"orientations", list}}.dump();
 }
 
 }  // namespace vex
