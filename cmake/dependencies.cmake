@@ -25,6 +25,18 @@ if(VEX_BUILD_PROGRAMS OR VEX_BUILD_TESTS)
   endif()
   find_package(CLI11 2.1 REQUIRED)
   find_package(nlohmann_json 3.11 REQUIRED)
+
+  # three.js makes the bodies of a report page turn; without it, or what packs it, they stand still.
+  find_file(VEX_THREE three.min.js PATHS /usr/share/javascript/three /usr/share/javascript/three/build)
+  find_file(VEX_ORBIT_CONTROLS OrbitControls.js PATHS /usr/share/javascript/three/examples/js/controls)
+  find_program(GZIP_PROGRAM gzip)
+  find_program(BASE64_PROGRAM base64)
+  mark_as_advanced(VEX_THREE VEX_ORBIT_CONTROLS GZIP_PROGRAM BASE64_PROGRAM)
+  set(default OFF)
+  if(VEX_THREE AND VEX_ORBIT_CONTROLS AND GZIP_PROGRAM AND BASE64_PROGRAM)
+    set(default ON)
+  endif()
+  option(VEX_WITH_VIEWER "Put three.js into report pages" ${default})
 endif()
 
 if(VEX_BUILD_TESTS)

@@ -23,16 +23,7 @@ Vec3d unit(const Vec3d& v) {
 // Rings about the z axis, which most bodies with curved parts turn about; and beside each axis of the frame four
 // directions, of which each has a corner of a flat part that faces there.
 std::vector<Vec3d> sample_directions(int n_around) {
-  std::vector<Vec3d> dirs;
-  const int n_rings = n_around / 2;
-  for (int i = 0; i <= n_rings; ++i) {
-    const double polar = std::numbers::pi * i / n_rings;
-    for (int j = 0; j < n_around; ++j) {
-      const double azimuth = 2.0 * std::numbers::pi * j / n_around;
-      dirs.push_back({std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar)});
-      if (i == 0 || i == n_rings) break;
-    }
-  }
+  std::vector<Vec3d> dirs = directions_around(n_around);
   constexpr double kBeside = 1e-7;
   for (const double sign : {-1.0, 1.0}) {
     for (const double u : {-kBeside, kBeside}) {
@@ -187,8 +178,25 @@ BodyMesh solid_mesh(const HullOfPoints& hull, double crease_rad) {
 
 }  // namespace
 
+std::vector<Vec3d> directions_around(int n_around) {
+  std::vector<Vec3d> dirs;
+  const int n_rings = n_around / 2;
+  for (int i = 0; i <= n_rings; ++i) {
+    const double polar = std::numbers::pi * i / n_rings;
+    for (int j = 0; j < n_around; ++j) {
+      const double azimuth = 2.0 * std::numbers::pi * j / n_around;
+      dirs.push_back({std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar)});
+      if (i == 0 || i == n_rings) break;
+    }
+  }
+  return dirs;
+}
+
+BodyMesh mesh_of_points(std::span<const Vec3d> points, double crease_rad) {
+  return solid_mesh(hull_of_points(points), crease_rad);
+}
+
 BodyMesh mesh_of(const ConvexBody& body, int n_around) {
-  constexpr double kCreaseRad = 40.0 * std::numbers::pi / 180.0, kFlatRad = 1e-3;
   std::vector<Vec3d> points = points_of(body, n_around);
   const bool is_polytope = !vertices_of(body).empty();
   set_points(body, is_polytope, points);
@@ -203,7 +211,7 @@ BodyMesh mesh_of(const ConvexBody& body, int n_around) {
   } else if (flat_along.size() == 1) {
     mesh = flat_mesh(std::move(points), flat_along.front());
   } else {
-    mesh = solid_mesh(hull_of_points(points), is_polytope ? kFlatRad : kCreaseRad);
+    mesh = mesh_of_points(points, is_polytope ? kFlatRad : kCreaseRad);
   }
   mesh.origin = body.centre();
   return mesh;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "apps/common/glb_file.h"
+#include "apps/common/quaternion_of.h"
 #include "engine/numeric/errors.h"
 #include "engine/numeric/number_text.h"
 #include "meshes/body_mesh.h"
@@ -20,24 +21,10 @@ constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
 constexpr const char* kUnlit = "KHR_materials_unlit";
 constexpr int kLines = 1;
 
-// The largest component is found first (S. W. Shepperd, J. Guidance and Control 1, 223, 1978), so that it is none that
-// rounding leaves nothing of.
-Quaternion quaternion_of(const Transformd& pose) {
-  const Vec3d &x = pose.row_x, &y = pose.row_y, &z = pose.row_z;
-  const double trace = x.x + y.y + z.z;
-  Quaternion q;
-  if (trace >= x.x && trace >= y.y && trace >= z.z) {
-    q = {z.y - y.z, x.z - z.x, y.x - x.y, 1.0 + trace};
-  } else if (x.x >= y.y && x.x >= z.z) {
-    q = {1.0 + 2.0 * x.x - trace, x.y + y.x, x.z + z.x, z.y - y.z};
-  } else if (y.y >= z.z) {
-    q = {x.y + y.x, 1.0 + 2.0 * y.y - trace, y.z + z.y, x.z - z.x};
-  } else {
-    q = {x.z + z.x, y.z + z.y, 1.0 + 2.0 * z.z - trace, y.x - x.y};
-  }
-  const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-  for (double& component : q) component /= length;
-  return q;
+// glTF's order.
+Quaternion xyzw_of(const Transformd& pose) {
+  const auto [w, x, y, z] = quaternion_of(pose);
+  return {x, y, z, w};
 }
 
 // glTF has linear light.
@@ -152,7 +139,7 @@ class SceneGltf {
       children_.push_back(file_.add("nodes", {{"name", "body " + std::to_string(body)},
                                               {"mesh", mesh},
                                               {"translation", {place.x, place.y, place.z}},
-                                              {"rotation", quaternion_of(scene_.pose(body))}}));
+                                              {"rotation", xyzw_of(scene_.pose(body))}}));
     }
   }
 
@@ -162,7 +149,7 @@ class SceneGltf {
     std::vector<Quaternion> rotations;
     for (const BodyId body : bodies) {
       places.push_back(place_of(body, origin));
-      rotations.push_back(quaternion_of(scene_.pose(body)));
+      rotations.push_back(xyzw_of(scene_.pose(body)));
     }
     Json node = {{"name", std::to_string(bodies.size()) + " bodies"}, {"mesh", mesh}};
     node["extensions"][kInstancing]["attributes"] = {{"TRANSLATION", file_.add_vectors(places, false)},

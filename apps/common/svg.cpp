@@ -96,7 +96,8 @@ std::string svg_fine_path(const std::vector<Pixel>& points) {
 
 std::string in_xml(std::string_view text) {
   std::string safe;
-  for (const char c : printable(text)) safe += c == '&' ? std::string("&amp;") : c == '<' ? "&lt;" : std::string(1, c);
+  for (const char c : printable(text))
+    safe += c == '&' ? std::string("&amp;") : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
   return safe;
 }
 
@@ -106,6 +107,13 @@ Svg::Svg(int width, int height, std::string_view title) {
           " " + h + "\" font-family=\"Helvetica,Arial,sans-serif\" font-size=\"13\">\n<title>" + std::string(title) +
           "</title>\n<rect x=\".5\" y=\".5\" width=\"" + std::to_string(width - 1) + "\" height=\"" +
           std::to_string(height - 1) + "\" rx=\"10\" fill=\"#fff\" stroke=\"#d5dbe3\"/>\n";
+}
+
+Svg Svg::in_page(int width, int height, std::string_view title) {
+  Svg svg;
+  svg.text_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + std::to_string(width) + " " +
+              std::to_string(height) + "\" role=\"img\" aria-label=\"" + std::string(title) + "\" font-size=\"13\">\n";
+  return svg;
 }
 
 void Svg::begin_group(const Pixel& shift, std::string_view attributes) {
@@ -133,8 +141,20 @@ void Svg::dot(const Pixel& centre, double radius, std::string_view attributes) {
 }
 
 void Svg::label(const Pixel& at, std::string_view text, std::string_view attributes) {
-  text_ += "<text x=\"" + svg_number(at.x) + "\" y=\"" + svg_number(at.y) + "\" dy=\".35em\" text-anchor=\"middle\" " +
-           std::string(attributes) + ">" + std::string(text) + "</text>\n";
+  anchored_label("middle", at, text, attributes);
+}
+
+void Svg::label_at_start(const Pixel& at, std::string_view text, std::string_view attributes) {
+  anchored_label("start", at, text, attributes);
+}
+
+void Svg::label_at_end(const Pixel& at, std::string_view text, std::string_view attributes) {
+  anchored_label("end", at, text, attributes);
+}
+
+void Svg::anchored_label(const char* anchor, const Pixel& at, std::string_view text, std::string_view attributes) {
+  text_ += "<text x=\"" + svg_number(at.x) + "\" y=\"" + svg_number(at.y) + "\" dy=\".35em\" text-anchor=\"" +
+           std::string(anchor) + "\" " + std::string(attributes) + ">" + std::string(text) + "</text>\n";
 }
 
 }  // namespace vex

@@ -27,7 +27,10 @@ std::string in_xml(std::string_view text);
 
 class Svg {
  public:
+  /// A file: a white card.
   Svg(int width, int height, std::string_view title);
+  /// Part of a page, as wide as that wants it, on the page's own colour.
+  static Svg in_page(int width, int height, std::string_view title);
 
   /// Everything until `end_group` moves by this, and has these attributes.
   void begin_group(const Pixel& shift, std::string_view attributes);
@@ -39,11 +42,17 @@ class Svg {
   void dot(const Pixel& centre, double radius, std::string_view attributes);
   /// Centred at the point.
   void label(const Pixel& at, std::string_view text, std::string_view attributes);
+  /// It begins, or ends, at the point.
+  void label_at_start(const Pixel& at, std::string_view text, std::string_view attributes);
+  void label_at_end(const Pixel& at, std::string_view text, std::string_view attributes);
 
   /// The whole file.
   std::string text() const { return text_ + "</svg>\n"; }
 
  private:
+  Svg() = default;
+  void anchored_label(const char* anchor, const Pixel& at, std::string_view text, std::string_view attributes);
+
   std::string text_;
 };
 

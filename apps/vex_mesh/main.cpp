@@ -10,6 +10,8 @@
 #include "apps/common/run_program.h"
 #include "apps/ranks/program_ranks.h"
 #include "apps/vex_mesh/announcement.h"
+#include "apps/vex_mesh/history.h"
+#include "apps/vex_mesh/html_report.h"
 #include "apps/vex_mesh/mesh_run.h"
 #include "apps/vex_mesh/report.h"
 #include "apps/vex_mesh/run_identity.h"
@@ -30,6 +32,7 @@ int run_vex_mesh(const CommandLine& words, const std::string& command, ProgramRa
   }
   CommandFiles files(std::move(inputs));
   const std::optional<OutputFile> json = files.output("--json", options.json);
+  const std::optional<OutputFile> page = files.output("--report", options.report);
   std::optional<Checkpoint> checkpoint;
   if (const std::optional<OutputFile> file = files.output("--checkpoint", options.checkpoint.checkpoint)) {
     checkpoint.emplace(*file, kProgram, options.checkpoint.seconds_between);
@@ -57,12 +60,18 @@ int run_vex_mesh(const CommandLine& words, const std::string& command, ProgramRa
     };
   }
   catch_interrupts();
-  sample(run, "", checkpoint ? &*checkpoint : nullptr);
+  History history;
+  sample(run, "", checkpoint ? &*checkpoint : nullptr, [&history](const Progress& progress) { history.add(progress); });
   if (!leads) return kSuccess;
 
+  const bool is_standard_output_taken = (json && json->is_standard_output()) || (page && page->is_standard_output());
   Results results(kProgram);
-  if (!options.quiet && !(json && json->is_standard_output())) results.print(report_text(run));
+  if (!options.quiet && !is_standard_output_taken) results.print(report_text(run));
   results.write(json, Results::Kind::numbers, [&] { return report_json(run); });
+  results.write(page, Results::Kind::picture, [&] {
+    const std::vector<HistoryPoint> way = history_of(run.result, history, run.a.shape, run.b.shape, settings);
+    return html_report(run, way, report_json(run));
+  });
   const bool was_interrupted = run.result.record.stopped_by == StopReason::interrupted;
   return results.exit_code(was_interrupted ? kSignalBase + interrupting_signal().load() : exit_code_of(run));
 }

@@ -42,12 +42,16 @@ MeshRun prepare_run(Options options, std::pair<LoadedBody, LoadedBody> loaded, s
   return run;
 }
 
-void sample(MeshRun& run, const std::string& label, Checkpoint* checkpoint) {
+void sample(MeshRun& run, const std::string& label, Checkpoint* checkpoint,
+            const std::function<void(const Progress&)>& on_progress) {
   ExcludedVolumeSettings& settings = run.options.settings;
   for (const LoadedBody& simpler : run.control_bodies) settings.control_variate.push_back(simpler.shape);
   settings.interrupt = &interrupting_signal();
   ProgressBar bar(!run.options.quiet, label);
-  settings.on_progress = [&bar](const Progress& progress) { bar.show(progress); };
+  settings.on_progress = [&](const Progress& progress) {
+    bar.show(progress);
+    on_progress(progress);
+  };
   if (checkpoint != nullptr) {
     settings.on_state = [&](const RunState& state) {
       checkpoint->save(checkpoint_text(run, state), [&bar] { bar.erase(); });

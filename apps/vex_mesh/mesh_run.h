@@ -1,6 +1,7 @@
 // One pair, loaded, run and compared: what vex_mesh does once, and vex_scan for each of its cases.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,8 +27,10 @@ struct MeshRun {
 MeshRun prepare_run(Options options, std::pair<LoadedBody, LoadedBody> loaded, std::string command);
 
 /// Fills `result`, until the stop rule or an interrupt ends it. `label` stands before the progress bar; the run saves
-/// itself in the checkpoint, if there is one.
-void sample(MeshRun& run, const std::string& label = "", Checkpoint* checkpoint = nullptr);
+/// itself in the checkpoint, if there is one, and tells its progress.
+void sample(
+    MeshRun& run, const std::string& label = "", Checkpoint* checkpoint = nullptr,
+    const std::function<void(const Progress&)>& on_progress = [](const Progress&) {});
 
 /// What the result says: kFault where a verdict of the engine's own could not be proven again, kDisagreement, or
 /// kSuccess.

@@ -31,6 +31,13 @@ void declare_options(OptionParser& options, CommandLine& words) {
   options.add_option("A", words.a, kBodyHelp).type_name("").required();
   options.add_option("B", words.b, "The second body; without it, A again").type_name("");
   declare_run_options(options, words);
+  options
+      .add_option(
+          "--report", words.report,
+          "Write a page to look at in a browser, which needs no other file and no network: the bodies to turn, the "
+          "excluded body, all numbers with their meaning, the way to the result; - is standard output")
+      .type_name("FILE.html")
+      .group("Output");
 
   const std::string parts = "A run in parts";
   declare_checkpoint(options, words, parts);
@@ -194,6 +201,7 @@ Options interpret(const CommandLine& words) {
   bodies.insert(bodies.end(), words.control_variate.begin(), words.control_variate.end());
   options.bodies = interpret_bodies(words, bodies);
   options.dump_vertices = words.dump_vertices;
+  options.report = words.report;
   return options;
 }
 

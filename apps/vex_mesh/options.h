@@ -17,6 +17,7 @@ struct CommandLine : CommonWords, BodyWords, CheckpointWords {
   std::string trials, first_trial, relative_error, seconds, max_trials;
   std::string estimator, sequence, domain, backend, orientations, isa;
   std::vector<std::string> control_variate;
+  std::string report;
   bool no_quick_verdicts = false, cross_check = false;
   bool verify = false;
 };
@@ -37,6 +38,7 @@ struct Options : CommonOptions {
   bool is_cross_check = false;
   BodyOptions bodies;
   bool dump_vertices = false;
+  std::string report;
   CheckpointOptions checkpoint;
 };
 

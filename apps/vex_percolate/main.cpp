@@ -18,11 +18,11 @@ namespace {
 constexpr const char* kProgram = "vex_percolate";
 
 struct Outputs {
-  std::optional<OutputFile> json, plot, csv, gltf;
+  std::optional<OutputFile> json, plot, csv, gltf, report;
   std::optional<Checkpoint> checkpoint;
 
   bool own_standard_output() const {
-    for (const std::optional<OutputFile>* const file : {&json, &plot, &csv, &gltf}) {
+    for (const std::optional<OutputFile>* const file : {&json, &plot, &csv, &gltf, &report}) {
       if (*file && (*file)->is_standard_output()) return true;
     }
     return false;
@@ -42,6 +42,7 @@ Outputs output_files(const PercolateOptions& options) {
   outputs.plot = files.output("--plot", options.plot);
   outputs.csv = files.output("--csv", options.csv);
   outputs.gltf = files.output("--gltf", options.gltf, ".glb");
+  outputs.report = files.output("--report", options.report);
   if (const std::optional<OutputFile> file = files.output("--checkpoint", parts.checkpoint)) {
     outputs.checkpoint.emplace(*file, kProgram, parts.seconds_between);
   }
@@ -84,6 +85,7 @@ int run_vex_percolate(const PercolateCommandLine& words, const std::string& comm
   results.write(outputs.csv, Results::Kind::numbers, realisations);
   results.write(outputs.plot, Results::Kind::picture, [&] { return picture_of(run); });
   const bool has_sample = !run.sizes.front().found.empty();
+  results.write(outputs.report, Results::Kind::picture, [&] { return html_report(run, report_json(run)); });
   if (has_sample) results.write(outputs.gltf, Results::Kind::model, [&] { return sample_gltf(run); });
   return results.exit_code(signal == 0 ? kSuccess : kSignalBase + signal);
 }

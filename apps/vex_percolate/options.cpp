@@ -229,6 +229,7 @@ PercolateOptions interpret(const PercolateCommandLine& words) {
   options.plot = words.plot;
   options.csv = words.csv;
   options.gltf = words.gltf;
+  options.report = words.report;
   options.checkpoint = interpret_checkpoint(words);
   return options;
 }

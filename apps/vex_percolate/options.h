@@ -17,7 +17,7 @@ namespace vex {
 struct PercolateCommandLine : CommonWords, BodyWords, CheckpointWords {
   std::vector<std::string> bodies;
   std::string sizes, realisations, std_error, seconds, orientations, shell, backend, isa;
-  std::string plot, csv, gltf;
+  std::string plot, csv, gltf, report;
 };
 
 /// Declares the options; parsing fills `words`, which must outlive `options`.
@@ -51,7 +51,7 @@ struct PercolateOptions : CommonOptions {
   std::string backend_name;
   InstructionSet instruction_set = best_instruction_set();
   bool dump_vertices = false;
-  std::string plot, csv, gltf;
+  std::string plot, csv, gltf, report;
   CheckpointOptions checkpoint;
 };
 

@@ -13,20 +13,6 @@ namespace vex {
 namespace {
 
 constexpr double kLeft = 86.0, kRight = 690.0, kTop = 92.0, kBottom = 520.0, kWidth = 900.0, kHeight = 590.0;
-// Where R by `x` of the smallest size, the widest curve, goes from one to the other end.
-std::pair<double, double> range_of(const PercolateRun& run) {
-  const SizeRun& smallest = run.sizes.front();
-  const double middle = run.threshold->density * smallest.volume();
-  const auto reaches = [&](double lambda, double level) {
-    return wrapping_probability(smallest.found, WrappingCriterion::x, lambda) > level;
-  };
-  double from = middle, to = middle;
-  while (from > 0.2 * middle && reaches(from, 0.05)) from *= 0.99;
-  while (to < 5.0 * middle && !reaches(to, 0.9)) to *= 1.01;
-  const double unit = run.eta_unit() / smallest.volume();
-  return {from * unit, to * unit};
-}
-
 void draw_curves(Svg& svg, const PercolateRun& run, const PlotAxis& x, const PlotAxis& y) {
   constexpr int kPoints = 160;
   constexpr std::array dashes = {"", " stroke-dasharray=\"7 4\"", " stroke-dasharray=\"2 3\""};
@@ -98,6 +84,19 @@ std::string title_of(const PercolateRun& run) {
 
 }  // namespace
 
+std::pair<double, double> plotted_range(const PercolateRun& run) {
+  const SizeRun& smallest = run.sizes.front();
+  const double middle = run.threshold->density * smallest.volume();
+  const auto reaches = [&](double lambda, double level) {
+    return wrapping_probability(smallest.found, WrappingCriterion::x, lambda) > level;
+  };
+  double from = middle, to = middle;
+  while (from > 0.2 * middle && reaches(from, 0.05)) from *= 0.99;
+  while (to < 5.0 * middle && !reaches(to, 0.9)) to *= 1.01;
+  const double unit = run.eta_unit() / smallest.volume();
+  return {from * unit, to * unit};
+}
+
 std::string picture_of(const PercolateRun& run) {
   Svg svg(static_cast<int>(kWidth), static_cast<int>(kHeight), "Wrapping probability");
   svg.label({24.0, 28.0}, "Percolation of " + title_of(run),
@@ -113,7 +112,7 @@ std::string picture_of(const PercolateRun& run) {
   if (values->b) head += ",  B_c = " + with_error(values->b->value, values->b->std_error);
   svg.label({24.0, 56.0}, head + "; orientations " + in_xml(run.options.law),
             anchored("start", text_style(15, kPlotGrey)));
-  const auto [from, to] = range_of(run);
+  const auto [from, to] = plotted_range(run);
   const PlotAxis x{from, to, kLeft, kRight}, y{0.0, 1.0, kBottom, kTop};
   draw_plot_axes(svg, x, y);
   draw_curves(svg, run, x, y);

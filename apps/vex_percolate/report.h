@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "apps/vex_percolate/percolate_run.h"
 
@@ -22,6 +23,13 @@ std::string report_json(const PercolateRun& run);
 
 /// The wrapping probability against eta, a curve a size and criterion, and the threshold.
 std::string picture_of(const PercolateRun& run);
+
+/// Where R by `x` of the smallest size, the widest curve, goes from one to the other end, of a run with a threshold:
+/// eta, or the number density of flat bodies.
+std::pair<double, double> plotted_range(const PercolateRun& run);
+
+/// One page of HTML. `document_text`: what --json writes of the same run.
+std::string html_report(const PercolateRun& run, const std::string& document_text);
 
 /// The first realisation of the smallest size with so many bodies that a cluster wraps along some axis for the first
 /// time; that cluster stands out.
