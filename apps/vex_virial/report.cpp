@@ -43,13 +43,13 @@ std::string pairs_text(const VirialRun& run) {
   VirialPairs sum;
   for (const VirialCoefficient& found : run.found.higher) {
     sum.n_all += found.pairs.n_all;
-    sum.n_by_bounds += found.pairs.n_by_bounds;
+    sum.n_by_balls += found.pairs.n_by_balls;
     sum.n_searched += found.pairs.n_searched;
     sum.n_undecided += found.pairs.n_undecided;
   }
   const auto number = [](std::uint64_t n) { return short_count(static_cast<double>(n)); };
   std::string text = "of " + number(sum.n_all) + " pairs of the clusters, neighbours left out, " +
-                     number(sum.n_by_bounds) + " were decided by bounds, " + number(sum.n_searched) + " by a search, " +
+                     number(sum.n_by_balls) + " were decided by balls, " + number(sum.n_searched) + " by a search, " +
                      number(sum.n_skipped()) + " skipped: the cluster had no weight; " +
                      plural(sum.n_undecided, "pair is UNDECIDED", "pairs are undecided") + "\n";
   if (sum.n_undecided > 0) text += "What undecided pairs may change is part of the errors.\n";
@@ -94,7 +94,7 @@ Json coefficient_json(const VirialCoefficient& found) {
           {"undecided", found.record.tally.n_undecided},
           {"pairs",
            {{"seen", pairs.n_all},
-            {"by_bounds", pairs.n_by_bounds},
+            {"by_balls", pairs.n_by_balls},
             {"searched", pairs.n_searched},
             {"skipped", pairs.n_skipped()},
             {"undecided", pairs.n_undecided}}},

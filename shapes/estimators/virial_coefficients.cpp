@@ -60,7 +60,6 @@ MonteCarloSettings driver_settings(const VirialSettings& settings) {
   driver.stop.max_trials = settings.max_trials;
   if (settings.samples) {
     if (*settings.samples == 0) throw UsageError("a run has no samples - give one at least");
-    driver.stop.trials = (*settings.samples - 1) / VirialIntegrand::kClusters + 1;
   }
   if (!settings.rel_error && !settings.seconds && !settings.samples) {
     driver.stop.relative_error = 1e-3;
@@ -75,15 +74,17 @@ using MakeVirialIntegrand = std::function<std::unique_ptr<Integrand>(const std::
 
 // Of this order; what the driver calls the domain of hit or miss is not looked at.
 VirialCoefficient run(int n, const ConvexBody& a, const ConvexBody& b, MonteCarloSettings driver,
-                      const MakeVirialIntegrand& make) {
+                      const std::optional<std::uint64_t>& samples, const MakeVirialIntegrand& make) {
   const auto weights = std::make_shared<const ClusterWeights>(n);
   const auto counts = std::make_shared<VirialCounts>();
   driver.integrand = [&] { return make(weights, counts); };
+  const std::uint64_t n_clusters = VirialIntegrand::n_clusters(*weights);
+  if (samples) driver.stop.trials = (*samples - 1) / n_clusters + 1;
   VirialCoefficient found;
   found.n = n;
   found.record = run_monte_carlo(a, b, driver);
-  found.samples = found.record.tally.n_trials * VirialIntegrand::kClusters;
-  found.pairs = {counts->n_pairs, counts->n_by_bounds, counts->n_searched, counts->n_undecided, counts->n_candidates};
+  found.samples = found.record.tally.n_trials * n_clusters;
+  found.pairs = {counts->n_pairs, counts->n_by_balls, counts->n_searched, counts->n_undecided, counts->n_candidates};
   found.reduced = kUnknown;
   found.std_error = std::numeric_limits<double>::infinity();
   if (found.record.tally.n_trials > 0) {
@@ -148,9 +149,10 @@ VirialCoefficients virial_coefficients(const Body& body, const VirialSettings& s
     if (settings.on_progress) {
       of_order.on_progress = [&settings, n](const Progress& progress) { settings.on_progress(n, progress); };
     }
-    VirialCoefficient found = run(n, body, body, of_order, [&](const auto& weights, const auto& counts) {
-      return std::make_unique<VirialIntegrand>(body.body, settings.law, weights, counts, settings.instruction_set);
-    });
+    VirialCoefficient found =
+        run(n, body, body, of_order, settings.samples, [&](const auto& weights, const auto& counts) {
+          return std::make_unique<VirialIntegrand>(body.body, settings.law, weights, counts, settings.instruction_set);
+        });
     const double power = std::pow(result.b2_per_volume, n - 1);
     found.per_volume = found.reduced * power;
     found.per_volume_std_error =
@@ -186,11 +188,12 @@ std::array<MixedVirial, 4> third_virials_of_mixture(const Body& a, const Body& b
     if (settings.on_progress) {
       of_this.on_progress = [&settings](const Progress& progress) { settings.on_progress(3, progress); };
     }
-    VirialCoefficient found = run(3, *bodies[0], *bodies[2], of_this, [&](const auto& weights, const auto& counts) {
-      return std::make_unique<VirialIntegrand>(
-          std::array<ConvexBody, 3>{bodies[0]->body, bodies[1]->body, bodies[2]->body}, settings.law, weights, counts,
-          settings.instruction_set);
-    });
+    VirialCoefficient found =
+        run(3, *bodies[0], *bodies[2], of_this, settings.samples, [&](const auto& weights, const auto& counts) {
+          return std::make_unique<VirialIntegrand>(
+              std::array<ConvexBody, 3>{bodies[0]->body, bodies[1]->body, bodies[2]->body}, settings.law, weights,
+              counts, settings.instruction_set);
+        });
     const double factor = first.value * second.value;
     mixed.reduced = found.reduced;
     mixed.reduced_std_error = found.std_error;

@@ -37,14 +37,14 @@ struct VirialSettings {
   std::function<void(int n, const Progress&)> on_progress{};
 };
 
-/// Pairs of bodies that are no neighbours of their chain or tree: asked are those by bounds and by a search.
+/// Pairs of bodies that are no neighbours of their chain or tree: asked are those by balls and by a search.
 struct VirialPairs {
-  std::uint64_t n_all = 0, n_by_bounds = 0, n_searched = 0;
+  std::uint64_t n_all = 0, n_by_balls = 0, n_searched = 0;
   std::uint64_t n_undecided = 0;   // neighbours among them
   std::uint64_t n_candidates = 0;  // poses that neighbours were found among
 
   /// Not asked, because the weight of the cluster was known to be 0.
-  std::uint64_t n_skipped() const { return n_all - n_by_bounds - n_searched; }
+  std::uint64_t n_skipped() const { return n_all - n_by_balls - n_searched; }
 };
 
 struct VirialCoefficient {

@@ -41,8 +41,12 @@ class ClusterWeights {
   explicit ClusterWeights(int order, GraphSum sum = biconnected_sum);
 
   int order() const { return order_; }
-  /// Of all clusters; 0 for orders up to five.
-  double share_of_trees() const { return order_ > 5 ? 0.125 : 0.0; }
+  /// Clusters are drawn in rounds of as many each, the first of them trees, the others chains: as many rounds of trees
+  /// as the weights count with. Few rounds for small orders, of which clusters with common neighbours are too much
+  /// alike.
+  int n_rounds() const { return order_ > 5 ? 8 : 4; }
+  int n_rounds_of_trees() const { return order_ > 5 ? 1 : 0; }
+  double share_of_trees() const { return static_cast<double>(n_rounds_of_trees()) / n_rounds(); }
 
   /// In units of B2^(n-1).
   double weight(const OverlapGraph& graph) const;

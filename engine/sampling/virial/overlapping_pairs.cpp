@@ -1,6 +1,7 @@
 #include "engine/sampling/virial/overlapping_pairs.h"
 
 #include <array>
+#include <cmath>
 
 #include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
@@ -10,7 +11,14 @@
 namespace vex {
 
 PairDecider::PairDecider(const ConvexBody& a, const ConvexBody& b, InstructionSet set)
-    : quick_(a, b, kRotationError), backend_(gjk_backend(set).make(a, b)) {}
+    : backend_(gjk_backend(set).make(a, b)) {
+  // Far more than what places are off by, and less than an inradius, where it is to tell anything.
+  const double margin = 0x1p-30 * (a.reach() + b.reach());
+  const double outer = a.circumradius() + b.circumradius() + margin;
+  const double inner = std::fmax(0.0, a.inradius() + b.inradius() - margin);
+  outer_sq_ = outer * outer;
+  inner_sq_ = inner * inner;
+}
 
 OverlappingPairs::OverlappingPairs(const ConvexBody& a, const ConvexBody& b, const OrientationLaw& law,
                                    InstructionSet set)
@@ -90,13 +98,13 @@ void OverlappingPairs::decide_candidates(Outcome undecided, PairQuestions& quest
     overlaps_[k] = false;
     if (fitted_ && !(picks[k] < columns_->share[k])) continue;
     const Transformd pose = poses.pose(k);
-    const Outcome outcome = decider_.by_bounds(pose(b_.centre()));
+    const Outcome outcome = decider_.by_balls(pose(b_.centre()) - a_.centre());
     if (outcome == Outcome::undecided) {
       set_pose(open_poses_.data(), kStride, n_open, pose);
       open_[n_open++] = k;
       continue;
     }
-    ++questions.n_by_bounds;
+    ++questions.n_by_balls;
     overlaps_[k] = outcome == Outcome::overlap;
   }
   questions.n_searched += n_open;

@@ -10,7 +10,6 @@
 
 #include "engine/numeric/instruction_set.h"
 #include "engine/query/overlap_backend.h"
-#include "engine/query/packets/quick_verdict.h"
 #include "engine/sampling/domain.h"
 #include "engine/sampling/poses/orientation_law.h"
 #include "engine/sampling/poses/pose_columns.h"
@@ -18,35 +17,34 @@
 
 namespace vex {
 
-/// Whether and how often two placed bodies overlap: what a pair of a cluster is asked.
+/// How pairs of placed bodies were decided.
 struct PairQuestions {
-  std::uint64_t n_by_bounds = 0;  // decided by the bodies' bounds (QuickVerdict)
-  std::uint64_t n_searched = 0;   // by packets and what is behind them
+  std::uint64_t n_by_balls = 0;  // by circumscribed and inscribed balls
+  std::uint64_t n_searched = 0;  // by packets and what is behind them
   std::uint64_t n_undecided = 0;
 };
 
 /// Decides overlaps of one pair of bodies. Serves one thread.
 class PairDecider {
  public:
-  /// Compositions of the rotations of a law, of up to kMostClusterBodies of them, are rotations to within this.
-  static constexpr double kRotationError = 0x1p-40;
-
   PairDecider(const ConvexBody& a, const ConvexBody& b, InstructionSet set);
 
-  /// What the bounds tell of a pose whose translation puts B's centre there; undecided where they tell nothing.
-  Outcome by_bounds(const Vec3d& centre_b) const { return outcome_of(quick_.at(centre_b)); }
-  Outcome by_bounds_turned(const Transformd& a_from_b) const {
-    return quick_.turned_pays() ? outcome_of(quick_.turned(a_from_b)) : Outcome::undecided;
+  /// What the balls tell, from where B's centre is seen from A's; undecided where they tell nothing. No branch: which
+  /// way it goes is for a processor to guess in vain.
+  Outcome by_balls(const Vec3d& from_a_to_b) const {
+    const double distance_sq = dot(from_a_to_b, from_a_to_b);
+    const unsigned code = (distance_sq > outer_sq_ ? 1u : 0u) + (distance_sq < inner_sq_ ? 2u : 0u);
+    constexpr Outcome kOutcomes[] = {Outcome::undecided, Outcome::disjoint, Outcome::overlap};
+    return kOutcomes[code];
   }
   /// The rest, many at once.
   void search(const PoseTable& poses, std::span<Verdict> verdicts) { backend_->decide_table(poses, verdicts); }
 
  private:
-  static Outcome outcome_of(const QuickVerdict::Answer<double>& answer) {
-    return answer.disjoint ? Outcome::disjoint : answer.overlap ? Outcome::overlap : Outcome::undecided;
-  }
-
-  QuickVerdict quick_;
+  // Beyond the one and within the other, squared, the answer is certain. Places of a cluster are off by less than 2^-40
+  // of the bodies' reach: they lie within eight of these from each other, and rotations are composed of seven at most,
+  // each one to within 2^-46 (E6).
+  double outer_sq_ = 0.0, inner_sq_ = 0.0;
   std::unique_ptr<OverlapBackend> backend_;
 };
 

@@ -18,13 +18,12 @@ Transformd composed(const Transformd& a_from_b, const Transformd& b_from_c) {
   return {row(a_from_b.row_x), row(a_from_b.row_y), row(a_from_b.row_z), a_from_b(b_from_c.translation)};
 }
 
-// R_a^T R_b, without translation.
-Transformd relative_rotation(const Transformd& a, const Transformd& b) {
+// a_from_b of two bodies in one world.
+Transformd relative(const Transformd& world_from_a, const Transformd& world_from_b) {
+  const Transformd &a = world_from_a, &b = world_from_b;
   const auto row = [&](double x, double y, double z) { return x * b.row_x + y * b.row_y + z * b.row_z; };
-  return {row(a.row_x.x, a.row_y.x, a.row_z.x),
-          row(a.row_x.y, a.row_y.y, a.row_z.y),
-          row(a.row_x.z, a.row_y.z, a.row_z.z),
-          {}};
+  return {row(a.row_x.x, a.row_y.x, a.row_z.x), row(a.row_x.y, a.row_y.y, a.row_z.y),
+          row(a.row_x.z, a.row_y.z, a.row_z.z), a.direction_to_b(b.translation - a.translation)};
 }
 
 // All 52 bits that a coordinate has.
@@ -32,11 +31,10 @@ std::uint64_t whole_of(double coordinate) { return static_cast<std::uint64_t>(co
 
 }  // namespace
 
-// Bodies that hang together by neighbours' poses, and what is known of their other pairs.
+// What is known of the pairs of bodies that are no neighbours.
 struct VirialIntegrand::Cluster {
-  std::array<Transformd, kMostClusterBodies> world_from_body;
   OverlapGraph graph{kMostClusterBodies};  // of a tree; pairs that are not asked yet are taken for overlaps
-  std::array<BodyPair, kMostClusterBodies * kMostClusterBodies / 2> pairs;  // of a tree, that are no neighbours
+  std::array<BodyPair, kMostClusterBodies * kMostClusterBodies / 2> pairs;  // of a tree
   std::uint32_t answers = 0;                                                // of a chain
   bool is_tree = false, may_count = true;
 };
@@ -56,10 +54,14 @@ VirialIntegrand::VirialIntegrand(std::vector<ConvexBody> bodies, const Orientati
       n_pairs_(weights_->pairs().size()),
       neighbours_(bodies_.front(), bodies_[bodies_.size() / 2], law, set),
       decider_(bodies_.front(), bodies_.back(), set),
-      clusters_(kPoses),
-      table_(kPoseColumns * PacketOverlap::kStride),
-      rows_(kPoses),
-      verdicts_(kPoses) {
+      clusters_(n_clusters(*weights_)),
+      world_from_bodies_(clusters_.size() * static_cast<std::size_t>(weights_->order())),
+      asked_(clusters_.size()),
+      open_(clusters_.size()),
+      outcomes_(clusters_.size()),
+      stride_(clusters_.size() + 16),
+      verdicts_(clusters_.size()) {
+  table_.resize(kPoseColumns * stride_);
   require_factorising_law(law);
   if (bodies_.size() > 1) {
     if (weights_->order() != 3) throw UsageError("a mixture's coefficients of this order are not built - give order 3");
@@ -86,26 +88,28 @@ double VirialIntegrand::absolute_rounding() const {
 
 double VirialIntegrand::cost() const {
   constexpr double kOfPose = 100.0, kOfPair = 40.0;
-  return kOfPose * static_cast<double>(kPoses) + kOfPair * static_cast<double>(n_pairs_ * kClusters);
+  return kOfPose * static_cast<double>(kPoses) + kOfPair * static_cast<double>(n_pairs_ * clusters_.size());
 }
 
-void VirialIntegrand::set_chain(Cluster& cluster, std::size_t first, std::size_t step) const {
-  cluster.is_tree = false;
-  cluster.may_count = true;
-  cluster.answers = 0;
+void VirialIntegrand::set_chain(std::size_t cluster, std::size_t first, std::size_t step) {
+  clusters_[cluster].is_tree = false;
+  clusters_[cluster].may_count = true;
+  clusters_[cluster].answers = 0;
+  const std::span<Transformd> world_from_body = world_of(cluster);
   std::size_t pose = first;
-  for (std::size_t k = 1; k < static_cast<std::size_t>(weights_->order()); ++k) {
+  for (std::size_t k = 1; k < world_from_body.size(); ++k) {
     const bool is_of_second = k == 2 && second_neighbours_ != nullptr;
     const Transformd& next = is_of_second ? second_poses_[pose] : poses_[pose];
-    cluster.world_from_body[k] = k == 1 ? next : composed(cluster.world_from_body[k - 1], next);
+    world_from_body[k] = k == 1 ? next : composed(world_from_body[k - 1], next);
     pose = (pose + step) % kPoses;
   }
 }
 
 // By Pruefer's code, n - 2 numbers of a body, which each tree has just one of (H. Pruefer, Arch. Math. Phys. 27, 742,
 // 1918).
-void VirialIntegrand::set_tree(Cluster& cluster, std::size_t first, std::size_t step,
-                               std::span<const double> point) const {
+void VirialIntegrand::set_tree(std::size_t number, std::size_t first, std::size_t step, std::span<const double> point) {
+  Cluster& cluster = clusters_[number];
+  const std::span<Transformd> world_from_body = world_of(number);
   const int n = weights_->order();
   std::array<int, kMostClusterBodies> code{}, n_edges{}, leaf{}, parent{};
   for (int k = 0; k < n; ++k) n_edges[static_cast<std::size_t>(k)] = 1;
@@ -134,12 +138,12 @@ void VirialIntegrand::set_tree(Cluster& cluster, std::size_t first, std::size_t 
   while (n_edges[static_cast<std::size_t>(last)] != 1) --last;
   cut(last);
   // Parents before their leaves.
-  cluster.world_from_body[static_cast<std::size_t>(last)] = {};
+  world_from_body[static_cast<std::size_t>(last)] = {};
   std::size_t pose = first;
   for (int k = n_done - 1; k >= 0; --k) {
     const auto at = static_cast<std::size_t>(k);
-    cluster.world_from_body[static_cast<std::size_t>(leaf[at])] =
-        composed(cluster.world_from_body[static_cast<std::size_t>(parent[at])], poses_[pose]);
+    world_from_body[static_cast<std::size_t>(leaf[at])] =
+        composed(world_from_body[static_cast<std::size_t>(parent[at])], poses_[pose]);
     pose = (pose + step) % kPoses;
   }
   std::size_t n_pairs = 0;
@@ -154,7 +158,7 @@ void VirialIntegrand::set_tree(Cluster& cluster, std::size_t first, std::size_t 
 void VirialIntegrand::take(Cluster& cluster, std::size_t k, Outcome outcome) const {
   const bool overlaps = outcome == Outcome::overlap;
   if (!cluster.is_tree) {
-    if (overlaps) cluster.answers |= 1u << k;
+    cluster.answers |= (overlaps ? 1u : 0u) << k;
     cluster.may_count = weights_->may_count(static_cast<int>(k) + 1, cluster.answers);
   } else if (!overlaps) {
     const auto [i, j] = cluster.pairs[k];
@@ -166,37 +170,37 @@ void VirialIntegrand::take(Cluster& cluster, std::size_t k, Outcome outcome) con
   }
 }
 
-// Pair after pair, of all clusters that may count: what bounds do not tell is searched together.
-void VirialIntegrand::ask(std::span<Cluster> clusters, Outcome undecided, PairQuestions& questions) {
-  const Vec3d centre = bodies_.back().centre();
+// Pair after pair, of all clusters that may count: step by step, each over all of them, as the answers are for a
+// processor to guess in vain. What balls do not tell is searched together.
+void VirialIntegrand::ask(Outcome undecided, PairQuestions& questions) {
+  const Vec3d centre_a = bodies_.front().centre(), centre_b = bodies_.back().centre();
+  const auto n = static_cast<std::size_t>(weights_->order());
+  const auto pair_of = [this](std::size_t c, std::size_t k) {
+    return clusters_[c].is_tree ? clusters_[c].pairs[k] : weights_->pairs()[k];
+  };
   for (std::size_t k = 0; k < n_pairs_; ++k) {
-    std::size_t n_open = 0;
-    for (std::size_t c = 0; c < clusters.size(); ++c) {
-      Cluster& cluster = clusters[c];
-      if (!cluster.may_count) continue;
-      const BodyPair pair = cluster.is_tree ? cluster.pairs[k] : weights_->pairs()[k];
-      const Transformd& b = cluster.world_from_body[static_cast<std::size_t>(pair.j)];
-      const bool is_in_world = !cluster.is_tree && pair.i == 0;
-      const Transformd& a = cluster.world_from_body[static_cast<std::size_t>(pair.i)];
-      const Vec3d centre_b = is_in_world ? b(centre) : a.direction_to_b(b(centre) - a.translation);
-      Outcome outcome = decider_.by_bounds(centre_b);
-      if (outcome == Outcome::undecided) {
-        Transformd pose = b;
-        if (!is_in_world) {
-          pose = relative_rotation(a, b);
-          pose.translation = a.direction_to_b(b.translation - a.translation);
-        }
-        outcome = decider_.by_bounds_turned(pose);
-        if (outcome == Outcome::undecided) {
-          set_pose(table_.data(), PacketOverlap::kStride, n_open, pose);
-          rows_[n_open++] = c;
-          continue;
-        }
-      }
-      ++questions.n_by_bounds;
-      take(cluster, k, outcome);
+    std::size_t n_asked = 0, n_open = 0;
+    for (std::size_t c = 0; c < clusters_.size(); ++c) {
+      asked_[n_asked] = c;
+      n_asked += clusters_[c].may_count ? 1u : 0u;
     }
-    decider_.search({table_.data(), PacketOverlap::kStride, n_open}, std::span(verdicts_).first(n_open));
+    for (std::size_t at = 0; at < n_asked; ++at) {
+      const BodyPair pair = pair_of(asked_[at], k);
+      const Transformd* const world = &world_from_bodies_[asked_[at] * n];
+      outcomes_[at] = decider_.by_balls(world[pair.j](centre_b) - world[pair.i](centre_a));
+      open_[n_open] = at;
+      n_open += outcomes_[at] == Outcome::undecided ? 1u : 0u;
+    }
+    for (std::size_t row = 0; row < n_open; ++row) {
+      const std::size_t c = asked_[open_[row]];
+      const BodyPair pair = pair_of(c, k);
+      const Transformd* const world = &world_from_bodies_[c * n];
+      const Transformd &a = world[pair.i], &b = world[pair.j];
+      const bool is_in_world = pair.i == 0 && !clusters_[c].is_tree;
+      set_pose(table_.data(), stride_, row, is_in_world ? b : relative(a, b));
+    }
+    decider_.search({table_.data(), stride_, n_open}, std::span(verdicts_).first(n_open));
+    questions.n_by_balls += n_asked - n_open;
     questions.n_searched += n_open;
     for (std::size_t row = 0; row < n_open; ++row) {
       Outcome outcome = verdicts_[row].outcome;
@@ -204,8 +208,24 @@ void VirialIntegrand::ask(std::span<Cluster> clusters, Outcome undecided, PairQu
         ++questions.n_undecided;
         outcome = undecided;
       }
-      take(clusters[rows_[row]], k, outcome);
+      outcomes_[open_[row]] = outcome;
     }
+    for (std::size_t at = 0; at < n_asked; ++at) take(clusters_[asked_[at]], k, outcomes_[at]);
+  }
+}
+
+void VirialIntegrand::draw_clusters(std::uint64_t seed, std::uint64_t first) {
+  const auto n_trees = kPoses * static_cast<std::size_t>(weights_->n_rounds_of_trees());
+  for (std::size_t c = 0; c < clusters_.size(); ++c) {
+    const std::size_t step = c / kPoses + 1;
+    if (c >= n_trees) {
+      set_chain(c, c % kPoses, step);
+      continue;
+    }
+    std::array<double, kMostClusterBodies> point;
+    const auto n_numbers = static_cast<std::size_t>(weights_->order() - 2);
+    draw_unit_cube(seed + 1, Stream::virial_trees, first + c, std::span(point).first(n_numbers));
+    set_tree(c, c % kPoses, step, point);
   }
 }
 
@@ -219,31 +239,18 @@ double VirialIntegrand::bunch(std::uint64_t seed, std::uint64_t first, Outcome u
   neighbours_.draw(seed, first, undecided, poses_, of_neighbours);
   // Another stream for the second pair of a mixture: the seeds of all points are even.
   if (second_neighbours_ != nullptr) second_neighbours_->draw(seed + 1, first, undecided, second_poses_, of_neighbours);
-  const auto n_rounds_of_trees = static_cast<std::size_t>(weights_->share_of_trees() * kRounds);
+  draw_clusters(seed, first);
+  ask(undecided, of_pairs);
   double sum = 0.0;
-  for (std::size_t round = 0; round < kRounds; ++round) {
-    const bool are_trees = round < n_rounds_of_trees;
-    for (std::size_t c = 0; c < kPoses; ++c) {
-      if (are_trees) {
-        std::array<double, kMostClusterBodies> point;
-        const auto n_numbers = static_cast<std::size_t>(weights_->order() - 2);
-        draw_unit_cube(seed + 1, Stream::virial_trees, first + round * kPoses + c, std::span(point).first(n_numbers));
-        set_tree(clusters_[c], c, round + 1, point);
-      } else {
-        set_chain(clusters_[c], c, round + 1);
-      }
-    }
-    ask(clusters_, undecided, of_pairs);
-    for (const Cluster& cluster : clusters_) sum += weight(cluster);
-  }
+  for (const Cluster& cluster : clusters_) sum += weight(cluster);
   n_undecided = of_neighbours.n_undecided + of_pairs.n_undecided;
   constexpr std::memory_order kRelaxed = std::memory_order_relaxed;
-  counts_->n_pairs.fetch_add(n_pairs_ * kClusters, kRelaxed);
-  counts_->n_by_bounds.fetch_add(of_pairs.n_by_bounds, kRelaxed);
+  counts_->n_pairs.fetch_add(n_pairs_ * clusters_.size(), kRelaxed);
+  counts_->n_by_balls.fetch_add(of_pairs.n_by_balls, kRelaxed);
   counts_->n_searched.fetch_add(of_pairs.n_searched, kRelaxed);
   counts_->n_undecided.fetch_add(n_undecided, kRelaxed);
-  counts_->n_candidates.fetch_add(of_neighbours.n_by_bounds + of_neighbours.n_searched, kRelaxed);
-  return sum / static_cast<double>(kClusters);
+  counts_->n_candidates.fetch_add(of_neighbours.n_by_balls + of_neighbours.n_searched, kRelaxed);
+  return sum / static_cast<double>(clusters_.size());
 }
 
 Doubts VirialIntegrand::evaluate(std::span<const double> points, std::span<double> values) {

@@ -20,7 +20,7 @@ void require_factorising_law(const OrientationLaw& law);
 /// What was asked by all threads of a run: pairs that are no neighbours of a chain or a tree.
 struct VirialCounts {
   std::atomic<std::uint64_t> n_pairs = 0;       // of all clusters
-  std::atomic<std::uint64_t> n_by_bounds = 0;   // of these decided by bounds
+  std::atomic<std::uint64_t> n_by_balls = 0;    // of these decided by circumscribed and inscribed balls
   std::atomic<std::uint64_t> n_searched = 0;    // and by a search; the rest was skipped
   std::atomic<std::uint64_t> n_undecided = 0;   // of those searched, and of the neighbours
   std::atomic<std::uint64_t> n_candidates = 0;  // poses that neighbours were drawn from
@@ -36,9 +36,10 @@ struct VirialCounts {
 class VirialIntegrand final : public Integrand {
  public:
   static constexpr std::size_t kPoses = 61;  // a prime
-  /// Each pose begins as many clusters.
-  static constexpr std::size_t kRounds = 4;
-  static constexpr std::size_t kClusters = kPoses * kRounds;
+  /// Each pose begins a cluster of each round (ClusterWeights::n_rounds).
+  static std::size_t n_clusters(const ClusterWeights& weights) {
+    return kPoses * static_cast<std::size_t>(weights.n_rounds());
+  }
 
   /// Of like bodies. `law` is isotropic or aligned: of others the chains' integrals are not powers of B2, and a
   /// UsageError is thrown. One instance serves one thread; weights and counts are shared.
@@ -68,10 +69,15 @@ class VirialIntegrand final : public Integrand {
                   std::shared_ptr<const ClusterWeights> weights, std::shared_ptr<VirialCounts> counts,
                   InstructionSet set);
   double bunch(std::uint64_t seed, std::uint64_t first, Outcome undecided, std::uint64_t& n_undecided);
-  void set_chain(Cluster& cluster, std::size_t first, std::size_t step) const;
-  void set_tree(Cluster& cluster, std::size_t first, std::size_t step, std::span<const double> point) const;
-  void ask(std::span<Cluster> clusters, Outcome undecided, PairQuestions& questions);
+  void set_chain(std::size_t cluster, std::size_t first, std::size_t step);
+  void set_tree(std::size_t cluster, std::size_t first, std::size_t step, std::span<const double> point);
+  void draw_clusters(std::uint64_t seed, std::uint64_t first);
+  void ask(Outcome undecided, PairQuestions& questions);
   void take(Cluster& cluster, std::size_t k, Outcome outcome) const;
+  std::span<Transformd> world_of(std::size_t cluster) {
+    const auto n = static_cast<std::size_t>(weights_->order());
+    return std::span(world_from_bodies_).subspan(cluster * n, n);
+  }
   double weight(const Cluster& cluster) const;
 
   std::vector<ConvexBody> bodies_;  // one, or three
@@ -83,8 +89,12 @@ class VirialIntegrand final : public Integrand {
   PairDecider decider_;
   std::array<Transformd, kPoses> poses_, second_poses_;
   std::vector<Cluster> clusters_;
+  std::vector<Transformd> world_from_bodies_;  // cluster after cluster
+  // Of one pair of each cluster that may count: whose it is, the answer; and what is searched.
+  std::vector<std::size_t> asked_, open_;
+  std::vector<Outcome> outcomes_;
   std::vector<double> table_;
-  std::vector<std::size_t> rows_;
+  std::size_t stride_;
   std::vector<Verdict> verdicts_;
 };
 
