@@ -37,6 +37,7 @@ whether two bodies overlap at given poses, how far apart or how deep in each
 other they are, and when a motion makes them meet. vex_scene asks the same
 of many bodies in open space or in a periodic box: pairs, distances, clusters.
 vex_percolate finds the percolation threshold of bodies that may overlap.
+vex_virial finds virial coefficients of hard bodies.
 vex_paper repeats the computations of a paper of 2002 and explains its faulty
 values. vex_bench measures run time against error of every estimator. vex_stress
 holds overlap tests against exact arithmetic where they are known to fail.

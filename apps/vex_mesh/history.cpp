@@ -50,6 +50,10 @@ std::vector<HistoryPoint> history_of(const ExcludedVolume& result, const History
     again.exact_average = false;
     again.interrupt = nullptr;
     again.on_progress = {};
+    again.on_start = {};
+    again.on_state = {};
+    again.resume = nullptr;
+    again.ranks = nullptr;
     for (std::uint64_t n = n_all / 2; n >= kFewestTrials; n /= 2) {
       again.trials = n - n % kClasses;
       const ExcludedVolume part = excluded_volume(a, b, again);

@@ -27,6 +27,7 @@ class AveragingRunner final : public TrialRunner {
   BlockRecord run(std::uint64_t begin, std::uint64_t end) override {
     BlockRecord record;
     ClassTally& by_class = record.tally.by_class = empty_classes(settings_, points_.n_classes());
+    by_class.is_signed = integrand_->may_be_negative();
     by_class.offset = reference_;
     by_class.unit = integrand_->scale();
     by_class.relative_rounding = integrand_->relative_rounding();

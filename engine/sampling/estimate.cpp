@@ -146,7 +146,11 @@ VolumeEstimate class_estimate(const Tally& tally) {
   const double std_error = std::max(std::hypot(by_class.unit * sampling_error, half_width), rounding);
   const double reach = std::max(by_class.unit * quantile * sampling_error + half_width, rounding);
   // A mean below 0, as a control variate may give one, keeps the interval that is its own.
-  return {volume, std_error, {volume > 0.0 ? std::max(0.0, volume - reach) : volume - reach, volume + reach}};
+  const bool ends_at_0 = volume > 0.0 && !by_class.is_signed;
+  return {volume,
+          std_error,
+          {ends_at_0 ? std::max(0.0, volume - reach) : volume - reach, volume + reach},
+          by_class.is_signed};
 }
 
 VolumeEstimate volume_estimate(const Tally& tally, const Domain& domain) {

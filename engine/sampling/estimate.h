@@ -26,9 +26,11 @@ struct VolumeEstimate {
   double excluded_volume = 0.0;
   double std_error = 0.0;
   Interval95 ci95;
+  bool is_signed = false;  // of a mean that may be below 0 (Integrand::may_be_negative)
 
-  /// Infinite where nothing was hit, or where the mean came out below 0.
+  /// Infinite where nothing was hit, or where the mean came out below 0 and is of no sign.
   double relative_error() const {
+    if (is_signed && excluded_volume < 0.0) return -std_error / excluded_volume;
     return excluded_volume > 0.0 ? std_error / excluded_volume : std::numeric_limits<double>::infinity();
   }
 };

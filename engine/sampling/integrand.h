@@ -34,6 +34,9 @@ class Integrand {
   virtual double scale() const = 0;
   static constexpr double kLargestValue = 0x1p23;
 
+  /// Whether the mean may be below 0, as no volume is: errors are relative to its size then.
+  virtual bool may_be_negative() const { return false; }
+
   /// What a value is off by, relative to the mean, besides its doubts: a proven bound.
   virtual double relative_rounding() const = 0;
   /// And, where values are differences of larger ones, what it is off by besides that, length^3.

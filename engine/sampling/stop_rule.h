@@ -99,7 +99,7 @@ inline bool is_out_of_reach(double relative_error, const Tally& tally, const Dom
     const VolumeEstimate estimate = volume_estimate(tally, domain);
     const double half_width = half_width_of_undecided(tally);
     const double least = half_width * (1.0 - kSure / std::sqrt(static_cast<double>(tally.n_undecided)));
-    return least > relative_error * (estimate.excluded_volume + kSure * estimate.std_error);
+    return least > relative_error * (std::fabs(estimate.excluded_volume) + kSure * estimate.std_error);
   }
   const std::uint64_t n_not_missed = tally.n_hits + tally.n_undecided;
   // Mean shares of the sampling volume, 1 where it is constant, turn fractions of trials into volumes.

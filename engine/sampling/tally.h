@@ -67,6 +67,7 @@ struct ClassTally {
   };
 
   Kind kind = Kind::none;
+  bool is_signed = false;          // the mean may be below 0
   bool are_hits = false;           // a value is a share of the domain, or nothing
   double offset = 0.0;             // length^3
   double unit = 0.0;               // length^3
@@ -77,9 +78,9 @@ struct ClassTally {
 
   /// Whether values of both are counted in the same way: from one offset, in one unit, in as many classes of one kind.
   bool is_like(const ClassTally& other) const {
-    return kind == other.kind && are_hits == other.are_hits && offset == other.offset && unit == other.unit &&
-           relative_rounding == other.relative_rounding && absolute_rounding == other.absolute_rounding &&
-           classes.size() == other.classes.size();
+    return kind == other.kind && is_signed == other.is_signed && are_hits == other.are_hits && offset == other.offset &&
+           unit == other.unit && relative_rounding == other.relative_rounding &&
+           absolute_rounding == other.absolute_rounding && classes.size() == other.classes.size();
   }
   /// What an average of this size is off by besides its standard error and its doubts, length^3.
   double rounding_of(double volume) const { return relative_rounding * std::fabs(volume) + absolute_rounding; }

@@ -1,0 +1,77 @@
+// vex_virial BODY: virial coefficients of hard convex bodies.
+#include <iostream>
+
+#include "apps/common/command_files.h"
+#include "apps/common/interrupt.h"
+#include "apps/common/progress_bar.h"
+#include "apps/common/run_program.h"
+#include "apps/vex_virial/report.h"
+
+namespace vex {
+namespace {
+
+void measure(VirialRun& run) {
+  VirialSettings& settings = run.options.settings;
+  settings.interrupt = &interrupting_signal();
+  std::optional<ProgressBar> bar;
+  int n_shown = 0;
+  settings.on_progress = [&](int n, const Progress& progress) {
+    if (n != n_shown) {
+      bar.reset();
+      bar.emplace(!run.options.quiet, "B" + std::to_string(n));
+      n_shown = n;
+    }
+    bar->show(progress);
+  };
+  if (!run.options.is_mixture()) {
+    run.found = virial_coefficients(run.bodies[0].shape, settings);
+    run.complete = run.found.complete;
+    run.seconds = run.found.seconds;
+    return;
+  }
+  run.mixed = third_virials_of_mixture(run.bodies[0].shape, run.bodies[1].shape, settings);
+  for (const MixedVirial& mixed : run.mixed) {
+    run.complete = run.complete && mixed.record.complete;
+    run.seconds += mixed.record.seconds;
+  }
+}
+
+int run_vex_virial(const VirialCommandLine& words, const std::string& command) {
+  VirialRun run;
+  run.command = command;
+  run.options = interpret(words);
+  const VirialOptions& options = run.options;
+  std::vector<std::string> texts = {options.a};
+  if (options.is_mixture()) texts.push_back(options.b);
+  CommandFiles files(files_of_bodies(texts, options.body_options));
+  const std::optional<OutputFile> json = files.output("--json", options.json);
+  const std::optional<OutputFile> plot = files.output("--plot", options.plot);
+  if (!options.quiet) files.print_report();
+
+  for (const std::string& text : texts) run.bodies.push_back(load_body(text, options.body_options));
+  require_one_unit(run.bodies, options.body_options);
+  if (options.dump_vertices) require_vertices_to_list(run.bodies);
+  catch_interrupts();
+  measure(run);
+
+  const bool owns_output = (json && json->is_standard_output()) || (plot && plot->is_standard_output());
+  if (!options.quiet && !owns_output) std::cout << report_text(run);
+  if (plot) plot->write_catching_interrupts(picture_of(run));
+  if (json) json->write(report_json(run));
+  const int signal = interrupting_signal().load();
+  return signal == 0 ? kSuccess : kSignalBase + signal;
+}
+
+}  // namespace
+}  // namespace vex
+
+int main(int argc, char** argv) {
+  vex::OptionParser options(
+      "Virial coefficients B3 to B8 of hard convex bodies, by Monte Carlo over clusters of overlapping bodies, with "
+      "errors; and the compressibility factor of the series.",
+      "vex_virial");
+  vex::VirialCommandLine words;
+  vex::declare_options(options, words);
+  return vex::run_program(options, argc, argv,
+                          [&] { return vex::run_vex_virial(words, vex::command_line(argc, argv)); });
+}

@@ -1,0 +1,36 @@
+// What vex_virial says: on the screen, as JSON, as a picture.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/common/bodies.h"
+#include "apps/vex_virial/options.h"
+
+namespace vex {
+
+struct VirialRun {
+  std::string command;
+  VirialOptions options;
+  std::vector<LoadedBody> bodies;    // one, or two
+  VirialCoefficients found;          // of one
+  std::array<MixedVirial, 4> mixed;  // of two
+  bool complete = true;
+  double seconds = 0.0;
+};
+
+/// An equation of state that the series is held against, by the volume fraction.
+struct EquationOfState {
+  std::string name;
+  double (*z)(const VirialRun& run, double volume_fraction);
+};
+/// None of flat bodies, or where bodies are not in random orientation.
+std::vector<EquationOfState> equations_of_state(const VirialRun& run);
+
+std::string report_text(const VirialRun& run);
+std::string report_json(const VirialRun& run);
+std::string picture_of(const VirialRun& run);
+
+}  // namespace vex

@@ -1,0 +1,123 @@
+// vex_virial as users meet it.
+#include <cmath>
+#include <csignal>
+
+#include "tests/golden/program.h"
+#include "tests/golden/sample_files.h"
+#include "tests/golden/scene.h"
+
+namespace vex::golden {
+namespace {
+
+using nlohmann::json;
+
+class Virial : public ProgramTest {
+ protected:
+  Virial() : ProgramTest(VEX_VIRIAL_PROGRAM) {}
+
+  void expect_refused(const Words& words, int code, const std::string& part) const {
+    expect_refusal(run(words), code, part, "vex_virial");
+  }
+};
+
+TEST_F(Virial, TellsTheCoefficientsInBothUnits) {
+  const json found = json_of({"sphere:0.5", "--order", "5", "--samples", "3e5"});
+  EXPECT_TRUE(found["complete"]);
+  EXPECT_NEAR(found["b2"], 2.0 / 3.0 * 3.14159265358979, 1e-12);
+  EXPECT_NEAR(found["b2_per_volume"], 4.0, 1e-12);
+  ASSERT_EQ(found["coefficients"].size(), 3u);
+  const double known[] = {0.625, 0.28694950598, 0.110252};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const json& one = found["coefficients"][k];
+    EXPECT_EQ(one["n"], 3 + k);
+    EXPECT_GE(one["samples"], 300'000);
+    EXPECT_LT(one["samples"], 300'500);
+    const double reduced = one["reduced"], error = one["std_error"],
+                 power = std::pow(4.0, 2.0 + static_cast<double>(k));
+    EXPECT_NEAR(reduced, known[k], 4.5 * error);
+    EXPECT_LT(error, 0.01);
+    EXPECT_NEAR(one["per_volume"], reduced * power, 1e-9);
+    EXPECT_NEAR(one["per_volume_std_error"], error * power, 1e-9);
+    const json& pairs = one["pairs"];
+    EXPECT_EQ(pairs["seen"], pairs["by_balls"].get<std::uint64_t>() + pairs["searched"].get<std::uint64_t>() +
+                                 pairs["skipped"].get<std::uint64_t>());
+    EXPECT_EQ(one["undecided"], 0);
+  }
+  EXPECT_GT(found["coefficients"][2]["pairs"]["skipped"], 0);
+  // 1 + 4 phi + 10 phi^2 + 18.36 phi^3 + 28.2 phi^4, and Carnahan and Starling's own beside it.
+  const json& row = found["compressibility"][1];
+  EXPECT_NEAR(row["phi"], 0.1, 1e-12);
+  EXPECT_NEAR(row["series"], 1.5212, 2e-3);
+  for (const char* name : {"Parsons-Lee", "Nezbeda", "Boublik"}) EXPECT_NEAR(row[name], 1.109 / 0.729, 1e-9);
+}
+
+TEST_F(Virial, OneSeedIsOneResultForAnyNumberOfThreads) {
+  const Words words = {"box:2,1,1", "--samples", "1e5", "--seed", "9"};
+  json one = json_of({"box:2,1,1", "--samples", "1e5", "--seed", "9", "--threads", "1"});
+  for (const char* isa : {"scalar", "sse2", "best"}) {
+    json other = json_of({"box:2,1,1", "--samples", "1e5", "--seed", "9", "--threads", "3", "--isa", isa});
+    for (std::size_t k = 0; k < one["coefficients"].size(); ++k) {
+      EXPECT_EQ(one["coefficients"][k]["reduced"], other["coefficients"][k]["reduced"]);
+      EXPECT_EQ(one["coefficients"][k]["std_error"], other["coefficients"][k]["std_error"]);
+    }
+  }
+}
+
+TEST_F(Virial, SaysWhereASignIsNotSettled) {
+  const Finished finished = run({"box:20,1,1", "--order", "5", "--samples", "1000", "--threads", "1"});
+  EXPECT_EQ(finished.exit_code, 0);
+  EXPECT_NE(finished.out.find("NOT SETTLED: the sign of"), std::string::npos) << finished.out;
+}
+
+TEST_F(Virial, FlatBodiesHaveNoVolumeToDivideBy) {
+  const json found = json_of({"disc:1", "--order", "3", "--samples", "1e5", "--plot", path("disc.svg")});
+  EXPECT_TRUE(found["b2_per_volume"].is_null());
+  EXPECT_TRUE(found["coefficients"][0]["per_volume"].is_null());
+  // R. Eppenga and D. Frenkel, Mol. Phys. 52, 1303 (1984): .4447.
+  EXPECT_NEAR(found["coefficients"][0]["reduced"], 0.4447, 0.01);
+  EXPECT_NE(read_file("disc.svg").find("</svg>"), std::string::npos);
+}
+
+TEST_F(Virial, MixturesHaveFourThirdCoefficients) {
+  const json found = json_of({"sphere:0.5", "sphere:1", "--samples", "2e5"});
+  ASSERT_EQ(found["mixture"].size(), 4u);
+  EXPECT_NEAR(found["mixture"][0]["reduced"], 0.625, 5.0 * found["mixture"][0]["reduced_std_error"].get<double>());
+  EXPECT_NEAR(found["mixture"][3]["reduced"], 0.625, 5.0 * found["mixture"][3]["reduced_std_error"].get<double>());
+  EXPECT_EQ(found["mixture"][1]["bodies"], "AAB");
+  EXPECT_GT(found["mixture"][2]["value"], found["mixture"][1]["value"]);
+}
+
+TEST_F(Virial, DrawsThePictureAndReadsMeshes) {
+  write_file("cube.obj", cube_obj());
+  const Finished finished = run({path("cube.obj"), "--samples", "1e4", "--plot", path("z.svg")});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_NE(read_file("z.svg").find("series to B4"), std::string::npos);
+  EXPECT_NE(finished.out.find("B2 / V = 5.5"), std::string::npos) << finished.out;
+}
+
+TEST_F(Virial, AnInterruptedRunTellsWhatItHas) {
+  const Finished finished =
+      run_and_signal({"box:1,1,1", "--seconds", "100", "--json", path("found.json")}, SIGINT, [](pid_t) {
+        ::usleep(700'000);
+        return true;
+      });
+  EXPECT_EQ(finished.exit_code, 130);
+  const json found = json::parse(read_file("found.json"));
+  EXPECT_FALSE(found["complete"]);
+  EXPECT_GT(found["coefficients"][0]["samples"], 0);
+}
+
+TEST_F(Virial, RefusesWhatItCannotDo) {
+  expect_refused({"box:1,1,1", "--order", "9"}, 2, "out of range (9 for --order)");
+  expect_refused({"box:1,1,1", "--order", "2"}, 2, "out of range (2 for --order)");
+  expect_refused({"box:1,1,1", "--orientations", "cone:20"}, 2, "not a choice");
+  expect_refused({"box:1,1,1", "sphere:1", "--order", "4"}, 2, "a mixture's coefficients of this order");
+  expect_refused({"box:1,1,1", "--samples", "0"}, 2, "--samples");
+  expect_refused({"box:1,1,1", "--rel-error", "-1"}, 2, "--rel-error");
+  expect_refused({"needle:1"}, 3, "never overlap");
+  expect_refused({"disc:1", "--orientations", "aligned"}, 3, "never overlap");
+  expect_refused({"nothing.obj"}, 3, "nothing.obj");
+}
+
+}  // namespace
+}  // namespace vex::golden

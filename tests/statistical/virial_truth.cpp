@@ -1,0 +1,103 @@
+// Virial coefficients against what is known: spheres to B8, aligned cubes to B6, and B_AAB of random pairs of bodies
+// against brute force. A table, with how many standard errors each is off; ends with 1 where one is off by more than
+// 4.5.
+//   vex_virial_truth [SECONDS]
+// SECONDS (default 600) of all threads for the spheres, a quarter of it for the cubes, as much for the pairs.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "shapes/any_shape.h"
+#include "shapes/estimators/virial_coefficients.h"
+#include "tests/referees/virial_brute_force.h"
+
+namespace vex {
+namespace {
+
+constexpr double kMostErrors = 4.5;
+int n_wrong = 0;
+
+void show(const std::string& what, double value, double error, double known, double known_error) {
+  const double z = (value - known) / std::hypot(error, known_error);
+  if (!(std::fabs(z) < kMostErrors)) ++n_wrong;
+  std::printf("%-44s %12.8f +- %.1e   known %12.8f +- %.0e   z %5.2f\n", what.c_str(), value, error, known, known_error,
+              z);
+  std::fflush(stdout);
+}
+
+struct Known {
+  double value, error;
+};
+
+void judge(const std::string& text, const OrientationLaw& law, double seconds, const std::vector<Known>& known) {
+  VirialSettings settings;
+  settings.order = static_cast<int>(known.size()) + 2;
+  settings.law = law;
+  settings.seconds = seconds;
+  const VirialCoefficients found = virial_coefficients(parse_shape(text), settings);
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    const VirialCoefficient& one = found.higher[k];
+    show(text + ", " + law.name() + ", B" + std::to_string(one.n), one.reduced, one.std_error, known[k].value,
+         known[k].error);
+  }
+}
+
+std::string random_body(std::mt19937_64& random) {
+  const auto size = [&random] {
+    return std::to_string(std::exp(std::uniform_real_distribution<double>(-0.9, 0.9)(random)));
+  };
+  switch (random() % 6) {
+    case 0: return "box:" + size() + "," + size() + "," + size();
+    case 1: return "ellipsoid:" + size() + "," + size() + "," + size();
+    case 2: return "capsule:" + size() + "," + size();
+    case 3: return "cylinder:" + size() + "," + size();
+    case 4: return "cone:" + size() + "," + size();
+    default: return "tetrahedron:" + size();
+  }
+}
+
+void judge_pairs(double seconds) {
+  constexpr int kPairs = 20;
+  constexpr std::uint64_t kTrials = 1'000'000;
+  std::mt19937_64 random(26);
+  for (int k = 0; k < kPairs; ++k) {
+    const std::string text_a = random_body(random), text_b = random_body(random);
+    const Body a = parse_shape(text_a), b = parse_shape(text_b);
+    VirialSettings settings;
+    settings.seconds = seconds / kPairs;
+    const MixedVirial found = third_virials_of_mixture(a, b, settings)[1];
+    const VolumeEstimate direct =
+        third_virial_by_brute_force({a.body, a.body, b.body}, kTrials, static_cast<std::uint64_t>(100 + 2 * k));
+    const double unit = direct.excluded_volume;
+    show(text_a + " " + text_b, found.value / unit, found.std_error / unit, 1.0, direct.std_error / unit);
+  }
+}
+
+}  // namespace
+}  // namespace vex
+
+int main(int argc, char** argv) {
+  const double seconds = argc > 1 ? std::atof(argv[1]) : 600.0;
+  using vex::OrientationLaw;
+  // N. Clisby and B. M. McCoy, J. Stat. Phys. 122, 15 (2006).
+  vex::judge("sphere:0.5", OrientationLaw::isotropic(), seconds,
+             {{0.625, 1e-12},
+              {0.28694950598, 1e-11},
+              {0.110252, 1e-6},
+              {0.03888198, 9.1e-7},
+              {0.01302354, 9.1e-7},
+              {0.0041832, 1.1e-6}});
+  // W. G. Hoover and A. G. De Rocco, J. Chem. Phys. 36, 3141 (1962): 4, 9, 34/3; 3.160 and -18.88 from memory.
+  vex::judge("box:1,1,1", OrientationLaw::aligned(), seconds / 4.0,
+             {{9.0 / 16.0, 1e-12},
+              {34.0 / 3.0 / 64.0, 1e-12},
+              {3.160 / 256.0, 0.0005 / 256.0},
+              {-18.88 / 1024.0, 0.005 / 1024.0}});
+  vex::judge_pairs(seconds / 4.0);
+  return vex::n_wrong == 0 ? 0 : 1;
+}

@@ -1,0 +1,123 @@
+#include "engine/sampling/virial/virial_integrand.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/numeric/errors.h"
+#include "engine/sampling/monte_carlo.h"
+#include "shapes/box.h"
+#include "shapes/cone.h"
+#include "shapes/ellipsoid.h"
+#include "shapes/sphere.h"
+#include "tests/referees/virial_brute_force.h"
+
+namespace vex {
+namespace {
+
+VolumeEstimate coefficient(const ConvexBody& body, const OrientationLaw& law, int order, std::uint64_t n_bunches,
+                           ClusterWeights::GraphSum sum = biconnected_sum, int n_threads = 1,
+                           InstructionSet set = best_instruction_set()) {
+  const auto weights = std::make_shared<const ClusterWeights>(order, sum);
+  const auto counts = std::make_shared<VirialCounts>();
+  MonteCarloSettings settings;
+  settings.n_threads = n_threads;
+  settings.stop.trials = n_bunches;
+  settings.instruction_set = set;
+  settings.integrand = [&] { return std::make_unique<VirialIntegrand>(body, law, weights, counts, set); };
+  const RunRecord record = run_monte_carlo(body, body, settings);
+  EXPECT_EQ(record.tally.n_undecided, 0u);
+  EXPECT_LE(counts->n_by_balls + counts->n_searched, counts->n_pairs);
+  return volume_estimate(record.tally, settings.domain);
+}
+
+double z_of(const VolumeEstimate& estimate, double known) {
+  return (estimate.excluded_volume - known) / estimate.std_error;
+}
+
+constexpr double kB4OfSpheres = 0.28694950598;  // N. Clisby and B. M. McCoy, J. Stat. Phys. 122, 15, 2006
+
+TEST(VirialIntegrand, OfSpheresAndAlignedCubesTheCoefficientsAreTheKnownOnes) {
+  const ConvexBody sphere = Sphere(0.5), cube = Box(1.0, 1.0, 1.0);
+  EXPECT_LT(std::fabs(z_of(coefficient(sphere, {}, 3, 2048), 0.625)), 4.0);
+  EXPECT_LT(std::fabs(z_of(coefficient(sphere, {}, 4, 2048), kB4OfSpheres)), 4.0);
+  EXPECT_LT(std::fabs(z_of(coefficient(sphere, {}, 5, 2048), 0.110252)), 4.0);
+  EXPECT_LT(std::fabs(z_of(coefficient(cube, OrientationLaw::aligned(), 3, 2048), 9.0 / 16.0)), 4.0);
+  EXPECT_LT(std::fabs(z_of(coefficient(cube, OrientationLaw::aligned(), 4, 2048), 34.0 / 3.0 / 64.0)), 4.0);
+  // With trees among the clusters.
+  EXPECT_LT(std::fabs(z_of(coefficient(sphere, {}, 6, 4096), 0.03888198)), 4.0);
+}
+
+// A sheared or stretched body has the coefficients of the body, where all are turned alike.
+TEST(VirialIntegrand, AlignedBodiesMayBeStretched) {
+  const VolumeEstimate ball = coefficient(Ellipsoid(1.0, 2.0, 5.0), OrientationLaw::aligned(), 4, 1024);
+  EXPECT_LT(std::fabs(z_of(ball, kB4OfSpheres)), 4.0);
+  const VolumeEstimate box = coefficient(Box(0.1, 2.0, 1.0), OrientationLaw::aligned(), 3, 1024);
+  EXPECT_LT(std::fabs(z_of(box, 9.0 / 16.0)), 4.0);
+}
+
+TEST(VirialIntegrand, WrongSumsAreFoundOut) {
+  const ConvexBody sphere = Sphere(0.5);
+  const auto without_rings = [](const OverlapGraph& graph) {
+    const std::int64_t sum = biconnected_sum(graph);
+    return sum > 0 ? std::int64_t{0} : sum;
+  };
+  const auto of_sign = [](const OverlapGraph& graph) { return -biconnected_sum(graph); };
+  EXPECT_GT(std::fabs(z_of(coefficient(sphere, {}, 4, 2048, without_rings), kB4OfSpheres)), 8.0);
+  EXPECT_GT(std::fabs(z_of(coefficient(sphere, {}, 4, 2048, of_sign), kB4OfSpheres)), 8.0);
+}
+
+TEST(VirialIntegrand, ThreadsAndInstructionSetsChangeNoBit) {
+  const ConvexBody box = Box(1.0, 0.8, 2.0), rod = Ellipsoid(0.2, 0.2, 4.0);
+  for (const ConvexBody* const body : {&box, &rod}) {
+    for (const int order : {4, 6}) {
+      const VolumeEstimate one = coefficient(*body, {}, order, 64);
+      for (const InstructionSet set : {InstructionSet::scalar, InstructionSet::sse2, best_instruction_set()}) {
+        const VolumeEstimate other = coefficient(*body, {}, order, 64, biconnected_sum, 3, set);
+        EXPECT_EQ(one.excluded_volume, other.excluded_volume) << order << " " << name_of(set);
+        EXPECT_EQ(one.std_error, other.std_error);
+      }
+    }
+  }
+}
+
+TEST(VirialIntegrand, MixturesAgreeWithBruteForce) {
+  const std::array<std::array<ConvexBody, 3>, 2> mixtures = {
+      {{Box(1.0, 1.0, 1.0), Sphere(0.7), Box(1.0, 1.0, 1.0)}, {Ellipsoid(1.0, 0.4, 0.4), Cone(1.0, 0.6), Sphere(0.5)}}};
+  for (const std::array<ConvexBody, 3>& bodies : mixtures) {
+    const auto weights = std::make_shared<const ClusterWeights>(3);
+    const auto counts = std::make_shared<VirialCounts>();
+    MonteCarloSettings settings;
+    settings.stop.trials = 1024;
+    settings.integrand = [&] { return std::make_unique<VirialIntegrand>(bodies, settings.law, weights, counts); };
+    const VolumeEstimate reduced =
+        volume_estimate(run_monte_carlo(bodies[0], bodies[2], settings).tally, settings.domain);
+    // B_ij of both pairs of neighbours, by the driver's hit or miss.
+    double factor = 1.0;
+    for (const std::size_t k : {0u, 1u}) {
+      MonteCarloSettings of_pair;
+      of_pair.domain = best_domain(bodies[k], bodies[k + 1]);
+      of_pair.stop.trials = 400'000;
+      factor *=
+          0.5 *
+          volume_estimate(run_monte_carlo(bodies[k], bodies[k + 1], of_pair).tally, of_pair.domain).excluded_volume;
+    }
+    const VolumeEstimate direct = third_virial_by_brute_force(bodies, 200'000);
+    const double error =
+        std::hypot(std::hypot(factor * reduced.std_error, direct.std_error), 2e-3 * direct.excluded_volume);
+    EXPECT_LT(std::fabs(factor * reduced.excluded_volume - direct.excluded_volume), 4.0 * error);
+    EXPECT_LT(error, 0.02 * direct.excluded_volume);
+  }
+}
+
+TEST(VirialIntegrand, LawsWhoseChainsDoNotFactoriseAreRefused) {
+  const auto weights = std::make_shared<const ClusterWeights>(3);
+  const auto counts = std::make_shared<VirialCounts>();
+  const ConvexBody body = Box(1.0, 1.0, 2.0);
+  EXPECT_THROW(VirialIntegrand(body, OrientationLaw::onsager(3.0), weights, counts), UsageError);
+  EXPECT_THROW(VirialIntegrand(body, OrientationLaw::fixed(1.0, 0.0, 0.0, 0.0), weights, counts), UsageError);
+  EXPECT_THROW(VirialIntegrand({body, body, body}, {}, std::make_shared<const ClusterWeights>(4), counts), UsageError);
+}
+
+}  // namespace
+}  // namespace vex
