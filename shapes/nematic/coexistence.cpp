@@ -164,6 +164,8 @@ std::optional<Coexistence> found_on(const NematicFluid& fluid, OrientationGrid::
   const OrderedBranch::Point nematic = branch.at(parameter);
   result.nematic = nematic.phase;
   result.isotropic = isotropic_of_pressure(fluid, nematic.phase.pressure, 1.1 * nematic.coupling);
+  // Of the coarse grid: a picture needs no more.
+  if (size == OrientationGrid::Size::doubled) return result;
   constexpr int kPoints = 60;
   const double last = fluid.trial_function ? 3.0 : 1.5;  // times the parameter at coexistence
   for (int k = 0; k <= kPoints; ++k) {
@@ -207,6 +209,7 @@ CoexistenceResult coexistence(const NematicFluid& fluid) {
                                relative_change(coarse->nematic.reduced_density, fine->nematic.reduced_density),
                                relative_change(coarse->nematic.order_parameter, fine->nematic.order_parameter),
                                relative_change(coarse->nematic.pressure, fine->nematic.pressure)});
+  fine->branch = coarse->branch;
   result.found = std::move(fine);
   return result;
 }

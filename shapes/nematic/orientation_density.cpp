@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t kNodes = 128;  // between cos theta = 0 and 1; and degrees, of which every second counts
 constexpr double kTolerance = 1e-14;
+constexpr double kNoMoment = 1e-16;
 constexpr int kMostIterations = 50000;
 
 template <unsigned n>
@@ -61,10 +62,13 @@ OrientationDensity OrientationGrid::density_of(std::vector<double> logarithms) c
   for (double& value : density.values) value /= norm;
   for (double& value : logarithms) value -= largest + std::log(norm);  // of 4 pi f now
   density.entropy = mean(density, logarithms);
+  // Of a smooth density the moments fall faster than any power: three that are none end them.
+  density.moments.assign(kernel_.size(), 0.0);
   density.interaction = 0.0;
-  for (std::size_t k = 0; k < kernel_.size(); ++k) {
-    density.moments.push_back(mean(density, polynomials_[k]));
+  for (std::size_t k = 0, n_none = 0; k < kernel_.size() && n_none < 3; ++k) {
+    density.moments[k] = mean(density, polynomials_[k]);
     density.interaction += kernel_[k] * density.moments[k] * density.moments[k];
+    n_none = std::fabs(density.moments[k]) < kNoMoment ? n_none + 1 : 0;
   }
   return density;
 }
@@ -77,7 +81,7 @@ OrientationDensity OrientationGrid::equilibrium(double coupling, const EvenSerie
     std::vector<double> logarithms(cosines_.size(), 0.0);
     for (std::size_t k = 1; k < kernel_.size(); ++k) {
       const double field = -2.0 * coupling * kernel_[k] * moments[k];
-      if (field == 0.0) continue;
+      if (std::fabs(field) < kNoMoment) continue;  // below the rounding of f
       for (std::size_t i = 0; i < logarithms.size(); ++i) logarithms[i] += field * polynomials_[k][i];
     }
     OrientationDensity density = density_of(std::move(logarithms));
