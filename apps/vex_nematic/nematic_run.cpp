@@ -47,8 +47,8 @@ void note_the_body(NematicRun& run, const LegendreSeries& series) {
     run.notes.push_back("the body is longest or thinnest along " + axis +
                         ", but its z axis is taken for the one that aligns: turn it");
   }
-  const EvenSeries& kernel = run.fluid.kernel;
-  if (kernel.size() > 2 && kernel[2] < -kNone && kernel[2] * 5.0 / 9.0 < kernel[1]) {
+  const EvenSeries& of_angle = run.fluid.series;
+  if (of_angle.size() > 2 && of_angle[2] < -kNone && of_angle[2] * 5.0 / 9.0 < of_angle[1]) {
     run.notes.emplace_back(
         "order of the fourth rank, as cubes have it, would come before the nematic one: this theory does not look for "
         "it");
@@ -90,7 +90,7 @@ NematicRun run_nematic(const NematicOptions& options, const std::string& command
     throw InputError("a result would overflow (the excluded volume of " + options.body +
                      ") - choose another unit of length");
   }
-  for (std::size_t l = 0; l < series->size(); l += 2) run.fluid.kernel.push_back((*series)[l] / run.excluded_volume);
+  for (std::size_t l = 0; l < series->size(); l += 2) run.fluid.series.push_back((*series)[l] / run.excluded_volume);
   run.fluid.volume_by_b2 = run.volume() / run.b();
   run.fluid.theory = options.theory;
   run.fluid.trial_function = options.trial_function;

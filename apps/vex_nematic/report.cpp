@@ -39,9 +39,9 @@ std::string theory_text(const NematicRun& run) {
 std::string report_text(const NematicRun& run) {
   std::string text = body_text(run.body, "BODY", run.options.dump_vertices);
   text += line("<V_ex>, random orientations", {short_number(run.excluded_volume, 12)});
-  const std::vector<double>& kernel = run.fluid.kernel;
-  text += line("V_ex(gamma) / <V_ex>", {"1 " + std::string(kernel[1] < 0.0 ? "- " : "+ ") +
-                                        short_number(std::fabs(kernel[1]), 8) + " P2(cos gamma) ..."});
+  const std::vector<double>& of_angle = run.fluid.series;
+  text += line("V_ex(gamma) / <V_ex>", {"1 " + std::string(of_angle[1] < 0.0 ? "- " : "+ ") +
+                                        short_number(std::fabs(of_angle[1]), 8) + " P2(cos gamma) ..."});
   text += "\nIsotropic and nematic fluid, by " + theory_text(run) + "\n";
   if (!run.result.found) {
     text += "   none: " + run.result.reason + "\n";
@@ -96,8 +96,8 @@ std::string report_json(const NematicRun& run) {
     json["no_transition_reason"] = run.result.reason;
   }
   json["excluded_volume_series"] = Json::array();  // of P_0, P_2, P_4 ... over <V_ex>
-  for (std::size_t k = 0; k < run.fluid.kernel.size() && k <= 16; ++k) {
-    json["excluded_volume_series"].push_back(run.fluid.kernel[k]);
+  for (std::size_t k = 0; k < run.fluid.series.size() && k <= 16; ++k) {
+    json["excluded_volume_series"].push_back(run.fluid.series[k]);
   }
   json["notes"] = run.notes;
   return document_text(json);

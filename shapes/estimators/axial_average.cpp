@@ -119,7 +119,13 @@ Integral integral_over(const NormalMeasure& measure, const MeanHeight& mean_heig
   for (const NormalMeasure::Component& component : measure.components()) {
     const double mass = mass_of(component);
     if (!(mass > 0.0) || (is_sphere && std::holds_alternative<NormalZone>(component))) continue;
-    const auto at = [&](double v) { return normal_at(component, v, 0.0); };
+    const auto at = [&](double v) -> WeightedNormal {
+      const auto* const spheroid = std::get_if<EllipsoidCurvature>(&component);
+      if (spheroid == nullptr) return normal_at(component, v, 0.0);
+      // Its own normals go around another axis than z where it is long.
+      const Vec3d normal{2.0 * std::sqrt(v * (1.0 - v)), 0.0, 2.0 * v - 1.0};
+      return {normal, 2.0 * pi * spheroid->factor * sum_of_radii_of_curvature(spheroid->semi_axes, normal)};
+    };
     if (!coordinates_used(component).v) {
       const Integral one = mean_height(at(0.5).unit_normal);
       sum.value += mass * one.value;

@@ -63,7 +63,7 @@ NematicPhase isotropic_of_pressure(const NematicFluid& fluid, double pressure, d
 /// Ordered fluids along one parameter: the coupling of the density that minimises, or alpha of the trial function.
 class OrderedBranch {
  public:
-  OrderedBranch(const NematicFluid& fluid, OrientationGrid::Size size) : fluid_(fluid), grid_(fluid.kernel, size) {}
+  OrderedBranch(const NematicFluid& fluid, OrientationGrid::Size size) : fluid_(fluid), grid_(fluid.series, size) {}
 
   struct Point {
     NematicPhase phase;
@@ -185,7 +185,7 @@ NematicPhase isotropic_phase(const NematicFluid& fluid, double reduced_density) 
   return isotropic_of_coupling(fluid, reduced_density * (4.0 - 3.0 * eta) / (4.0 * rest * rest));
 }
 
-double largest_isotropic_coupling(const NematicFluid& fluid) { return -2.5 / fluid.kernel.at(1); }
+double largest_isotropic_coupling(const NematicFluid& fluid) { return -2.5 / fluid.series.at(1); }
 
 CoexistenceResult coexistence(const NematicFluid& fluid) {
   if (fluid.theory == NematicTheory::parsons_lee && !(fluid.volume_by_b2 > 0.0)) {
@@ -193,7 +193,7 @@ CoexistenceResult coexistence(const NematicFluid& fluid) {
         "a flat body has no volume, which the scaling of Parsons and Lee is about - take Onsager's theory");
   }
   CoexistenceResult result;
-  if (fluid.kernel.size() < 2 || !(fluid.kernel[1] < -kLeastAnisotropy)) {
+  if (fluid.series.size() < 2 || !(fluid.series[1] < -kLeastAnisotropy)) {
     result.reason = "bodies whose axes are aligned exclude no less than others do, so nothing makes them align";
     return result;
   }

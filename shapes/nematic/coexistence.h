@@ -22,7 +22,7 @@ enum class NematicTheory { onsager, parsons_lee };
 
 /// Bodies of one kind, as the theory sees them.
 struct NematicFluid {
-  EvenSeries kernel;          // of V_ex(gamma) / <V_ex>
+  EvenSeries series;          // of V_ex(gamma) / <V_ex>
   double volume_by_b2 = 0.0;  // V / (<V_ex> / 2); used by Parsons and Lee alone, and then above 0
   NematicTheory theory = NematicTheory::onsager;
   bool trial_function = false;  // Onsager's, and not the density that minimises

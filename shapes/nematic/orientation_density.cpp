@@ -23,18 +23,18 @@ double log_cosh(double x) { return std::fabs(x) + std::log1p(std::exp(-2.0 * std
 
 }  // namespace
 
-OrientationGrid::OrientationGrid(const EvenSeries& kernel, Size size) : kernel_(kernel) {
+OrientationGrid::OrientationGrid(const EvenSeries& series, Size size) : series_(series) {
   const bool is_doubled = size == Size::doubled;
   if (is_doubled) {
     append_nodes<4 * kNodes>(&cosines_, &weights_);
   } else {
     append_nodes<2 * kNodes>(&cosines_, &weights_);
   }
-  kernel_.resize((is_doubled ? 2 * kNodes : kNodes) / 2 + 1, 0.0);
-  polynomials_.assign(kernel_.size(), std::vector<double>(cosines_.size()));
+  series_.resize((is_doubled ? 2 * kNodes : kNodes) / 2 + 1, 0.0);
+  polynomials_.assign(series_.size(), std::vector<double>(cosines_.size()));
   for (std::size_t i = 0; i < cosines_.size(); ++i) {
     double before = 0.0, now = 1.0;
-    for (std::size_t l = 0; l / 2 < kernel_.size(); ++l) {
+    for (std::size_t l = 0; l / 2 < series_.size(); ++l) {
       if (l % 2 == 0) polynomials_[l / 2][i] = now;
       const auto n = static_cast<double>(l);
       const double next = ((2.0 * n + 1.0) * cosines_[i] * now - n * before) / (n + 1.0);
@@ -63,11 +63,11 @@ OrientationDensity OrientationGrid::density_of(std::vector<double> logarithms) c
   for (double& value : logarithms) value -= largest + std::log(norm);  // of 4 pi f now
   density.entropy = mean(density, logarithms);
   // Of a smooth density the moments fall faster than any power: three that are none end them.
-  density.moments.assign(kernel_.size(), 0.0);
+  density.moments.assign(series_.size(), 0.0);
   density.interaction = 0.0;
-  for (std::size_t k = 0, n_none = 0; k < kernel_.size() && n_none < 3; ++k) {
+  for (std::size_t k = 0, n_none = 0; k < series_.size() && n_none < 3; ++k) {
     density.moments[k] = mean(density, polynomials_[k]);
-    density.interaction += kernel_[k] * density.moments[k] * density.moments[k];
+    density.interaction += series_[k] * density.moments[k] * density.moments[k];
     n_none = std::fabs(density.moments[k]) < kNoMoment ? n_none + 1 : 0;
   }
   return density;
@@ -75,18 +75,18 @@ OrientationDensity OrientationGrid::density_of(std::vector<double> logarithms) c
 
 OrientationDensity OrientationGrid::equilibrium(double coupling, const EvenSeries& start) const {
   EvenSeries moments = start;
-  moments.resize(kernel_.size(), 0.0);
+  moments.resize(series_.size(), 0.0);
   double mixing = 1.0, change_before = 2.0;
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
     std::vector<double> logarithms(cosines_.size(), 0.0);
-    for (std::size_t k = 1; k < kernel_.size(); ++k) {
-      const double field = -2.0 * coupling * kernel_[k] * moments[k];
+    for (std::size_t k = 1; k < series_.size(); ++k) {
+      const double field = -2.0 * coupling * series_[k] * moments[k];
       if (std::fabs(field) < kNoMoment) continue;  // below the rounding of f
       for (std::size_t i = 0; i < logarithms.size(); ++i) logarithms[i] += field * polynomials_[k][i];
     }
     OrientationDensity density = density_of(std::move(logarithms));
     double change = 0.0;
-    for (std::size_t k = 1; k < kernel_.size(); ++k) {
+    for (std::size_t k = 1; k < series_.size(); ++k) {
       const double step = density.moments[k] - moments[k];
       change = std::max(change, std::fabs(step));
       moments[k] += mixing * step;
@@ -124,9 +124,9 @@ double OrientationGrid::coupling_of_trial(double alpha) const {
   };
   const double entropy_slope = derivative_of([&](std::size_t i) { return log_cosh(alpha * cosines_[i]); });
   double interaction_slope = 0.0;
-  for (std::size_t k = 1; k < kernel_.size(); ++k) {
+  for (std::size_t k = 1; k < series_.size(); ++k) {
     interaction_slope +=
-        2.0 * kernel_[k] * density.moments[k] * derivative_of([&](std::size_t i) { return polynomials_[k][i]; });
+        2.0 * series_[k] * density.moments[k] * derivative_of([&](std::size_t i) { return polynomials_[k][i]; });
   }
   return -entropy_slope / interaction_slope;
 }

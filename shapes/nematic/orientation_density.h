@@ -29,8 +29,8 @@ class OrientationGrid {
  public:
   enum class Size { usual, doubled };
 
-  /// 128 nodes and degrees up to 128, or twice as many of either. `kernel` may be shorter or longer.
-  explicit OrientationGrid(const EvenSeries& kernel, Size size = Size::usual);
+  /// 128 nodes and degrees up to 128, or twice as many of either. `series` may be shorter or longer.
+  explicit OrientationGrid(const EvenSeries& series, Size size = Size::usual);
 
   const std::vector<double>& cosines() const { return cosines_; }
 
@@ -48,7 +48,7 @@ class OrientationGrid {
   OrientationDensity density_of(std::vector<double> logarithms) const;
   double mean(const OrientationDensity& density, const std::vector<double>& values) const;
 
-  EvenSeries kernel_;
+  EvenSeries series_;
   std::vector<double> cosines_, weights_;         // weights of a mean over cos theta: their sum is 1
   std::vector<std::vector<double>> polynomials_;  // by degree, then by node
 };

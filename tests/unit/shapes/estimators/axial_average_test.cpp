@@ -81,7 +81,8 @@ TEST(AtAnAngle, IsTheMeanOverSpinsThatRandomPointsGive) {
   for (const auto& [a, b] : {std::pair{"cone:1,0.5", "hemisphere:0.8"},
                              {"frustum:0.5,0.2,0.9", "cylinder:0.1,1"},
                              {"rounded:0.1,cylinder:1,0.5", "cone:0.2,1"},
-                             {"rounded:0.2,ellipsoid:1,1,2", "disc:1"}}) {
+                             {"rounded:0.2,ellipsoid:1,1,2", "disc:1"},
+                             {"rounded:0.2,ellipsoid:1,1,0.3", "capsule:1,0.5"}}) {
     for (const double degrees : {0.0, 40.0, 90.0, 160.0}) {
       const ExactAverage truth =
           exact_average(parse_shape(a), parse_shape(b), OrientationLaw::angle(degrees), settings);

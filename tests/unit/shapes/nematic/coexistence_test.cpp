@@ -17,32 +17,32 @@ using std::numbers::pi;
 /// |sin gamma| over its mean pi / 4: its coefficients are -pi (4 n + 1) (2 n - 3)!! (2 n - 1)!! / (2^(2 n + 2) n! (n +
 /// 1)!) (R. F. Kayser, H. J. Raveche, Phys. Rev. A 17, 2067, 1978).
 EvenSeries needles() {
-  EvenSeries kernel = {1.0};
+  EvenSeries series = {1.0};
   double factor = 1.0 / 32.0;  // without 4 n + 1, of n = 1
   for (int n = 1; n <= 128; ++n) {
     if (n > 1) factor *= (2.0 * n - 3.0) * (2.0 * n - 1.0) / (4.0 * n * (n + 1.0));
-    kernel.push_back(-4.0 * (4.0 * n + 1.0) * factor);
+    series.push_back(-4.0 * (4.0 * n + 1.0) * factor);
   }
-  return kernel;
+  return series;
 }
 
 NematicFluid fluid_of(const char* text, NematicTheory theory) {
   const Body body = parse_shape(text);
   const LegendreSeries series = excluded_volume_series(body, body, 256).value();
   NematicFluid fluid;
-  for (std::size_t l = 0; l < series.size(); l += 2) fluid.kernel.push_back(series[l] / series[0]);
+  for (std::size_t l = 0; l < series.size(); l += 2) fluid.series.push_back(series[l] / series[0]);
   fluid.volume_by_b2 = 2.0 * body.measures.volume / series[0];
   fluid.theory = theory;
   return fluid;
 }
 
-TEST(Needles, HaveTheKernelThatIsTheSine) {
+TEST(Needles, HaveTheSeriesThatIsTheSine) {
   // The series is the sine again, and the first of them are known.
-  const EvenSeries kernel = needles();
-  EXPECT_NEAR(kernel[1], -5.0 / 8.0, 1e-15);
-  EXPECT_NEAR(kernel[2], -9.0 / 64.0, 1e-15);
+  const EvenSeries series = needles();
+  EXPECT_NEAR(series[1], -5.0 / 8.0, 1e-15);
+  EXPECT_NEAR(series[2], -9.0 / 64.0, 1e-15);
   double sum = 0.0;
-  for (const double k : kernel) sum += k;  // at gamma = 0, where |sin| is 0: as slowly as 1 / n
+  for (const double k : series) sum += k;  // at gamma = 0, where |sin| is 0: as slowly as 1 / n
   EXPECT_NEAR(sum, 0.0, 0.01);
 }
 
@@ -112,8 +112,8 @@ TEST(Pressure, IsTheDensityTimesTheSlopeOfTheChemicalPotential) {
 }
 
 TEST(OrientationDensity, IsTheOneOfLeastFreeEnergy) {
-  const EvenSeries kernel = needles();
-  const OrientationGrid grid(kernel);
+  const EvenSeries series = needles();
+  const OrientationGrid grid(series);
   constexpr double kCoupling = 4.5;
   const OrientationDensity best = grid.equilibrium(kCoupling, grid.trial(10.0).moments);
   ASSERT_TRUE(best.converged);
