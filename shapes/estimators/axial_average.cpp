@@ -18,7 +18,8 @@ using std::numbers::pi;
 constexpr double kInnerTolerance = 1e-13, kOuterTolerance = 1e-11;  // relative, of one body's integral
 constexpr int kMostHalvings = 22;  // of an interval: where |x| has its corner the error falls fourfold each time
 constexpr int kMostOuterHalvings = 12;
-constexpr double kAxialRounding = 1e-12;  // measures, support values and sums: a few hundred roundings, and more
+// Of measures and sums, relative to the value; and of heights, relative to the reach of the body they are of.
+constexpr double kAxialRounding = 1e-12, kHeightRounding = 0x1p-46;
 
 struct Integral {
   double value = 0.0, error = 0.0;
@@ -166,7 +167,9 @@ std::optional<SeriesAverage> axial_average(const Body& a, const Body& b, const O
   const Integral of_a = integral_over(area_a, MeanHeight(b, between), b.measures.mean_radius());
   const Integral of_b = integral_over(area_b, MeanHeight(a, between), a.measures.mean_radius());
   const double value = (a.measures.volume + b.measures.volume) + (of_a.value + of_b.value);
-  return SeriesAverage{value, of_a.error + of_b.error + kAxialRounding * value};
+  const double heights =
+      a.measures.surface_area * b.body.circumradius() + b.measures.surface_area * a.body.circumradius();
+  return SeriesAverage{value, of_a.error + of_b.error + kAxialRounding * value + kHeightRounding * heights};
 }
 
 }  // namespace vex

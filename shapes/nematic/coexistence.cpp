@@ -92,6 +92,12 @@ class OrderedBranch {
     return point.phase.chemical_potential - isotropic.chemical_potential;
   }
 
+  /// Where the branch has ended the isotropic fluid is the stable one.
+  double excess_at(double parameter) {
+    const Point point = at(parameter);
+    return point.is_ordered ? excess(point) : 1.0;
+  }
+
   void start_from(EvenSeries moments) { start_ = std::move(moments); }
   void start_from_alpha(double alpha) { start_ = grid_.trial(alpha).moments; }
   const EvenSeries& start() const { return start_; }
@@ -159,9 +165,10 @@ std::optional<Coexistence> found_on(const NematicFluid& fluid, OrientationGrid::
                                              : bracket_of_equilibria(branch, largest_isotropic_coupling(fluid));
   if (!bracket) return std::nullopt;
   const double parameter =
-      zero_between([&](double at) { return branch.excess(branch.at(at)); }, bracket->metastable, bracket->stable);
+      zero_between([&](double at) { return branch.excess_at(at); }, bracket->metastable, bracket->stable);
   Coexistence result;
   const OrderedBranch::Point nematic = branch.at(parameter);
+  if (!nematic.is_ordered) return std::nullopt;
   result.nematic = nematic.phase;
   result.isotropic = isotropic_of_pressure(fluid, nematic.phase.pressure, 1.1 * nematic.coupling);
   // Of the coarse grid: a picture needs no more.
