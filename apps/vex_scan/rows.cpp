@@ -42,9 +42,12 @@ std::string csv_header(const Scan& scan) {
 void for_each_line(const std::string& path, const std::function<bool(std::string_view)>& use) {
   std::error_code error;
   if (path.empty() || path == "-" || !std::filesystem::is_regular_file(path, error)) return;
-  LineReader lines(path, "rows");
-  for (std::string_view line; lines.next(line);) {
-    if (!use(line)) return;
+  try {
+    LineReader lines(path, "rows");
+    for (std::string_view line; lines.next(line);) {
+      if (!use(line)) return;
+    }
+  } catch (const InputError&) {  // no file of rows: it is written anew
   }
 }
 

@@ -11,6 +11,7 @@
 #include "engine/numeric/double_double.h"
 #include "engine/numeric/expect.h"
 #include "engine/sampling/points/sobol.h"
+#include "shapes/estimators/axial_average.h"
 #include "shapes/estimators/legendre_average.h"
 #include "shapes/estimators/mixed_volume_estimator.h"
 
@@ -65,7 +66,8 @@ ExactAverage exact_average(const Body& a, const Body& b, const OrientationLaw& l
                            const ExactAverageSettings& settings) {
   VEX_EXPECT(settings.n_randomisations >= 2);
   if (settings.series) {
-    const std::optional<SeriesAverage> series = legendre_average(a, b, law);
+    const std::optional<SeriesAverage> series = law.kind() == OrientationLaw::Kind::angle ? axial_average(a, b, law)
+                                                                                          : legendre_average(a, b, law);
     if (series && series->error <= kSeriesError * series->excluded_volume) {
       return {series->excluded_volume, series->error};
     }

@@ -28,7 +28,8 @@ struct ExactAverageSettings {
   /// Of all randomisations together, in about nanoseconds on one core. It is counted from the numbers of vertices and
   /// faces, not measured: the same bodies give the same result everywhere.
   double largest_cost = 5e8;
-  /// Take the series of legendre_average.h where it is good to 1e-6: no random points then.
+  /// Take the series of legendre_average.h, or the quadrature of axial_average.h, where it is good to 1e-6: no random
+  /// points then.
   bool series = true;
   /// Becomes non-zero from outside: the result is then that of the randomisations finished so far.
   const std::atomic<int>* interrupt = nullptr;
@@ -36,7 +37,8 @@ struct ExactAverageSettings {
 
 /// The mean of V_ex(R) over the law.
 ///
-/// For the laws cone and onsager and most named bodies it is a series (legendre_average.h), its error a bound.
+/// For the laws cone and onsager and most named bodies it is a series (legendre_average.h), its error a bound. For the
+/// law angle and two bodies of revolution it is a quadrature (axial_average.h), its error what that says of itself.
 /// Otherwise: randomised quasi-Monte Carlo, scrambled Sobol' points (engine/sampling/points/sobol.h), of the estimator
 /// that sums mixed volumes (shapes/estimators/mixed_volume_estimator.h). The error is the standard error of the mean
 /// over the independent randomisations, and a bound on rounding. Where nothing is random (one orientation; flat faces

@@ -1,0 +1,38 @@
+// vex_nematic BODY: the isotropic and the nematic fluid of a hard body that are in equilibrium.
+#include <iostream>
+
+#include "apps/common/command_files.h"
+#include "apps/common/run_program.h"
+#include "apps/vex_nematic/nematic_run.h"
+
+namespace vex {
+namespace {
+
+int run_vex_nematic(const NematicCommandLine& words, const std::string& command) {
+  const NematicOptions options = interpret(words);
+  CommandFiles files(files_of_bodies({&options.body, 1}, options.body_options));
+  const std::optional<OutputFile> json = files.output("--json", options.json);
+  const std::optional<OutputFile> plot = files.output("--plot", options.plot);
+  if (!options.quiet) files.print_report();
+  const NematicRun run = run_nematic(options, command);
+  const bool owns_output = (json && json->is_standard_output()) || (plot && plot->is_standard_output());
+  if (!options.quiet && !owns_output) std::cout << report_text(run);
+  if (plot) plot->write_catching_interrupts(picture_of(run));
+  if (json) json->write(report_json(run));
+  return kSuccess;
+}
+
+}  // namespace
+}  // namespace vex
+
+int main(int argc, char** argv) {
+  vex::OptionParser options(
+      "Isotropic-nematic coexistence of a hard convex body: densities, order parameter, pressure and chemical "
+      "potential, "
+      "from its excluded volume as a function of the angle between two axes.",
+      "vex_nematic");
+  vex::NematicCommandLine words;
+  vex::declare_options(options, words);
+  return vex::run_program(options, argc, argv,
+                          [&] { return vex::run_vex_nematic(words, vex::command_line(argc, argv)); });
+}
