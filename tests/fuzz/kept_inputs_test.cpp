@@ -10,6 +10,7 @@
 #include "program_fuzz.h"
 #include "query_fuzz.h"
 #include "reader_fuzz.h"
+#include "run_state_fuzz.h"
 #include "tests/corpus/file_text.h"
 
 namespace vex::tests {
@@ -30,10 +31,11 @@ TEST_P(KeptInputs, KeepTheReadersPromises) {
   EXPECT_GT(n_files, 1U);
 }
 
-const auto kName = [](const auto& test) { return "of_" + test.param.name; };
-INSTANTIATE_TEST_SUITE_P(OfEveryFormat, KeptInputs, ::testing::ValuesIn(fuzz_formats()), kName);
-INSTANTIATE_TEST_SUITE_P(OfPrograms, KeptInputs, ::testing::ValuesIn(program_formats()), kName);
-INSTANTIATE_TEST_SUITE_P(OfQueries, KeptInputs, ::testing::ValuesIn(query_formats()), kName);
+const auto kFormatName = [](const auto& test) { return "of_" + test.param.name; };
+INSTANTIATE_TEST_SUITE_P(OfEveryFormat, KeptInputs, ::testing::ValuesIn(fuzz_formats()), kFormatName);
+INSTANTIATE_TEST_SUITE_P(OfPrograms, KeptInputs, ::testing::ValuesIn(program_formats()), kFormatName);
+INSTANTIATE_TEST_SUITE_P(OfRuns, KeptInputs, ::testing::ValuesIn(run_state_formats()), kFormatName);
+INSTANTIATE_TEST_SUITE_P(OfQueries, KeptInputs, ::testing::ValuesIn(query_formats()), kFormatName);
 
 struct Found {
   const char* format;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "engine/numeric/errors.h"
+#if __has_include("engine/sampling/run_state_text.h")
 #include "engine/sampling/run_state_text.h"
 
 namespace vex::tests {
@@ -38,3 +39,6 @@ void read_state(std::string_view data) {
 std::vector<FuzzFormat> run_state_formats() { return {{"run-state", read_state}}; }
 
 }  // namespace vex::tests
+#else
+std::vector<vex::tests::FuzzFormat> vex::tests::run_state_formats() { return {}; }
+#endif
