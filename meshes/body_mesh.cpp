@@ -74,8 +74,8 @@ void set_points(const ConvexBody& body, bool is_polytope, std::vector<Vec3d>& po
     p = {rounded(seen.x), rounded(seen.y), rounded(seen.z)};
   }
   std::ranges::sort(points, {}, lexicographic);
-  const auto equal = std::ranges::unique(points, {}, lexicographic);
-  points.erase(equal.begin(), equal.end());
+  const auto are_equal = [&](const Vec3d& p, const Vec3d& q) { return lexicographic(p) == lexicographic(q); };
+  points.erase(std::unique(points.begin(), points.end(), are_equal), points.end());
 }
 
 // Twice the area of a, b, c, seen along -z.

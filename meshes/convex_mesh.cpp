@@ -250,7 +250,7 @@ ConvexMesh hull_from(PolygonSoup soup, Passage passage) {
   std::vector<std::string>& notes = mesh.report.notes;
   notes.push_back("the convex hull was taken: " + std::to_string(mesh.report.n_vertices) + " of " +
                   std::to_string(mesh.report.n_points) + " points are its vertices");
-  std::ranges::rotate(notes, notes.end() - 1);
+  std::rotate(notes.begin(), notes.end() - 1, notes.end());
   return mesh;
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <ranges>
 
 #include "meshes/triangles.h"
 
@@ -44,8 +43,9 @@ AddedVolume volume_added_to(const PolygonSurface& surface, const VolumeAndCentro
   const Triangles mesh = fan_triangles(surface, pairs.mates);
   const std::map<std::uint32_t, double> parts = volume_of_each_part(surface, mesh);
   const std::string n_surfaces = std::to_string(parts.size()) + " surfaces share no vertex";
-  const auto [least, most] = std::ranges::minmax(parts | std::views::values);
-  if (least < 0.0 && most > 0.0) {
+  const auto [least, most] = std::minmax_element(
+      parts.begin(), parts.end(), [](const auto& one, const auto& other) { return one.second < other.second; });
+  if (least->second < 0.0 && most->second > 0.0) {
     return not_defined("the file's " + n_surfaces + ", and some of them are inside out, as parts or as cavities");
   }
   AddedVolume added{added_volume(hull, volume_and_centroid(mesh)), {}};

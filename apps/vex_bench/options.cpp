@@ -42,7 +42,7 @@ void declare_options(OptionParser& options, BenchCommandLine& words) {
                  "\n  1  a fault of the program"
                  "\n  2  wrong usage"
                  "\n  3  input refused"
-                 "\n  130, 143  interrupted (what was measured is reported)");
+                 "\n  128 + N   ended by signal N, 130 and 143 by SIGINT and SIGTERM (what was measured is reported)");
 }
 
 BenchOptions interpret(const BenchCommandLine& words) {

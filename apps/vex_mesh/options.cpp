@@ -55,7 +55,7 @@ void declare_options(OptionParser& options, CommandLine& words) {
                  "\n  2  wrong usage"
                  "\n  3  input refused"
                  "\n  4  Monte Carlo and formula disagree"
-                 "\n  130, 143  interrupted (what was done is reported)");
+                 "\n  128 + N   ended by signal N, 130 and 143 by SIGINT and SIGTERM (what was done is reported)");
 }
 
 void declare_run_options(OptionParser& options, CommandLine& words) {

@@ -90,7 +90,7 @@ void declare_options(OptionParser& options, PairCommandLine& words) {
                  "\n  1  a certificate that is not proven again (--certificate), or a fault of the program"
                  "\n  2  wrong usage"
                  "\n  3  input refused: a body, a pose, a motion, or a row of --poses; a result that would overflow"
-                 "\n  130, 143  interrupted (the rows answered until then are written)");
+                 "\n  128 + N   ended by signal N, 130 and 143 by SIGINT and SIGTERM (the rows answered until then are written)");
 }
 
 PairOptions interpret(const PairCommandLine& words) {

@@ -40,7 +40,7 @@ void declare_options(OptionParser& options, PaperCommandLine& words) {
       "\n  1  a fault of the program"
       "\n  2  wrong usage"
       "\n  4  a row disagrees with its exact value, or a verdict of the engine with exact arithmetic"
-      "\n  130, 143  interrupted (what was done is reported)");
+      "\n  128 + N   ended by signal N, 130 and 143 by SIGINT and SIGTERM (what was done is reported)");
 }
 
 PaperOptions interpret(const PaperCommandLine& words) {

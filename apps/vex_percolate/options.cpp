@@ -185,7 +185,7 @@ void declare_options(OptionParser& options, PercolateCommandLine& words) {
       "\n  1  a fault of the program"
       "\n  2  wrong usage"
       "\n  3  input refused: a body, a file to resume from"
-      "\n  130, 143  interrupted (what was done is reported)");
+      "\n  128 + N   ended by signal N, 130 and 143 by SIGINT and SIGTERM (what was done is reported)");
 }
 
 PercolateOptions interpret(const PercolateCommandLine& words) {

@@ -207,7 +207,7 @@ void declare_options(OptionParser& options, SceneCommandLine& words) {
       "\n  1  a fault of the program"
       "\n  2  wrong usage"
       "\n  3  input refused: a row (its line is named), a body, a box; a body larger than the box allows"
-      "\n  130, 143  interrupted (rows end at the end of a row; --json says that it is not complete)");
+      "\n  128 + N   ended by signal N, 130 and 143 by SIGINT and SIGTERM (rows end at the end of a row; --json says that it is not complete)");
 }
 
 std::vector<std::string> SceneOptions::bodies_of_command_line() const {

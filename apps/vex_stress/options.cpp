@@ -89,7 +89,7 @@ void declare_options(OptionParser& options, StressCommandLine& words) {
       "\n  0  success: no answer of the engine is wrong, unproven, given up, or undecided where it must not be"
       "\n  1  one is, or a fault of the program"
       "\n  2  wrong usage"
-      "\n  130, 143  interrupted (what was done is reported)");
+      "\n  128 + N   ended by signal N, 130 and 143 by SIGINT and SIGTERM (what was done is reported)");
 }
 
 StressOptions interpret(const StressCommandLine& words) {

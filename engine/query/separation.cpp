@@ -132,6 +132,7 @@ Separation answer_of(const SeparationQuery& query, WarmStart* warm_start, std::o
   if (!(query.settings.max_distance >= 0.0)) {
     throw UsageError("the largest distance of interest is negative or no number - give one from 0 up");
   }
+  if (query.settings.max_support_calls < 1) throw UsageError("a distance has no support calls - give one at least");
   Separation found = separation(query, warm_start, known);
   if (!(found.lower <= found.upper)) {
     // Bounds that exclude each other, or are no numbers, come from a support mapping that is none.

@@ -6,9 +6,11 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/numeric/double_double.h"
+#include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
 #include "engine/sampling/points/sobol.h"
 #include "shapes/estimators/axial_average.h"
@@ -64,7 +66,15 @@ ExactAverage quasi_monte_carlo(MixedVolumeEstimator& estimator, const ExactAvera
 
 ExactAverage exact_average(const Body& a, const Body& b, const OrientationLaw& law,
                            const ExactAverageSettings& settings) {
-  VEX_EXPECT(settings.n_randomisations >= 2);
+  if (settings.n_randomisations < 2) {
+    throw UsageError("too few randomisations to tell an error (" + std::to_string(settings.n_randomisations) +
+                     ") - give two at least");
+  }
+  if (settings.log2_n_points < 0 || settings.log2_n_points > SobolPoints::kBits) {
+    throw UsageError("no number of points (2 to the power of " + std::to_string(settings.log2_n_points) +
+                     ") - give a power from 0 to " + std::to_string(SobolPoints::kBits));
+  }
+  if (!(settings.largest_cost >= 0.0)) throw UsageError("a largest cost is negative or no number - give one from 0 up");
   if (settings.series) {
     const std::optional<SeriesAverage> series = law.kind() == OrientationLaw::Kind::angle ? axial_average(a, b, law)
                                                                                           : legendre_average(a, b, law);

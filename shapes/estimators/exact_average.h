@@ -43,7 +43,7 @@ struct ExactAverageSettings {
 /// that sums mixed volumes (shapes/estimators/mixed_volume_estimator.h). The error is the standard error of the mean
 /// over the independent randomisations, and a bound on rounding. Where nothing is random (one orientation; flat faces
 /// or two ellipsoids) it is one sum, and the error its rounding bound alone. Throws UsageError where a body comes
-/// without its measures on normals.
+/// without its measures on normals, or the settings are out of their ranges.
 ExactAverage exact_average(const Body& a, const Body& b, const OrientationLaw& law,
                            const ExactAverageSettings& settings = {});
 

@@ -1,5 +1,5 @@
 // The inputs that fuzzing kept, read once more: each ends in an InputError or in what the reader promises. Under the
-// sanitizers this is what a campaign begins with.
+// sanitizers this is what a campaign begins with. Likewise of what programs read besides, and of queries.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -7,7 +7,10 @@
 
 #include "meshes/data/archives.h"
 #include "meshes/file_bytes.h"
+#include "program_fuzz.h"
+#include "query_fuzz.h"
 #include "reader_fuzz.h"
+#include "run_state_fuzz.h"
 #include "tests/corpus/file_text.h"
 
 namespace vex::tests {
@@ -28,8 +31,11 @@ TEST_P(KeptInputs, KeepTheReadersPromises) {
   EXPECT_GT(n_files, 1U);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEveryFormat, KeptInputs, ::testing::ValuesIn(fuzz_formats()),
-                         [](const auto& test) { return "of_" + test.param.name; });
+const auto kFormatName = [](const auto& test) { return "of_" + test.param.name; };
+INSTANTIATE_TEST_SUITE_P(OfEveryFormat, KeptInputs, ::testing::ValuesIn(fuzz_formats()), kFormatName);
+INSTANTIATE_TEST_SUITE_P(OfPrograms, KeptInputs, ::testing::ValuesIn(program_formats()), kFormatName);
+INSTANTIATE_TEST_SUITE_P(OfRuns, KeptInputs, ::testing::ValuesIn(run_state_formats()), kFormatName);
+INSTANTIATE_TEST_SUITE_P(OfQueries, KeptInputs, ::testing::ValuesIn(query_formats()), kFormatName);
 
 struct Found {
   const char* format;

@@ -11,13 +11,15 @@
 #include "program_fuzz.h"
 #include "query_fuzz.h"
 #include "reader_fuzz.h"
+#include "run_state_fuzz.h"
 
 namespace {
 
 vex::tests::FuzzFormat named_format() {
   const char* const name = std::getenv("VEX_FUZZ_FORMAT");
   std::vector<vex::tests::FuzzFormat> formats = vex::tests::fuzz_formats();
-  for (const auto& more : {vex::tests::program_formats(), vex::tests::query_formats()}) {
+  for (const auto& more :
+       {vex::tests::program_formats(), vex::tests::run_state_formats(), vex::tests::query_formats()}) {
     formats.insert(formats.end(), more.begin(), more.end());
   }
   const auto found =

@@ -1,6 +1,7 @@
 // A result that was computed is not lost: where its file cannot be written it is on standard output, and no other file
 // is missing.
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <csignal>
 
@@ -117,7 +118,8 @@ TEST_F(KeptResults, OneOutputThatFailsDropsNoOther) {
   EXPECT_EQ(read_file("p.glb").substr(0, 4), "glTF");
 
   const std::string scene = std::string(VEX_SCENE_PROGRAM) + " scene.csv --quiet ";
-  finished = shell(scene + "--save /dev/full --gltf /dev/full --svg s.svg --json s.json");
+  ASSERT_EQ(symlink("/dev/full", path("full.glb").c_str()), 0);
+  finished = shell(scene + "--save /dev/full --gltf full.glb --svg s.svg --json s.json");
   EXPECT_EQ(finished.exit_code, 1);
   EXPECT_EQ(finished.out, kPairHeader + "0,1,0,0,0\n");
   EXPECT_NE(read_file("s.svg").find("</svg>"), std::string::npos);
@@ -136,7 +138,7 @@ TEST_F(KeptResults, ANameThatIsTooLongIsRefusedBeforeTheRun) {
   const std::string bench = VEX_BENCH_PROGRAM, percolate = VEX_PERCOLATE_PROGRAM, scene = VEX_SCENE_PROGRAM;
   for (const std::string& line :
        {kEndless + "--json " + name, kEndless + "--json " + path + "r.json", bench + " sphere:1 --csv " + name,
-        bench + " sphere:1 --plot " + name, percolate + " box:1,1,1 --gltf " + name,
+        bench + " sphere:1 --plot " + name, percolate + " box:1,1,1 --gltf " + name + ".glb",
         percolate + " box:1,1,1 --checkpoint " + name, scene + " scene.csv --save " + name}) {
     const Finished finished = shell(line);
     EXPECT_EQ(finished.exit_code, 2) << finished.err;

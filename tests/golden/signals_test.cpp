@@ -21,7 +21,7 @@ class Signals : public ProgramTest {
  protected:
   json document(const std::string& name = "result.json") const { return json::parse(read_file(name), nullptr, false); }
   static std::string signalled(const std::string& line, const std::string& signals) {
-    return line + " & program=$!; sleep 0.3; " + signals + "wait $program";
+    return line + " & program=$!; sleep 0.2; " + signals + "wait $program";
   }
 };
 
@@ -52,7 +52,7 @@ TEST_F(Signals, OfEveryProgram) {
                                   percolate + " box:1,1,1 --sizes 10,20 --realisations 100000 --threads 1"}) {
     SCOPED_TRACE(line);
     const Finished finished =
-        shell(signalled(line + " --quiet --json result.json", "kill -USR1 $program; sleep 0.4; kill -HUP $program; "));
+        shell(signalled(line + " --quiet --json result.json", "kill -USR1 $program; sleep 0.3; kill -HUP $program; "));
     EXPECT_EQ(finished.exit_code, 129) << finished.err;
     EXPECT_EQ(finished.out, "");
     EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1) << "an answer: " << finished.err;
@@ -81,7 +81,7 @@ TEST_F(Signals, OfProgramsThatWaitForTheirInput) {
 
 TEST_F(Signals, AQuestionIsAnsweredAndTheRunGoesOn) {
   const Finished finished =
-      shell(signalled("\"$VEX\" box:1,1,1 --seconds 1 --estimator hit-or-miss --threads 1 --json -",
+      shell(signalled("\"$VEX\" box:1,1,1 --seconds 0.8 --estimator hit-or-miss --threads 1 --json -",
                       "kill -USR1 $program; sleep 0.3; kill -USR1 $program; "));
   EXPECT_EQ(finished.exit_code, 0);
   EXPECT_EQ(json::parse(finished.out, nullptr, false).at("complete"), true);
@@ -92,14 +92,14 @@ TEST_F(Signals, AQuestionIsAnsweredAndTheRunGoesOn) {
 
 TEST_F(Signals, OneThatIsIgnoredStaysIgnored) {
   const Finished finished =
-      shell("trap '' HUP USR2; " + signalled("\"$VEX\" box:1,1,1 --seconds 0.6 --estimator hit-or-miss --threads 1",
+      shell("trap '' HUP USR2; " + signalled("\"$VEX\" box:1,1,1 --seconds 0.4 --estimator hit-or-miss --threads 1",
                                              "kill -HUP $program; kill -USR2 $program; "));
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
 }
 
 // timeout sends its signal twice, to the program and to its group; a terminal that closes and its shell do likewise.
 TEST_F(Signals, TheSameOneTwiceAtOnceIsOne) {
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < 2; ++k) {
     const Finished finished = shell(signalled(kEndless + "--quiet --json result" + std::to_string(k) + ".json",
                                               "kill -HUP $program; kill -TERM $program; kill -HUP $program; "));
     EXPECT_TRUE(finished.exit_code == 129 || finished.exit_code == 143) << finished.exit_code;

@@ -140,6 +140,12 @@ void Realisation::place_and_join(std::uint32_t realisation, std::uint32_t n) {
 
 void run_realisations(const PercolationSystem& system, std::uint32_t first, std::uint32_t n, int n_threads,
                       const OnRealisations& on_finished, const StopQuestion& stop) {
+  if (n_threads < 1) {
+    throw UsageError("no number of threads (" + std::to_string(n_threads) + ") - give one at least");
+  }
+  if (first > kMostRealisations || n > kMostRealisations - first) {
+    throw UsageError("there are more than 2^26 realisations of a size - give fewer");
+  }
   struct Finished {
     WrappingNumbers numbers;
     PercolationCounts counts;

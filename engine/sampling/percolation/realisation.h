@@ -101,6 +101,7 @@ using OnRealisations = std::function<void(std::span<const WrappingNumbers> finis
 
 /// Realisations first ... first + n - 1, by so many threads. Each is told of once, in their order, as soon as all
 /// before it are finished, by any thread, one at a time; after `stop` said so up to the first that was not finished.
+/// Throws UsageError for no threads, and beyond kMostRealisations.
 void run_realisations(const PercolationSystem& system, std::uint32_t first, std::uint32_t n, int n_threads,
                       const OnRealisations& on_finished, const StopQuestion& stop = {});
 

@@ -205,6 +205,8 @@ TEST(Realisation, WhatNeverWrapsIsRefused) {
   system.most_bodies = 500;
   PercolationCounts counts;
   EXPECT_THROW(run_realisations(system, 0, 2, 1, counts), UsageError);
+  EXPECT_THROW(run_realisations(system, 0, 2, 0, counts), UsageError);
+  EXPECT_THROW(run_realisations(system, kMostRealisations - 1, 2, 1, counts), UsageError);
   system.size = kMostSizes;
   EXPECT_THROW(Realisation{system}, UsageError);
 }

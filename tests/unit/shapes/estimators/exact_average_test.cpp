@@ -345,6 +345,13 @@ TEST(AverageOverALaw, RefusesABodyWithoutItsNormals) {
   Body box = parse_shape("box:1,1,1");
   box.normals = {};
   EXPECT_THROW(exact_average(box, parse_shape("box:1,1,1"), OrientationLaw::aligned()), UsageError);
+  const Body cube = parse_shape("box:1,1,1");
+  for (const ExactAverageSettings& wrong :
+       {ExactAverageSettings{.n_randomisations = 1}, ExactAverageSettings{.n_randomisations = -5},
+        ExactAverageSettings{.log2_n_points = -1}, ExactAverageSettings{.log2_n_points = 64},
+        ExactAverageSettings{.largest_cost = NAN}}) {
+    EXPECT_THROW(exact_average(cube, cube, OrientationLaw::aligned(), wrong), UsageError);
+  }
 }
 
 }  // namespace
