@@ -6,6 +6,17 @@ find_package(Qhull 8 REQUIRED)              # 8.0.2 is qhull 2020.2
 find_package(ZLIB REQUIRED)
 find_package(Threads REQUIRED)
 
+# libseccomp filters the system calls of the process that reads by assimp. Without it that process keeps its limits, and
+# what it read says that it was not confined. It ships no CMake package; -lseccomp is what programs that use vex link.
+find_path(SECCOMP_INCLUDE_DIR seccomp.h)
+find_library(SECCOMP_LIBRARY seccomp)
+mark_as_advanced(SECCOMP_INCLUDE_DIR SECCOMP_LIBRARY)
+set(default OFF)
+if(SECCOMP_INCLUDE_DIR AND SECCOMP_LIBRARY)
+  set(default ON)
+endif()
+option(VEX_WITH_SECCOMP "Filter the system calls of the process that reads files by assimp (libseccomp)" ${default})
+
 # Random123 is headers only and ships no package file.
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
 add_library(vex_random123 INTERFACE)

@@ -4,47 +4,22 @@
 
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <optional>
-#include <utility>
-
-#include "engine/numeric/errors.h"
 
 namespace vex {
-namespace {
 
-struct HeldBytes {
-  FileBytes held;
-};
-
-/// A stream that keeps the bytes it is of.
-class BytesStream : private HeldBytes, public Assimp::MemoryIOStream {
- public:
-  explicit BytesStream(FileBytes bytes)
-      : HeldBytes{std::move(bytes)},
-        MemoryIOStream(reinterpret_cast<const std::uint8_t*>(held.data()), held.size(), false) {}
-};
-
-}  // namespace
-
-bool AssimpFiles::Exists(const char* path) const {
-  return path == shown_name_ || (input_->extension == ".gltf" && gltf_buffer_beside(input_->path, path));
+const FileBytes* AssimpFiles::held(const std::string& path) const {
+  if (path == shown_name_) return &input_->bytes;
+  const auto buffer = input_->buffers.by_uri.find(path);
+  return buffer != input_->buffers.by_uri.end() ? &input_->buffers.files[buffer->second] : nullptr;
 }
 
+bool AssimpFiles::Exists(const char* path) const { return held(path) != nullptr; }
+
 Assimp::IOStream* AssimpFiles::Open(const char* path, const char* mode) {
-  if (std::strpbrk(mode, "wa+") != nullptr) return nullptr;
-  if (path == shown_name_) {
-    const std::string_view bytes = input_->bytes.view();
-    return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), false);
-  }
-  if (input_->extension != ".gltf") return nullptr;
-  const std::optional<std::filesystem::path> buffer = gltf_buffer_beside(input_->path, path);
-  if (!buffer) return nullptr;
-  try {
-    return new BytesStream(read_file_bytes(*buffer));
-  } catch (const InputError&) {
-    return nullptr;
-  }
+  const FileBytes* const bytes = held(path);
+  if (bytes == nullptr || std::strpbrk(mode, "wa+") != nullptr) return nullptr;
+  const auto* const data = reinterpret_cast<const std::uint8_t*>(bytes->view().data());
+  return new Assimp::MemoryIOStream(data, bytes->size(), false);
 }
 
 }  // namespace vex

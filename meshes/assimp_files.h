@@ -9,8 +9,8 @@
 
 namespace vex {
 
-/// Shows assimp one file under a name of our own, and for .gltf the .bin buffers beside it: a material library or a
-/// texture that a mesh names is never opened, wherever it points. `input` must outlive this.
+/// Shows assimp one file under a name of our own, and for .gltf the .bin buffers beside it, all of them from memory:
+/// nothing is opened, whatever a file names and wherever it points. `input` must outlive this.
 class AssimpFiles : public Assimp::IOSystem {
  public:
   explicit AssimpFiles(const AssimpInput& input) : input_(&input), shown_name_("mesh" + input.extension) {}
@@ -23,6 +23,8 @@ class AssimpFiles : public Assimp::IOSystem {
   void Close(Assimp::IOStream* stream) override { delete stream; }
 
  private:
+  const FileBytes* held(const std::string& path) const;
+
   const AssimpInput* input_;
   std::string shown_name_;
 };

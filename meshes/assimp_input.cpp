@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "meshes/folder_files.h"
 #include "meshes/formats/content_kind.h"
 #include "meshes/formats/gltf_json.h"
 #include "meshes/formats/scene_formats.h"
@@ -40,13 +41,11 @@ std::string lower_extension(const std::filesystem::path& path) {
   return extension;
 }
 
-std::optional<std::filesystem::path> gltf_buffer_beside(const std::filesystem::path& mesh, const std::string& uri) {
+std::optional<BufferFile> gltf_buffer_beside(const std::filesystem::path& mesh, const std::string& uri) {
   for (const std::string& name : {percent_decoded(uri), uri}) {
-    const std::filesystem::path relative = std::filesystem::path(name).lexically_normal();
-    const bool is_allowed = name.find('\0') == std::string::npos && relative.is_relative() && !relative.empty() &&
-                            *relative.begin() != ".." && lower_extension(relative) == ".bin";
-    std::filesystem::path path = mesh.parent_path() / relative;
-    if (is_allowed && file_stamp(path)) return path;
+    if (lower_extension(name) != ".bin") continue;
+    BufferFile buffer{mesh.parent_path() / name, open_beneath(mesh.parent_path(), name)};
+    if (buffer.file.number() >= 0) return buffer;
   }
   return std::nullopt;
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,12 @@
 
 namespace vex {
 
+/// The files beside a .gltf file that hold its geometry, read whole before anybody looks into them.
+struct GltfBuffers {
+  std::vector<FileBytes> files;               // each once, however often and in whatever words it is named
+  std::map<std::string, std::size_t> by_uri;  // as the document names them
+};
+
 struct AssimpInput {
   std::filesystem::path path;          // the file
   std::string extension;               // of its format, in lower case, with its point
@@ -18,7 +25,7 @@ struct AssimpInput {
   std::uint64_t n_geometry_bytes = 0;  // with the buffers beside it, unpacked: what its reading may cost goes by this
   std::string unit;                    // as in PolygonSoup
   double unit_metres = 0.0;
-  std::vector<std::filesystem::path> buffers = {};  // of .gltf: the files beside it that hold its geometry
+  GltfBuffers buffers = {};
 };
 
 /// Whether assimp reads files of that extension (in lower case, with its point), and vex lets it.
@@ -29,9 +36,15 @@ bool is_read_by_assimp(const std::string& extension);
 /// of pictures in a .3mf archive (assimp would read them, and delete them twice).
 AssimpInput prepare_for_assimp(const std::filesystem::path& path, const std::string& extension);
 
-/// The .bin buffer that a .gltf file names: in the folder of `mesh` or below. Its name's escapes like %20 are resolved;
-/// where there is no such file, the name is taken as it stands. Nothing where there is neither, or for another place.
-std::optional<std::filesystem::path> gltf_buffer_beside(const std::filesystem::path& mesh, const std::string& uri);
+struct BufferFile {
+  std::filesystem::path path;
+  OpenFile file;
+};
+
+/// The .bin buffer that a .gltf file names, opened: in the folder of `mesh` or below, wherever links lead
+/// (folder_files.h). Its name's escapes like %20 are resolved; where there is no such file, the name is taken as it
+/// stands. Nothing where there is neither, or for another place.
+std::optional<BufferFile> gltf_buffer_beside(const std::filesystem::path& mesh, const std::string& uri);
 
 /// The extension of a path in lower case.
 std::string lower_extension(const std::filesystem::path& path);

@@ -121,6 +121,7 @@ void note_what_reading_did(const PolygonSoup& soup, const ClosedSurface& closed,
   report->n_faces = welded.surface.n_faces();
   report->n_welded_vertices = welded.n_welded_vertices;
   report->weld_distance = welded.distance;
+  report->reader_unconfined = soup.unconfined;
   if (soup.n_ignored_faces > 0) {
     report->notes.push_back(std::to_string(soup.n_ignored_faces) + " points or lines of the file " +
                             (hull ? "have no faces: their vertices count all the same" : "were ignored"));
@@ -330,8 +331,12 @@ const Polytope& ConvexMesh::polytope() const { return *body.target<Polytope>(); 
 
 ConvexMesh load(const std::filesystem::path& path, const MeshOptions& options) {
   check_options(options);
-  return convex_mesh_from(read_polygon_soup(path, {.format = options.format, .isolated = options.isolated_reader}),
-                          options);
+  return convex_mesh_from(
+      read_polygon_soup(path, {.format = options.format,
+                               .isolated = options.isolated_reader,
+                               .confining = options.require_confinement ? Confining::required
+                                                                        : Confining::as_far_as_possible}),
+      options);
 }
 
 }  // namespace vex

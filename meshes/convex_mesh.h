@@ -28,6 +28,7 @@ struct MeshOptions {
   std::string unit = {};        // of length, to convert the file's coordinates to: "mm"; empty: they stay as they are
   std::string format = {};      // an extension such as ".obj": what to read the file as, whatever its name
   bool isolated_reader = true;  // read the file in a process of its own, so that a broken one cannot crash this one
+  bool require_confinement = false;  // refuse a file whose reader cannot be confined there (docs/security.md)
 
   /// Take the convex hull of all points that the reader delivers, those that no face uses included, and ask nothing of
   /// the surface: it may be open, turned about, in several parts, without volume, or not there at all. What is asked:
@@ -73,6 +74,10 @@ struct MeshReport {
   std::optional<double> hull_added_volume = 0.0;
 
   std::vector<std::string> notes;  // for the user to read
+
+  /// Why the process that read the file was not confined, though its limits held; empty where it was, or where the
+  /// file needed no such process.
+  std::string reader_unconfined;
 };
 
 /// A body that is the convex hull of its vertices, exactly. These are points of the file (converted and scaled, if so

@@ -18,7 +18,8 @@ namespace vex {
 /// flips (Edelsbrunner and Shah, "Incremental topological flipping works for regular triangulations", Algorithmica 15,
 /// 1996), and every sign is exact (exact_sign.h, which says what coordinates may be). Time is near-linear; memory
 /// beyond the points is 56 bytes for each, and 48 more for each that is a corner. Nothing where all points lie in one
-/// plane, or so near to one that no point inside is a vertex and a step in double from it.
+/// plane, or so near to one that no point inside is a vertex and a step in double from it. Throws InputError where the
+/// points lie so that every order tried takes more than a bounded number of steps for each.
 std::optional<Triangles> exact_hull(std::span<const Vec3d> points);
 
 }  // namespace vex

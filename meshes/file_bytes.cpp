@@ -9,24 +9,11 @@
 #include <new>
 
 #include "engine/numeric/errors.h"
+#include "meshes/open_file.h"
 #include "meshes/machine_memory.h"
 
 namespace vex {
 namespace {
-
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
 
 FileStamp stamp_of(const struct stat& status) {
   return {status.st_dev, status.st_ino, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
@@ -37,7 +24,7 @@ int open_at_once(const std::filesystem::path& path) {
   return ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
 }
 
-struct stat checked_status(const Descriptor& file, const std::filesystem::path& path) {
+struct stat checked_status(const OpenFile& file, const std::filesystem::path& path) {
   const auto refuse = [&path](const std::string& reason) {
     throw InputError("cannot read the mesh file " + path.string() + " (" + reason + ") - name a file that can be read");
   };
@@ -54,6 +41,37 @@ struct stat checked_status(const Descriptor& file, const std::filesystem::path& 
 [[noreturn]] void refuse_too_large(const std::string& name, std::uint64_t size) {
   throw InputError(name + " is too large for this machine (" + std::to_string(size / kMiB) + " MiB or more, with " +
                    std::to_string(machine_memory() / kMiB) + " MiB of memory) - simplify the mesh");
+}
+
+/// How much of a file was ever written: the rest are holes, which take no room on the disk and read as zeros.
+std::uint64_t written_bytes(const OpenFile& file, const struct stat& status) {
+  constexpr int kMostPieces = 100'000;  // of a file made of more, what lies behind them counts as holes
+  constexpr std::int64_t kBlock = 512;  // what st_blocks counts
+  if (status.st_blocks >= status.st_size / kBlock) return static_cast<std::uint64_t>(status.st_size);
+  std::uint64_t written = 0;
+  ::off_t at = 0;
+  for (int n = 0; n < kMostPieces && at < status.st_size; ++n) {
+    const ::off_t begin = ::lseek(file.number(), at, SEEK_DATA);
+    if (begin < 0 && errno == ENXIO) break;  // nothing but a hole is left
+    at = begin < 0 ? begin : ::lseek(file.number(), begin, SEEK_HOLE);
+    if (at < 0) {  // the file system does not tell
+      written = static_cast<std::uint64_t>(status.st_size);
+      break;
+    }
+    written += static_cast<std::uint64_t>(at - begin);
+  }
+  ::lseek(file.number(), 0, SEEK_SET);
+  return written;
+}
+
+/// What a file's reading may cost goes by its size, so that the size must not come for nothing.
+void refuse_holes(const OpenFile& file, const struct stat& status, const std::string& name) {
+  const auto size = static_cast<std::uint64_t>(status.st_size);
+  const std::uint64_t written = written_bytes(file, status);
+  if (size > written && size - written > written + kMiB) {
+    throw InputError(name + " is mostly holes (of its " + std::to_string(size) + " bytes " + std::to_string(written) +
+                     " were ever written) - fetch or export it again; if so it is meant, cp --sparse=never fills them");
+  }
 }
 
 /// Fills `bytes` from its byte `at` on; returns how many came before the end. Throws InputError.
@@ -80,23 +98,27 @@ void FileBytes::resize(std::size_t size) {
   size_ = size;
 }
 
-std::optional<FileStamp> file_stamp(const std::filesystem::path& path) {
+std::optional<FileStamp> file_stamp(const OpenFile& file) {
   struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return std::nullopt;
+  if (::fstat(file.number(), &status) != 0) return std::nullopt;
   return stamp_of(status);
 }
 
 std::uint64_t most_file_bytes() { return machine_memory() / 2; }
 
 std::uintmax_t checked_file_size(const std::filesystem::path& path) {
-  const Descriptor file(open_at_once(path));
+  const OpenFile file(open_at_once(path));
   return static_cast<std::uintmax_t>(checked_status(file, path).st_size);
 }
 
 FileBytes read_file_bytes(const std::filesystem::path& path) {
+  return read_file_bytes(OpenFile(open_at_once(path)), path);
+}
+
+FileBytes read_file_bytes(const OpenFile& file, const std::filesystem::path& path) {
   const std::string name = "the mesh file " + path.string();
-  const Descriptor file(open_at_once(path));
   const struct stat before = checked_status(file, path);
+  refuse_holes(file, before, name);
   const auto size = static_cast<std::size_t>(before.st_size);
   if (size > most_file_bytes()) refuse_too_large(name, size);
   FileBytes bytes;

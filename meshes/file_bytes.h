@@ -12,6 +12,8 @@
 #include <string_view>
 #include <utility>
 
+#include "meshes/open_file.h"
+
 namespace vex {
 
 /// Bytes in memory, which grow without being written twice.
@@ -48,8 +50,8 @@ struct FileStamp {
 
   bool operator==(const FileStamp&) const = default;
 };
-/// Nothing where there is no such file.
-std::optional<FileStamp> file_stamp(const std::filesystem::path& path);
+/// Nothing where no file is open.
+std::optional<FileStamp> file_stamp(const OpenFile& file);
 
 /// Of files, standard input and what is unpacked from them: more than this, half of the memory, is refused.
 std::uint64_t most_file_bytes();
@@ -58,8 +60,11 @@ std::uint64_t most_file_bytes();
 /// waits, whatever is there (a pipe, a device).
 std::uintmax_t checked_file_size(const std::filesystem::path& path);
 
-/// The whole of such a file. Throws InputError, also where the file's size or time changes meanwhile.
+/// The whole of such a file. Throws InputError, also where the file's size or time changes meanwhile, and where more
+/// than a megabyte and half of it were never written (holes).
 FileBytes read_file_bytes(const std::filesystem::path& path);
+/// Of one that is open; `path` is what messages call it.
+FileBytes read_file_bytes(const OpenFile& file, const std::filesystem::path& path);
 
 /// Standard input to its end, whatever it is connected to. Throws InputError where there is nothing.
 FileBytes read_standard_input();

@@ -1,42 +1,38 @@
 #include "meshes/isolated_reader.h"
 
-#include <fcntl.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <locale>
 #include <new>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "engine/numeric/errors.h"
 #include "meshes/assimp_reader.h"
 #include "meshes/machine_memory.h"
+#include "meshes/report_text.h"
 
 namespace vex {
 namespace {
 
 constexpr std::uint64_t kGiB = std::uint64_t{1} << 30U;
 
-/// What the reading process may use.
-struct Limits {
-  std::uint64_t seconds = 0;  // of processor time
-  std::uint64_t bytes = 0;    // of address space, beyond what this process has
-};
-
-Limits limits_for(std::uint64_t n_geometry_bytes) {
+/// A file that reads at all is read within a second for 10 MiB; a crafted one gets no longer than it has to. The clock
+/// on the wall is for what takes no processor time, and has room for a machine that does much else.
+ProcessLimits limits_for(std::uint64_t n_geometry_bytes) {
   const std::uint64_t size = std::min<std::uint64_t>(n_geometry_bytes, std::uint64_t{1} << 50U);
-  return {10 + size / kMiB, std::min(kGiB + 100 * size, machine_memory() / 4 * 3)};
+  ProcessLimits limits;
+  limits.processor_seconds = 8 + size / kMiB;
+  limits.wall_seconds = 10 + 4 * (size / kMiB);
+  limits.bytes = std::min(kGiB + 100 * size, machine_memory() / 4 * 3);
+  return limits;
 }
 
 enum class Outcome : std::uint64_t { soup, input_error, out_of_memory };
@@ -54,10 +50,10 @@ struct Header {
 
 // --- the reading process
 
-void write_all(int descriptor, const void* data, std::size_t size) {
+void write_all(const void* data, std::size_t size) {
   const char* next = static_cast<const char*>(data);
   while (size > 0) {
-    const ssize_t written = ::write(descriptor, next, std::min<std::size_t>(size, kGiB));
+    const ssize_t written = ::write(kConfinedDescriptor, next, std::min<std::size_t>(size, kGiB));
     if (written < 0 && errno != EINTR) {
       ::_exit(2);
     }
@@ -69,45 +65,11 @@ void write_all(int descriptor, const void* data, std::size_t size) {
 }
 
 template <class T>
-void write_array(int descriptor, const std::vector<T>& array) {
-  write_all(descriptor, array.data(), array.size() * sizeof(T));
+void write_array(const std::vector<T>& array) {
+  write_all(array.data(), array.size() * sizeof(T));
 }
 
-void limit(decltype(RLIMIT_CPU) resource, std::uint64_t most) {
-  struct rlimit now {};
-  if (::getrlimit(resource, &now) == 0 && (now.rlim_cur == RLIM_INFINITY || now.rlim_cur > most)) {
-    now.rlim_cur = most;
-    ::setrlimit(resource, &now);
-  }
-}
-
-void confine(const Limits& limits, pid_t parent) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGALRM, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL,
-                           SIGXCPU, SIGUSR1, SIGUSR2}) {
-    const bool was_ignored = std::signal(signal, SIG_DFL) == SIG_IGN;
-    if (was_ignored && (signal == SIGINT || signal == SIGHUP || signal == SIGQUIT)) {
-      std::signal(signal, SIG_IGN);  // a job in the background, or under nohup, is not to end with the terminal's
-    }
-  }
-  sigset_t none;
-  sigemptyset(&none);
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) {  // it died before the line above
-    ::_exit(2);
-  }
-  const int nowhere = ::open("/dev/null", O_RDWR);
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    ::dup2(nowhere, stream);
-  }
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_CPU, limits.seconds);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // these reserve terabytes of address space
-  limit(RLIMIT_AS, own_address_space() + limits.bytes);
-#endif
-}
-
-[[noreturn]] void read_and_send(const AssimpInput& input, int descriptor) {
+[[noreturn]] void read_and_send(const AssimpInput& input) {
   Header header;
   std::string text;
   PolygonSoup soup;
@@ -130,106 +92,74 @@ void confine(const Limits& limits, pid_t parent) {
   header.unit_metres = soup.unit_metres;
   text.resize(std::min<std::size_t>(text.size(), 2000));
   header.text_length = text.size();
-  write_all(descriptor, &header, sizeof header);
-  write_all(descriptor, text.data(), text.size());
+  write_all(&header, sizeof header);
+  write_all(text.data(), text.size());
   if (header.outcome == Outcome::soup) {
-    write_array(descriptor, soup.points);
-    write_array(descriptor, soup.corners);
-    write_array(descriptor, soup.face_sizes);
+    write_array(soup.points);
+    write_array(soup.corners);
+    write_array(soup.face_sizes);
   }
   ::_exit(0);
 }
 
 // --- this process
 
-/// The reading process and the pipe from it; both are gone when this is.
-class Child {
- public:
-  Child(pid_t id, int descriptor) : id_(id), descriptor_(descriptor) {}
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-  ~Child() {
-    ::close(descriptor_);
-    if (id_ > 0) {
-      ::kill(id_, SIGKILL);
-      wait();
-    }
-  }
-
-  /// Reads `size` bytes, or fewer where the other end closes. A signal that this process handles does not end it.
-  std::size_t read(void* data, std::size_t size) const {
-    std::size_t n_read = 0;
-    while (n_read < size) {
-      const ssize_t n =
-          ::read(descriptor_, static_cast<char*>(data) + n_read, std::min<std::size_t>(size - n_read, kGiB));
-      if (n > 0) {
-        n_read += static_cast<std::size_t>(n);
-      } else if (n == 0 || errno != EINTR) {
-        break;
-      }
-    }
-    return n_read;
-  }
-
-  /// `array` is filled with what arrives; what was only announced takes addresses, and no memory.
-  template <class T>
-  bool read_array(std::uint64_t size, std::vector<T>* array) const {
-    constexpr std::uint64_t kChunk = 16 * kMiB / sizeof(T);
-    array->reserve(static_cast<std::size_t>(size));
-    while (array->size() < size) {
-      const std::size_t before = array->size();
-      const auto n = static_cast<std::size_t>(std::min<std::uint64_t>(size - before, kChunk));
-      array->resize(before + n);
-      if (read(array->data() + before, n * sizeof(T)) != n * sizeof(T)) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /// How the process ended; -1 where that cannot be known (a caller that ignores SIGCHLD).
-  int wait() {
-    int status = -1;
-    while (::waitpid(id_, &status, 0) < 0) {
-      if (errno != EINTR) {
-        status = -1;
-        break;
-      }
-    }
-    id_ = 0;
-    return status;
-  }
-
- private:
-  pid_t id_;
-  int descriptor_;
-};
-
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& reason, const std::string& advice) {
   throw InputError("the reader of " + path.string() + " failed (" + reason + ") - " + advice);
 }
 
-[[noreturn]] void refuse_for_status(const std::filesystem::path& path, int status, const Limits& limits) {
+[[noreturn]] void refuse_for_end(const std::filesystem::path& path, const ProcessEnd& end,
+                                 const ProcessLimits& limits) {
   const char* const unreadable =
       "the file may be damaged, or hold something that assimp cannot read: convert it to .obj, .off, .ply or .stl";
-  if (status >= 0 && WIFSIGNALED(status)) {
-    const int signal = WTERMSIG(status);
-    if (signal == SIGXCPU) {
-      refuse(path, "assimp took more than " + std::to_string(limits.seconds) + " s of processor time", unreadable);
+  const std::string processor_time =
+      "assimp took more than " + std::to_string(limits.processor_seconds) + " s of processor time";
+  if (end.was_too_slow) {
+    refuse(path,
+           "it took more than " + std::to_string(limits.wall_seconds) + " s, " +
+               number_text(std::floor(10.0 * end.processor_seconds) / 10.0) + " s of them on a processor",
+           "the file may be damaged, the machine busy, or the reader stopped: start again, or convert the file to .obj, "
+           ".off, .ply or .stl");
+  }
+  if (end.was_killed_here) refuse(path, "it sent what no reader sends, and did not end", unreadable);
+  if (end.status >= 0 && WIFSIGNALED(end.status)) {
+    const int signal = WTERMSIG(end.status);
+    if (signal == SIGXCPU) refuse(path, processor_time, unreadable);
+    if (signal == SIGKILL) {
+      // Beyond the hard limit on its time the kernel kills, too.
+      if (end.processor_seconds >= static_cast<double>(limits.processor_seconds)) {
+        refuse(path, processor_time, unreadable);
+      }
+      refuse(path, "it was killed from outside, by signal 9, and nothing says that the file is to blame",
+             "this is what a container or a batch job does when its memory runs out: give it more, or convert the file "
+             "to .ply or .stl");
     }
     if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP || signal == SIGQUIT) {
       refuse(path, "interrupted by signal " + std::to_string(signal), "start again");
     }
     refuse(path, "assimp crashed with signal " + std::to_string(signal), unreadable);
   }
-  refuse(path, "it ended early, with exit status " + std::to_string(status >= 0 ? WEXITSTATUS(status) : -1),
+  refuse(path,
+         "it ended early, with exit status " + std::to_string(end.status >= 0 ? WEXITSTATUS(end.status) : -1),
          unreadable);
 }
 
-PolygonSoup receive(const std::filesystem::path& path, const Limits& limits, Child* child) {
+/// Before the process looks at a byte of the file.
+void check_barriers(const std::filesystem::path& path, const ProcessLimits& limits, Confining confining,
+                    ConfinedProcess* child) {
+  if (!child->has_barriers()) refuse_for_end(path, child->end(), limits);
+  const Barriers& barriers = child->barriers();
+  const char* const convert = "convert the file to .obj, .off, .ply or .stl, which need no such reader";
+  if (barriers.limits != 0) refuse(path, barriers.problem(), convert);
+  if (confining == Confining::required && !barriers.is_confined()) {
+    refuse(path, "it cannot be confined, as was required; " + barriers.problem(), convert);
+  }
+}
+
+PolygonSoup receive(const std::filesystem::path& path, const ProcessLimits& limits, ConfinedProcess* child) {
   Header header;
   if (child->read(&header, sizeof header) != sizeof header || header.magic != Header::kMagic) {
-    refuse_for_status(path, child->wait(), limits);
+    refuse_for_end(path, child->end(), limits);
   }
   const std::string out_of_memory =
       "assimp asked for more than " + std::to_string(limits.bytes / kMiB) + " MiB of memory";
@@ -238,7 +168,7 @@ PolygonSoup receive(const std::filesystem::path& path, const Limits& limits, Chi
   }
   std::vector<char> text;
   if (header.text_length > 4000 || !child->read_array(header.text_length, &text)) {
-    refuse_for_status(path, child->wait(), limits);
+    refuse_for_end(path, child->end(), limits);
   }
   if (header.outcome == Outcome::input_error) {
     throw InputError(std::string(text.begin(), text.end()));
@@ -249,6 +179,7 @@ PolygonSoup receive(const std::filesystem::path& path, const Limits& limits, Chi
     refuse(path, "it announced an impossible amount", "the file may be damaged: convert it to .ply or .stl");
   }
   PolygonSoup soup;
+  soup.unconfined = child->barriers().problem();
   soup.n_parts = header.n_parts;
   soup.n_ignored_faces = header.n_ignored_faces;
   soup.digits = header.digits;
@@ -256,41 +187,17 @@ PolygonSoup receive(const std::filesystem::path& path, const Limits& limits, Chi
   soup.unit_metres = header.unit_metres;
   if (!child->read_array(header.n_points, &soup.points) || !child->read_array(header.n_corners, &soup.corners) ||
       !child->read_array(header.n_faces, &soup.face_sizes)) {
-    refuse_for_status(path, child->wait(), limits);
+    refuse_for_end(path, child->end(), limits);
   }
   return soup;
 }
 
-/// Above the three standard streams, which a caller may have closed and the reading process redirects.
-int above_standard_streams(int descriptor) {
-  const int moved = ::fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
-  ::close(descriptor);
-  return moved;
-}
-
 }  // namespace
 
-PolygonSoup read_by_assimp_isolated(const AssimpInput& input) {
-  const Limits limits = limits_for(input.n_geometry_bytes);
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-    throw std::runtime_error(std::string("cannot make a pipe for the file reader: ") + std::strerror(errno));
-  }
-  ::fcntl(ends[1], F_SETPIPE_SZ, static_cast<int>(kMiB));  // fewer changes between the processes; it may be refused
-  const int read_end = above_standard_streams(ends[0]);
-  const int write_end = above_standard_streams(ends[1]);
-  const pid_t parent = ::getpid();
-  const pid_t id = ::fork();
-  if (id == 0) {
-    ::close(read_end);
-    confine(limits, parent);
-    read_and_send(input, write_end);
-  }
-  ::close(write_end);
-  Child child(id, read_end);
-  if (id < 0) {
-    throw std::runtime_error(std::string("cannot start the file reader: ") + std::strerror(errno));
-  }
+PolygonSoup read_by_assimp_isolated(const AssimpInput& input, Confining confining) {
+  const ProcessLimits limits = limits_for(input.n_geometry_bytes);
+  ConfinedProcess child(limits, confining, [&input] { read_and_send(input); });
+  check_barriers(input.path, limits, confining, &child);
   return receive(input.path, limits, &child);
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "meshes/formats/coordinate_text.h"
+#include "meshes/hash_key.h"
 
 namespace vex {
 namespace {
@@ -18,10 +19,10 @@ constexpr std::uint32_t kNoPoint = std::numeric_limits<std::uint32_t>::max();
 
 using Cell = std::array<double, 3>;  // whole numbers
 
-std::uint64_t hash_of(const Cell& cell) {
-  std::uint64_t hash = 0;
+std::uint64_t hash_of(const Cell& cell, std::uint64_t key) {
+  std::uint64_t hash = key;
   for (const double x : cell) {
-    hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9e3779b97f4a7c15U;
+    hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * key;
     hash ^= hash >> 29U;
   }
   return hash;
@@ -77,7 +78,7 @@ class Grid {
     return {std::floor(p.x / edge_), std::floor(p.y / edge_), std::floor(p.z / edge_)};
   }
   std::size_t slot_of(const Cell& cell) const {
-    std::size_t slot = static_cast<std::size_t>(hash_of(cell)) & mask_;
+    std::size_t slot = static_cast<std::size_t>(hash_of(cell, key_)) & mask_;
     while (cell_at_[slot] != kNoPoint && cells_[cell_at_[slot]] != cell) {
       slot = (slot + 1) & mask_;
     }
@@ -87,6 +88,7 @@ class Grid {
   std::span<const Vec3d> points_;
   double edge_;
   std::size_t mask_ = 0;
+  std::uint64_t key_ = hash_key();
   std::vector<std::uint32_t> cell_at_;  // of each slot of the hash table
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> first_, next_;  // the points of a cell

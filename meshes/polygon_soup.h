@@ -35,6 +35,7 @@ struct PolygonSoup {
   CoordinateDigits digits;
   std::string unit;          // of length, as the file states it: "mm"; empty where it states none
   double unit_metres = 0.0;  // that unit in metres; 0 where the file states none
+  std::string unconfined;    // why the process that read it was not confined; empty where it was, or needed not be
 
   void add_face(std::initializer_list<std::uint32_t> face) {
     corners.insert(corners.end(), face);

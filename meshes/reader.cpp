@@ -1,7 +1,6 @@
 #include "meshes/reader.h"
 
 #include <algorithm>
-#include <iterator>
 #include <new>
 #include <optional>
 #include <string_view>
@@ -106,18 +105,7 @@ PolygonSoup read_file(const std::filesystem::path& path, const ReadOptions& opti
   if (format.is_packed || !is_read_by_assimp(format.extension)) refuse_format(path.string(), format);
 
   const AssimpInput input = prepare_for_assimp(path, format.extension);
-  const auto stamps = [&input] {
-    std::vector<std::optional<FileStamp>> result;
-    std::ranges::transform(input.buffers, std::back_inserter(result), file_stamp);
-    return result;
-  };
-  const auto before = stamps();
-  PolygonSoup soup = options.isolated ? read_by_assimp_isolated(input) : read_by_assimp(input);
-  if (stamps() != before) {
-    throw InputError("a buffer of the mesh file " + path.string() +
-                     " changed while it was read (a .bin file that it names) - start again when it is written");
-  }
-  return soup;
+  return options.isolated ? read_by_assimp_isolated(input, options.confining) : read_by_assimp(input);
 }
 
 }  // namespace
@@ -144,9 +132,7 @@ std::vector<std::filesystem::path> files_read_with(const std::filesystem::path& 
       const FileBytes bytes = read_file_bytes(path);
       const std::optional<GltfSummary> summary = gltf_summary(bytes.view());
       for (const std::string& uri : summary ? summary->buffer_uris : std::vector<std::string>{}) {
-        if (std::optional<std::filesystem::path> buffer = gltf_buffer_beside(path, uri)) {
-          files.push_back(std::move(*buffer));
-        }
+        if (const std::optional<BufferFile> buffer = gltf_buffer_beside(path, uri)) files.push_back(buffer->path);
       }
     }
   } catch (const Error&) {  // reading it will say why

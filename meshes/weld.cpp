@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/numeric/errors.h"
+#include "meshes/hash_key.h"
 #include "meshes/report_text.h"
 
 namespace vex {
@@ -70,9 +71,9 @@ std::uint64_t mixed(std::uint64_t bits) {
   return bits ^ bits >> 32U;
 }
 
-std::uint64_t hash_of(const Vec3d& p) {
+std::uint64_t hash_of(const Vec3d& p, std::uint64_t key) {
   const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x + 0.0); };
-  return mixed(bits(p.x) + 0x9e3779b97f4a7c15U * mixed(bits(p.y) + 0x9e3779b97f4a7c15U * mixed(bits(p.z))));
+  return mixed(bits(p.x) + key * mixed(bits(p.y) + key * mixed(bits(p.z) + key)));
 }
 
 /// For each point its vertex, and the vertices in lexicographic order.
@@ -118,12 +119,13 @@ Vertices welded_vertices(const PolygonSoup& soup, UnusedPoints unused) {
                          static_cast<std::size_t>(std::count(result.of_point.begin(), result.of_point.end(), kUnused));
   const std::size_t mask = std::bit_ceil(2 * result.n_used_points + 1) - 1;
   std::vector<std::uint32_t> table(mask + 1, kUnused);
+  const std::uint64_t key = hash_key();
   for (std::size_t i = 0; i < soup.points.size(); ++i) {
     if (result.of_point[i] == kUnused) {
       continue;
     }
     const Vec3d p = without_minus_zero(soup.points[i]);
-    std::size_t slot = static_cast<std::size_t>(hash_of(p)) & mask;
+    std::size_t slot = static_cast<std::size_t>(hash_of(p, key)) & mask;
     const auto is_other = [&](std::uint32_t vertex) {
       const Vec3d& v = result.vertices[vertex];
       return v.x != p.x || v.y != p.y || v.z != p.z;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <functional>
 
@@ -65,6 +67,21 @@ std::string format_of(const std::string& path, const BodyOptions& options) {
   return options.reads_standard_input && path != "-" ? std::string() : options.format;
 }
 
+// Once for all bodies of a run: the machine is to blame, not a file.
+void say_once_that_no_confinement_is_had(const std::string& reason) {
+  static std::atomic<bool> is_said{false};
+  if (reason.empty() || is_said.exchange(true)) return;
+  std::fprintf(stderr,
+               "note: the process that reads mesh files is not confined (%s) - its limits on time and memory hold; "
+               "--require-confinement refuses such files instead\n",
+               reason.c_str());
+}
+
+ReadOptions read_options(const std::string& path, const BodyOptions& options) {
+  return {.format = format_of(path, options),
+          .confining = options.require_confinement ? Confining::required : Confining::as_far_as_possible};
+}
+
 // The mesh by these options; from a file, or from what was read of one before.
 using MeshSource = std::function<ConvexMesh(const MeshOptions&)>;
 
@@ -90,11 +107,13 @@ LoadedBody loaded_from(const std::string& text, const BodyOptions& options, cons
   mesh_options.unit = options.unit;
   mesh_options.format = format_of(core, options);
   mesh_options.hull = options.hull;
+  mesh_options.require_confinement = options.require_confinement;
   if (options.unit_volume || options.scale != 1.0) {
     mesh_options.scale = [&](const Measures& measures) { return scale = factor(measures); };
   }
   ConvexMesh mesh = naming_the_file(core, [&] { return mesh_from(mesh_options); });
   MeshReport report = std::move(mesh.report);
+  say_once_that_no_confinement_is_had(report.reader_unconfined);
   LoadedBody loaded{text, std::move(mesh), scale, std::move(report)};
   require_size_in_range(loaded.shape.body, loaded.shape.measures, text, range);
   if (round) loaded.shape = rounded(loaded.shape, radius * scale, text, range);
@@ -114,7 +133,7 @@ std::pair<LoadedBody, LoadedBody> load_two_bodies(const std::string& a, const st
   if (a == b && of_a.scale != of_b.scale && names_a_mesh(a)) {
     const std::string path = file_named_by(a);
     const PolygonSoup soup =
-        naming_the_file(path, [&] { return read_polygon_soup(path, {.format = format_of(path, options)}); });
+        naming_the_file(path, [&] { return read_polygon_soup(path, read_options(path, options)); });
     const MeshSource mesh_from = [&](const MeshOptions& mesh_options) { return convex_mesh_from(soup, mesh_options); };
     return {loaded_from(a, of_a, mesh_from), loaded_from(b, of_b, mesh_from)};
   }

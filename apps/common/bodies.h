@@ -20,6 +20,7 @@ struct BodyOptions {
   std::string format{};  // of standard input, where that is one of the bodies; otherwise of every mesh file
   bool reads_standard_input = false;           // one of the bodies is "-"
   bool hull = false;                           // of meshes: the convex hull of whatever the file holds
+  bool require_confinement = false;            // of meshes: as in MeshOptions
   bool unit_volume = false;                    // scale to V = 1 about the origin ...
   double scale = 1.0;                          // ... and then by this
   std::optional<double> scale_a{}, scale_b{};  // of two bodies: where given, instead of `scale`

@@ -80,6 +80,11 @@ void declare_body_options(OptionParser& options, BodyWords& words) {
       .type_name("EXT")
       .group(kGroup);
   options
+      .add_flag("--require-confinement", words.require_confinement,
+                "Refuse a mesh file whose reader (of .gltf .glb .dae .3mf ...) cannot be confined on this system, "
+                "instead of saying so")
+      .group(kGroup);
+  options
       .add_flag("--dump-vertices", words.dump_vertices,
                 "List a polytope's vertices in hexadecimal: they are the body, exactly")
       .group(kGroup);
@@ -107,6 +112,7 @@ BodyOptions interpret_bodies(const BodyWords& words, std::span<const std::string
   options.unit = words.unit;
   options.format = words.format;
   options.hull = words.hull;
+  options.require_confinement = words.require_confinement;
   options.unit_volume = words.unit_volume;
   if (!words.scale.empty()) options.scale = parse_positive_number(words.scale, "--scale");
   options.scale_a = scale_of_one(options.scale, words.scale_a, "--scale-a");

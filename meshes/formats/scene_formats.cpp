@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <filesystem>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "meshes/formats/coordinate_text.h"
@@ -15,6 +16,7 @@
 #include "meshes/formats/scene_parts.h"
 #include "meshes/formats/xml_tags.h"
 #include "meshes/length_unit.h"
+#include "meshes/machine_memory.h"
 
 namespace vex {
 namespace {
@@ -183,6 +185,39 @@ void look_into_collada(AssimpInput* input) {
 
 // --- glTF
 
+namespace {
+
+[[noreturn]] void refuse_buffer(const AssimpInput& input, const std::string& uri) {
+  refuse_scene(input, "a buffer of the mesh cannot be read",
+               shown(uri) + ", which must be a .bin file in the folder of the .gltf file or below, by no link out of it",
+               "put it there, or export a .glb");
+}
+
+/// Reads each file once, so that a document which names it a thousand times takes no more memory, and no more time.
+void take_buffers(const std::vector<std::string>& uris, AssimpInput* input) {
+  GltfBuffers& buffers = input->buffers;
+  std::map<std::pair<::dev_t, ::ino_t>, std::size_t> of_file;
+  for (const std::string& uri : uris) {
+    if (buffers.by_uri.contains(uri)) continue;
+    const std::optional<BufferFile> buffer = gltf_buffer_beside(input->path, uri);
+    const std::optional<FileStamp> stamp = buffer ? file_stamp(buffer->file) : std::nullopt;
+    if (!stamp) refuse_buffer(*input, uri);
+    const auto [held, is_new] = of_file.try_emplace({stamp->device, stamp->number}, buffers.files.size());
+    if (is_new) {
+      const std::uint64_t so_far = input->n_geometry_bytes, size = static_cast<std::uint64_t>(stamp->size);
+      if (size <= most_file_bytes() && so_far + size > most_file_bytes()) {  // too large alone: reading it says so
+        refuse_scene(*input, "the mesh is too large for this machine",
+                     std::to_string(so_far / kMiB) + " MiB and then " + shown(uri), "simplify it");
+      }
+      buffers.files.push_back(read_file_bytes(buffer->file, buffer->path));
+      input->n_geometry_bytes += buffers.files.back().size();
+    }
+    buffers.by_uri.emplace(uri, held->second);
+  }
+}
+
+}  // namespace
+
 void look_into_gltf(AssimpInput* input) {
   const bool is_binary = input->extension == ".glb";
   const std::string_view bytes = input->bytes.view();
@@ -217,16 +252,8 @@ void look_into_gltf(AssimpInput* input) {
     refuse_scene(*input, "the points are moved or repeated in a way that is not read", summary->unread,
                  "apply it and export the mesh as it stands, or as .obj, .ply or .stl");
   }
-  for (const std::string& uri : summary->buffer_uris) {
-    const std::optional<std::filesystem::path> buffer = gltf_buffer_beside(input->path, uri);
-    if (!buffer || is_binary) {
-      refuse_scene(*input, "a buffer of the mesh cannot be read",
-                   shown(uri) + ", which must be a .bin file in the folder of the .gltf file or below",
-                   "put it there, or export a .glb");
-    }
-    input->n_geometry_bytes += checked_file_size(*buffer);
-    input->buffers.push_back(*buffer);
-  }
+  if (is_binary && !summary->buffer_uris.empty()) refuse_buffer(*input, summary->buffer_uris.front());
+  take_buffers(summary->buffer_uris, input);
   set_unit(LengthUnit{"m", 1.0}, input);
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_set>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -100,7 +100,7 @@ class ObjectIds {
 
   const ZipEntry& part_;
   const AssimpInput& input_;
-  std::unordered_set<std::int32_t> taken_, objects_;
+  std::set<std::int32_t> taken_, objects_;
   std::vector<std::pair<std::int32_t, XmlTag>> uses_;
 };
 

@@ -79,6 +79,7 @@ TEST(Structure, EveryThirdPartyHasItsOnePlace) {
       {"zlib.h", {"meshes/gunzip.cpp", "meshes/formats/zip_archive.cpp", "meshes/data/archives.cpp",
                   "apps/common/checksum.cpp"}},
       {"libqhull", {"meshes/hull.cpp"}},
+      {"seccomp.h", {"meshes/confinement.cpp"}},
       {"ccd/", {"apps/peers/ccd_"}},
       {"fcl/", {"apps/peers/fcl_"}},
       {"Random123/", {"engine/sampling/points/random_stream.cpp"}},
