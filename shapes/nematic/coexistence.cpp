@@ -114,9 +114,9 @@ struct Bracket {
 };
 
 std::optional<Bracket> bracket_of_trials(OrderedBranch& branch) {
-  constexpr double kFactor = 1.1, kLargestAlpha = 2000.0;
+  constexpr double kFactor = 1.1, kLargestTrialAlpha = 2000.0;
   double before = 0.0;
-  for (double alpha = 1.0; alpha < kLargestAlpha; alpha *= kFactor) {
+  for (double alpha = 1.0; alpha < kLargestTrialAlpha; alpha *= kFactor) {
     const OrderedBranch::Point point = branch.at(alpha);
     if (!point.is_ordered) continue;
     if (branch.excess(point) > 0.0) {
