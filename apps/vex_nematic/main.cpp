@@ -1,7 +1,6 @@
 // vex_nematic BODY: the isotropic and the nematic fluid of a hard body that are in equilibrium.
-#include <iostream>
-
 #include "apps/common/command_files.h"
+#include "apps/common/results.h"
 #include "apps/common/run_program.h"
 #include "apps/vex_nematic/nematic_run.h"
 
@@ -16,10 +15,11 @@ int run_vex_nematic(const NematicCommandLine& words, const std::string& command)
   if (!options.quiet) files.print_report();
   const NematicRun run = run_nematic(options, command);
   const bool owns_output = (json && json->is_standard_output()) || (plot && plot->is_standard_output());
-  if (!options.quiet && !owns_output) std::cout << report_text(run);
-  if (plot) plot->write_catching_interrupts(picture_of(run));
-  if (json) json->write(report_json(run));
-  return kSuccess;
+  Results results("vex_nematic", owns_output);
+  if (!options.quiet && !owns_output) results.print(report_text(run));
+  results.write(json, Results::Kind::numbers, [&] { return report_json(run); });
+  results.write(plot, Results::Kind::picture, [&] { return picture_of(run); });
+  return results.exit_code(kSuccess);
 }
 
 }  // namespace

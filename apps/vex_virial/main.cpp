@@ -1,9 +1,8 @@
 // vex_virial BODY: virial coefficients of hard convex bodies.
-#include <iostream>
-
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
 #include "apps/common/progress_bar.h"
+#include "apps/common/results.h"
 #include "apps/common/run_program.h"
 #include "apps/vex_virial/report.h"
 
@@ -55,11 +54,12 @@ int run_vex_virial(const VirialCommandLine& words, const std::string& command) {
   measure(run);
 
   const bool owns_output = (json && json->is_standard_output()) || (plot && plot->is_standard_output());
-  if (!options.quiet && !owns_output) std::cout << report_text(run);
-  if (plot) plot->write_catching_interrupts(picture_of(run));
-  if (json) json->write(report_json(run));
+  Results results("vex_virial", owns_output);
+  if (!options.quiet && !owns_output) results.print(report_text(run));
+  results.write(json, Results::Kind::numbers, [&] { return report_json(run); });
+  results.write(plot, Results::Kind::picture, [&] { return picture_of(run); });
   const int signal = interrupting_signal().load();
-  return signal == 0 ? kSuccess : kSignalBase + signal;
+  return results.exit_code(signal == 0 ? kSuccess : kSignalBase + signal);
 }
 
 }  // namespace
