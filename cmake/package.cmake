@@ -52,6 +52,9 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libvex-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   "libassimp-dev (>= 5.2), libeigen3-dev (>= 3.4), libqhull-dev (>= 2020.2), zlib1g-dev")
+if(VEX_WITH_SECCOMP)
+  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libseccomp-dev (>= 2.5)")
+endif()
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS vex)  # for its documentation
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "overlap and excluded volume of convex bodies - development files
 Static libraries, headers and CMake package of vex: an overlap query for

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "meshes/confinement.h"
-#include "meshes/open_file.h"
 #include "meshes/machine_memory.h"
+#include "meshes/open_file.h"
 
 namespace vex {
 
@@ -24,8 +24,9 @@ struct ProcessEnd {
 /// A forked process, which is gone when this is.
 class ConfinedProcess {
  public:
-  /// Runs `work` there, behind the barriers; it writes to kConfinedDescriptor, and must not return. Where the limits are
-  /// refused, or what is required, it does not run at all. Throws std::runtime_error where no process can be started.
+  /// Runs `work` there, behind the barriers; it writes to kConfinedDescriptor, and must not return. Where the limits
+  /// are refused, or what is required, it does not run at all. Throws std::runtime_error where no process can be
+  /// started.
   ConfinedProcess(const ProcessLimits& limits, Confining confining, const std::function<void()>& work);
   ConfinedProcess(const ConfinedProcess&) = delete;
   ConfinedProcess& operator=(const ConfinedProcess&) = delete;

@@ -98,13 +98,11 @@ int filter_system_calls() {
   if (filter == nullptr) return ENOMEM;
   int error = 0;
   const auto allow = [&](int call, std::initializer_list<scmp_arg_cmp> arguments = {}) {
-    const int result = ::seccomp_rule_add_array(filter, SCMP_ACT_ALLOW, call,
-                                                static_cast<unsigned>(arguments.size()), arguments.begin());
+    const int result = ::seccomp_rule_add_array(filter, SCMP_ACT_ALLOW, call, static_cast<unsigned>(arguments.size()),
+                                                arguments.begin());
     if (error == 0) error = -result;
   };
-  const auto is = [](unsigned argument, std::uint64_t value) {
-    return scmp_arg_cmp{argument, SCMP_CMP_EQ, value, 0};
-  };
+  const auto is = [](unsigned argument, std::uint64_t value) { return scmp_arg_cmp{argument, SCMP_CMP_EQ, value, 0}; };
   const scmp_arg_cmp not_executable{2, SCMP_CMP_MASKED_EQ, PROT_EXEC, 0};
   allow(SCMP_SYS(write), {is(0, kConfinedDescriptor)});
   allow(SCMP_SYS(mmap), {not_executable});

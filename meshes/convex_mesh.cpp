@@ -332,10 +332,10 @@ const Polytope& ConvexMesh::polytope() const { return *body.target<Polytope>(); 
 ConvexMesh load(const std::filesystem::path& path, const MeshOptions& options) {
   check_options(options);
   return convex_mesh_from(
-      read_polygon_soup(path, {.format = options.format,
-                               .isolated = options.isolated_reader,
-                               .confining = options.require_confinement ? Confining::required
-                                                                        : Confining::as_far_as_possible}),
+      read_polygon_soup(
+          path, {.format = options.format,
+                 .isolated = options.isolated_reader,
+                 .confining = options.require_confinement ? Confining::required : Confining::as_far_as_possible}),
       options);
 }
 

@@ -271,8 +271,8 @@ std::optional<Triangles> exact_hull(std::span<const Vec3d> points) {
   }
   const auto [a, b, c, d] = *tetrahedron;
   // A point inside, with weights of no symmetry: vertices of a symmetric body then are on no edge seen from there.
-  // Others for the case that one is all the same, or that the order of the points makes it slow. Measured: bodies, grids,
-  // curves and points in a ball take 1 to 50 steps for each point, long ones 85 in the first order and 32 in the
+  // Others for the case that one is all the same, or that the order of the points makes it slow. Measured: bodies,
+  // grids, curves and points in a ball take 1 to 50 steps for each point, long ones 85 in the first order and 32 in the
   // others; an order that was made to take long, tens of thousands.
   struct Attempt {
     std::array<double, 3> weights;

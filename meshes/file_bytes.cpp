@@ -9,8 +9,8 @@
 #include <new>
 
 #include "engine/numeric/errors.h"
-#include "meshes/open_file.h"
 #include "meshes/machine_memory.h"
+#include "meshes/open_file.h"
 
 namespace vex {
 namespace {

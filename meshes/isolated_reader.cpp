@@ -115,11 +115,12 @@ void write_array(const std::vector<T>& array) {
   const std::string processor_time =
       "assimp took more than " + std::to_string(limits.processor_seconds) + " s of processor time";
   if (end.was_too_slow) {
-    refuse(path,
-           "it took more than " + std::to_string(limits.wall_seconds) + " s, " +
-               number_text(std::floor(10.0 * end.processor_seconds) / 10.0) + " s of them on a processor",
-           "the file may be damaged, the machine busy, or the reader stopped: start again, or convert the file to .obj, "
-           ".off, .ply or .stl");
+    refuse(
+        path,
+        "it took more than " + std::to_string(limits.wall_seconds) + " s, " +
+            number_text(std::floor(10.0 * end.processor_seconds) / 10.0) + " s of them on a processor",
+        "the file may be damaged, the machine busy, or the reader stopped: start again, or convert the file to .obj, "
+        ".off, .ply or .stl");
   }
   if (end.was_killed_here) refuse(path, "it sent what no reader sends, and did not end", unreadable);
   if (end.status >= 0 && WIFSIGNALED(end.status)) {
@@ -139,8 +140,7 @@ void write_array(const std::vector<T>& array) {
     }
     refuse(path, "assimp crashed with signal " + std::to_string(signal), unreadable);
   }
-  refuse(path,
-         "it ended early, with exit status " + std::to_string(end.status >= 0 ? WEXITSTATUS(end.status) : -1),
+  refuse(path, "it ended early, with exit status " + std::to_string(end.status >= 0 ? WEXITSTATUS(end.status) : -1),
          unreadable);
 }
 

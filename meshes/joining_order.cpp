@@ -37,15 +37,13 @@ std::vector<std::array<std::uint32_t, 3>> places_by_length(std::span<const Vec3d
 
 /// By how many points are lower along each axis: crowds that one cell of the other grid would hold are spread, too.
 std::vector<std::array<std::uint32_t, 3>> places_by_rank(std::span<const Vec3d> points) {
-  const unsigned n_too_many_bits = static_cast<unsigned>(
-      std::max(0, static_cast<int>(std::bit_width(points.size())) - 21));
+  const unsigned n_too_many_bits =
+      static_cast<unsigned>(std::max(0, static_cast<int>(std::bit_width(points.size())) - 21));
   std::vector<std::array<std::uint32_t, 3>> places(points.size());
   std::vector<std::uint32_t> sorted(points.size());
   std::iota(sorted.begin(), sorted.end(), 0U);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto along = [&](std::uint32_t v) {
-      return axis == 0 ? points[v].x : axis == 1 ? points[v].y : points[v].z;
-    };
+    const auto along = [&](std::uint32_t v) { return axis == 0 ? points[v].x : axis == 1 ? points[v].y : points[v].z; };
     std::ranges::stable_sort(sorted, {}, along);
     std::uint32_t rank = 0;
     for (std::size_t k = 0; k < sorted.size(); ++k) {

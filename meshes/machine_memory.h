@@ -7,7 +7,8 @@ namespace vex {
 
 inline constexpr std::uint64_t kMiB = std::uint64_t{1} << 20U;
 
-/// Bytes of memory of this machine, or of this container where that is less.
+/// Bytes of memory of this machine, or of the container, batch job or other control group of this process where that is
+/// less.
 std::uint64_t machine_memory();
 
 /// Bytes of address space that this process has now.

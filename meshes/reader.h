@@ -1,9 +1,9 @@
 // Reads the geometry of a mesh file, and nothing else of it.
 //
 // .obj .off .ply .stl .vtk .msh and points as text (.xyz .csv .txt), all of them also packed by gzip (.gz), are read
-// strictly, in this process, in double (formats/strict_readers.h); the other formats by assimp, in a confined process of
-// its own (isolated_reader.h). No file is opened but the one named, and for .gltf the .bin buffers beside it; one that changes
-// while it is read is refused.
+// strictly, in this process, in double (formats/strict_readers.h); the other formats by assimp, in a confined process
+// of its own (isolated_reader.h). No file is opened but the one named, and for .gltf the .bin buffers beside it; one
+// that changes while it is read is refused.
 #pragma once
 
 #include <filesystem>

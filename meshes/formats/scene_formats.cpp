@@ -188,9 +188,10 @@ void look_into_collada(AssimpInput* input) {
 namespace {
 
 [[noreturn]] void refuse_buffer(const AssimpInput& input, const std::string& uri) {
-  refuse_scene(input, "a buffer of the mesh cannot be read",
-               shown(uri) + ", which must be a .bin file in the folder of the .gltf file or below, by no link out of it",
-               "put it there, or export a .glb");
+  refuse_scene(
+      input, "a buffer of the mesh cannot be read",
+      shown(uri) + ", which must be a .bin file in the folder of the .gltf file or below, by no link out of it",
+      "put it there, or export a .glb");
 }
 
 /// Reads each file once, so that a document which names it a thousand times takes no more memory, and no more time.

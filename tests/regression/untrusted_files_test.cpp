@@ -1,8 +1,8 @@
 // Files that somebody else wrote, to see what they could make vex do. It came about that 16 000 mutated and 510 crafted
 // ones were tried on vex 0.1: a .gltf reached files outside its folder by links and by names like ./../secret.bin,
 // a stopped reader was waited for without end, limits grew with the size that a file of nothing but holes claims, a
-// reader killed for the memory of its container was blamed on the file, 40 000 nodes took 7 s, and 64 000 points laid out
-// for the known order of joining took a hull 76 s.
+// reader killed for the memory of its container was blamed on the file, 40 000 nodes took 7 s, and 64 000 points laid
+// out for the known order of joining took a hull 76 s.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/types.h>
@@ -72,7 +72,8 @@ class BufferOutside : public testing::Test {
 TEST_F(BufferOutside, IsNotReadByWhateverWayItIsNamed) {
   const fs::path before = fs::current_path();
   fs::current_path(folder_);
-  for (const fs::path& path : {folder_ / "x.gltf", fs::path("x.gltf"), fs::path("./x.gltf"), fs::path("inner/../x.gltf")}) {
+  for (const fs::path& path :
+       {folder_ / "x.gltf", fs::path("x.gltf"), fs::path("./x.gltf"), fs::path("inner/../x.gltf")}) {
     for (const std::string uri :
          {"../secret.bin", "./../secret.bin", "inner/../../secret.bin", "link.bin", "./link.bin", "absolute.bin",
           "up/secret.bin", "inner/../link.bin", "%2e%2e/secret.bin", "..%2fsecret.bin", "%2e%2e%2Fsecret.bin"}) {
@@ -158,8 +159,7 @@ TEST(ReaderKilledFromOutside, IsNotBlamedOnTheFile) {
     nodes += "{\"children\": [" + next + ", " + next + "]}, ";
   }
   folder.file("b.bin", gltf_buffer(icosahedron_soup()));
-  const fs::path path =
-      folder.file("busy.gltf", gltf_text(icosahedron_soup(), "b.bin", nodes + "{\"mesh\": 0}]"));
+  const fs::path path = folder.file("busy.gltf", gltf_text(icosahedron_soup(), "b.bin", nodes + "{\"mesh\": 0}]"));
   std::atomic<bool> is_over = false;
   std::thread killer([&is_over] {  // as the kernel does where the memory of a cgroup is used up
     while (!is_over) {

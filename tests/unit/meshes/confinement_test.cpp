@@ -44,7 +44,7 @@ struct Tried {
 int error_of(long result) { return result == -1 ? errno : 0; }
 
 int raise_limit(decltype(RLIMIT_CPU) resource) {
-  const struct rlimit more {1000, 1000};
+  const struct rlimit more { 1000, 1000 };
   return error_of(::setrlimit(resource, &more));
 }
 
