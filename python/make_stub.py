@@ -27,7 +27,8 @@ def stub() -> str:
     law = text.index("class OrientationLaw")
     end = text.index("\nclass ", law)
     names = {"aligned": "", "isotropic": "", "angle": "degrees: float", "cone": "degrees: float",
-             "fixed": "w: float, x: float, y: float, z: float", "onsager": "alpha: float"}
+             "fixed": "w: float, x: float, y: float, z: float", "onsager": "alpha: float",
+             "parse": "text: str"}
     block = text[law:end]
     for name, parameters in names.items():
         block = block.replace(f"    def {name}(self, *args, **kwargs) -> Any: ...",

@@ -8,8 +8,8 @@
 #include "apps/common/choices.h"
 #include "apps/common/instruction_sets.h"
 #include "apps/common/numbers.h"
-#include "apps/common/orientations.h"
 #include "engine/numeric/errors.h"
+#include "engine/sampling/poses/orientation_law_text.h"
 
 namespace vex {
 namespace {
@@ -177,7 +177,7 @@ Options interpret(const CommandLine& words) {
   if (options.control_variate.size() > 2) {
     throw UsageError("too many bodies (" + options.control_variate.back() + " for --control-variate) - at most two");
   }
-  settings.law = parse_orientations(orientations, "--orientations");
+  settings.law = parse_orientation_law(orientations, "--orientations");
   settings.instruction_set = instruction_set_named(or_default(words.isa, "best"));
   settings.backend = backend_named(backend);
   options.is_cross_check = words.cross_check;

@@ -5,11 +5,11 @@
 
 #include "apps/common/bodies.h"
 #include "apps/common/numbers.h"
-#include "apps/common/orientations.h"
 #include "apps/referees/exact_referee.h"
 #include "apps/referees/specialised_backend.h"
 #include "apps/referees/wrong_tests.h"
 #include "engine/sampling/poses/fitted_domain.h"
+#include "engine/sampling/poses/orientation_law_text.h"
 #include "shapes/estimators/exact_average.h"
 #include "shapes/formula.h"
 
@@ -93,7 +93,7 @@ MonteCarloSettings settings_for(const Case& what, const LoadedPair& pair, const 
   MonteCarloSettings settings;
   settings.seed = sampling.seed_of(what);
   settings.n_threads = sampling.n_threads;
-  settings.law = parse_orientations(what.orientations, "--orientations");
+  settings.law = parse_orientation_law(what.orientations, "--orientations");
   settings.domain = what.domain == Domain::Kind::fitted ? fitted_domain(pair.body_a(), pair.body_b())
                                                         : box_domain(pair.body_a(), pair.body_b());
   settings.quick_verdicts = what.quick_verdicts;

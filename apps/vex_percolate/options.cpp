@@ -6,12 +6,12 @@
 #include "apps/common/backends.h"
 #include "apps/common/instruction_sets.h"
 #include "apps/common/numbers.h"
-#include "apps/common/orientations.h"
 #include "apps/common/pose_numbers.h"
 #include "apps/common/scene_gltf.h"
 #include "apps/common/text.h"
 #include "apps/referees/wrong_tests.h"
 #include "engine/numeric/errors.h"
+#include "engine/sampling/poses/orientation_law_text.h"
 
 namespace vex {
 namespace {
@@ -71,7 +71,7 @@ OrientationLaw law_of_bodies(const std::string& word) {
     throw UsageError("not a choice (\"" + word +
                      "\" for --orientations) - there are isotropic, aligned, cone:DEG, onsager:ALPHA, uniform-angle");
   }
-  return parse_orientations(word, "--orientations");
+  return parse_orientation_law(word, "--orientations");
 }
 
 void declare_stop_rules(OptionParser& options, PercolateCommandLine& words) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/sampling/points/trial_points.h"
+#include "engine/sampling/poses/orientation_law_text.h"
 #include "python/bindings/body.h"
 #include "shapes/estimators/exact_average.h"
 #include "shapes/formula.h"
@@ -185,6 +186,7 @@ void bind_excluded_volume(py::module_& module) {
       .def_static("cone", &OrientationLaw::cone, py::arg("degrees"))
       .def_static("angle", &OrientationLaw::angle, py::arg("degrees"))
       .def_static("onsager", &OrientationLaw::onsager, py::arg("alpha"))
+      .def_static("parse", [](const std::string& text) { return parse_orientation_law(text); }, py::arg("text"))
       .def("__repr__", [](const OrientationLaw& law) { return "<vex.OrientationLaw " + law.name() + ">"; })
       .def(
           "__eq__", [](const OrientationLaw& x, const OrientationLaw& y) { return x == y; }, py::is_operator())

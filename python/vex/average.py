@@ -123,22 +123,7 @@ def law_of(law: Union[str, "_vex.OrientationLaw"]) -> "_vex.OrientationLaw":
     """Of ``"isotropic"``, ``"aligned"``, ``"fixed:W,X,Y,Z"``, ``"cone:DEG"``, ``"angle:DEG"``, ``"onsager:ALPHA"``."""
     if isinstance(law, _vex.OrientationLaw):
         return law
-    name, _, rest = str(law).partition(":")
-    makers: Dict[str, Tuple[int, Callable[..., _vex.OrientationLaw]]] = {
-        "isotropic": (0, _vex.OrientationLaw.isotropic), "aligned": (0, _vex.OrientationLaw.aligned),
-        "fixed": (4, _vex.OrientationLaw.fixed), "cone": (1, _vex.OrientationLaw.cone),
-        "angle": (1, _vex.OrientationLaw.angle), "onsager": (1, _vex.OrientationLaw.onsager)}
-    if name not in makers:
-        raise _vex.UsageError(f"not a law of orientations ({law}) - there are isotropic, aligned, fixed:W,X,Y,Z, "
-                              "cone:DEG, angle:DEG and onsager:ALPHA")
-    n, make = makers[name]
-    try:
-        numbers = [float(x) for x in rest.split(",")] if rest else []
-    except ValueError:
-        numbers = []
-    if len(numbers) != n:
-        raise _vex.UsageError(f"a law that is malformed ({law}) - {name} takes {n} number{'' if n == 1 else 's'}")
-    return make(*numbers)
+    return _vex.OrientationLaw.parse(str(law))
 
 
 #: Called several times a second with trials, relative error, seconds.
