@@ -64,18 +64,17 @@ class CutSphere {
             pi * (2.0 * (b + t) + p * std::atan2(p, b) + q * std::atan2(q, t))};
   }
 
-  /// Disc by disc, of radius^2 R^2 - z^2.
+  /// Disc by disc, of radius^2 R^2 - z^2; in units of R, so that nothing underflows before the result does.
   SolidMoments solid_moments() const {
     constexpr double pi = std::numbers::pi;
-    const double r_sq = radius_ * radius_, b = below_, t = above_;
-    const double volume = measures().volume;
-    const double first = pi * (t * t * (0.5 * r_sq - 0.25 * t * t) - b * b * (0.5 * r_sq - 0.25 * b * b));
-    const auto second = [&](double h) { return h * h * h * (r_sq / 3.0 - h * h / 5.0); };
-    const auto across = [&](double h) {
-      return 0.25 * pi * h * (r_sq * r_sq - h * h * (2.0 / 3.0 * r_sq - 0.2 * h * h));
-    };
-    const double mean = first / volume, x = across(b) + across(t);
-    return SolidMoments::diagonal(volume, {0.0, 0.0, mean}, {x, x, pi * (second(b) + second(t)) - mean * first});
+    const double b = below_ / radius_, t = above_ / radius_, unit = radius_ * radius_ * radius_;
+    const double volume = pi * (b * (1.0 - b * b / 3.0) + t * (1.0 - t * t / 3.0));
+    const double mean = pi * (t * t * (0.5 - 0.25 * t * t) - b * b * (0.5 - 0.25 * b * b)) / volume;
+    const auto second = [](double h) { return h * h * h * (1.0 / 3.0 - h * h / 5.0); };
+    const auto across = [](double h) { return 0.25 * h * (1.0 - h * h * (2.0 / 3.0 - 0.2 * h * h)); };
+    const double x = pi * (across(b) + across(t)) * unit * radius_ * radius_;
+    const double z = (pi * (second(b) + second(t)) - mean * mean * volume) * unit * radius_ * radius_;
+    return SolidMoments::diagonal(measures().volume, {0.0, 0.0, mean * radius_}, {x, x, z});
   }
 
   NormalMeasure area_measure() const {
