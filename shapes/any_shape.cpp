@@ -17,13 +17,16 @@
 #include "shapes/capsule.h"
 #include "shapes/closest_word.h"
 #include "shapes/cone.h"
+#include "shapes/cut_sphere.h"
 #include "shapes/cylinder.h"
 #include "shapes/disc.h"
 #include "shapes/dodecahedron.h"
+#include "shapes/egg.h"
 #include "shapes/ellipsoid.h"
 #include "shapes/frustum.h"
 #include "shapes/hemisphere.h"
 #include "shapes/icosahedron.h"
+#include "shapes/lens.h"
 #include "shapes/needle.h"
 #include "shapes/octahedron.h"
 #include "shapes/plate.h"
@@ -31,6 +34,8 @@
 #include "shapes/pyramid.h"
 #include "shapes/rounded.h"
 #include "shapes/sphere.h"
+#include "shapes/spindle.h"
+#include "shapes/superellipsoid.h"
 #include "shapes/tetrahedron.h"
 
 namespace vex {
@@ -40,7 +45,7 @@ using Sizes = std::span<const double>;
 
 struct Entry {
   NamedShape shape;
-  std::string_view sorts;  // of its numbers, in their order: l a length, n how many sides
+  std::string_view sorts;  // of its numbers, in their order: l a length, n how many sides, p an exponent
   Body (*make)(Sizes sizes);
 };
 
@@ -71,6 +76,26 @@ constexpr std::array kShapes = {
     Entry{{"hemisphere", "R", "radius; flat face in z = 0, dome towards +z"},
           "l",
           [](Sizes s) -> Body { return Hemisphere(s[0]); }},
+    Entry{{"lens", "R,H", "radius of the rim in z = 0, thickness along z: what two equal balls share"},
+          "ll",
+          [](Sizes s) -> Body { return Lens(s[0], s[1]); }},
+    Entry{{"cut-sphere", "R,B,T", "radius of the ball, flat faces at z = -B and z = T, none where that is R"},
+          "lll",
+          [](Sizes s) -> Body { return CutSphere(s[0], s[1], s[2]); }},
+    Entry{
+        {"spindle", "L,R", "length along z from tip to tip, radius at the equator; its profile is an arc of a circle"},
+        "ll",
+        [](Sizes s) -> Body { return Spindle(s[0], s[1]); }},
+    Entry{{"egg", "R,B,T", "radius at the equator z = 0, heights below and above it: two half spheroids"},
+          "lll",
+          [](Sizes s) -> Body { return Egg(s[0], s[1], s[2]); }},
+    Entry{{"superball", "P,R", "exponent from 0.5 up, half width: |x|^2P + |y|^2P + |z|^2P <= R^2P"},
+          "pl",
+          [](Sizes s) -> Body { return Superball(s[0], s[1]); }},
+    Entry{{"superellipsoid", "A,B,C,P,Q",
+           "semi-axes, exponents across and along z: (|x/A|^2P + |y/B|^2P)^(Q/P) + |z/C|^2Q <= 1"},
+          "lllpp",
+          [](Sizes s) -> Body { return Superellipsoid(s[0], s[1], s[2], s[3], s[4]); }},
     Entry{{"disc", "R", "radius; in z = 0, no thickness"}, "l", [](Sizes s) -> Body { return Disc(s[0]); }},
     Entry{{"plate", "A,B", "full edges along x, y; in z = 0, no thickness"},
           "ll",
@@ -194,11 +219,24 @@ double size_in_range(double size, std::string_view text, const SizeRange& range)
 double parse_number(std::string_view word, char sort, std::string_view text, double scale, const SizeRange& range) {
   const double value = parse_size(word, text, range);
   if (sort == 'l') return size_in_range(value * scale, text, range);
+  if (sort == 'p') return value;
   if (value != std::floor(value) || value < 3.0 || value > kMostSides) {
     throw InputError("not a number of sides (" + std::string(word) + " in " + std::string(text) +
                      ") - give a whole number from 3 to " + std::to_string(kMostSides));
   }
   return value;
+}
+
+/// Sizes that do not go together are refused where the body is made; here the text is known.
+Body made_by(const Entry& entry, Sizes sizes, std::string_view text) {
+  try {
+    return entry.make(sizes);
+  } catch (const InputError& error) {
+    std::string message = error.what();
+    const std::size_t advice = message.find(" - ");
+    message.insert(std::min(advice, message.size()), " (" + std::string(text) + ")");
+    throw InputError(message);
+  }
 }
 
 }  // namespace
@@ -263,7 +301,7 @@ Body parse_shape(std::string_view text, double scale, const SizeRange& range) {
     rest = rest.substr(comma + 1);
   }
   if (sizes.size() != sorts.size()) refuse_count(sizes.size(), text, entry->shape);
-  Body made = entry->make(sizes);
+  Body made = made_by(*entry, sizes, text);
   made.kind = entry->shape.name;
   require_size_in_range(made.body, made.measures, text, range);
   return made;

@@ -44,6 +44,26 @@ struct NormalAt {
     const SinCos<double> polar = sincospi(from + v * (to - from));
     return {around_z(polar.cos, polar.sin, w), rim.mass};
   }
+  WeightedNormal operator()(const NormalBelt& belt) const {
+    const double turn = belt.half_angle_rad / kPi;
+    const SinCos<double> polar = sincospi(0.5 + (v + v - 1.0) * turn);
+    // cos t - cos a = 2 sin((a + t)/2) sin((a - t)/2), t from -a to a
+    const double over_chord = 2.0 * sincospi(v * turn).sin * sincospi((1.0 - v) * turn).sin;
+    return {around_z(polar.cos, polar.sin, w),
+            2.0 * belt.half_angle_rad * (belt.over_chord * over_chord + belt.straight * polar.sin)};
+  }
+  WeightedNormal operator()(const HalfSpheroidNormals& half) const {
+    const double a = half.across, c = half.along, side = half.is_upper ? 1.0 : -1.0;
+    const SinCos<double> at = sincospi(0.5 * v);
+    const double scale = 0.5 * kPi * half.factor * kPi * at.sin;
+    if (half.is_curvature && c < a) {
+      const double height = std::hypot(a * at.sin, c * at.cos), ratio = c / height;
+      return {around_z(side * at.cos, at.sin, w), scale * (a / height) * a * (1.0 + ratio * ratio)};
+    }
+    const double length = std::hypot(c * at.sin, a * at.cos), ratio = a / length;
+    return {around_z(side * a * at.cos / length, c * at.sin / length, w),
+            scale * (half.is_curvature ? c * (1.0 + ratio * ratio) : 2.0 * a * length)};
+  }
   WeightedNormal operator()(const EllipsoidNormals& ellipsoid) const {
     const auto [a, b, c] = ellipsoid.semi_axes;
     // det D D^-1 u; no axis divides another.
@@ -105,6 +125,11 @@ void NormalMeasure::add(const NormalMeasure& other, double factor) {
       area->factor *= factor;
     } else if (auto* const curvature = std::get_if<EllipsoidCurvature>(&component)) {
       curvature->factor *= factor;
+    } else if (auto* const half = std::get_if<HalfSpheroidNormals>(&component)) {
+      half->factor *= factor;
+    } else if (auto* const belt = std::get_if<NormalBelt>(&component)) {
+      belt->over_chord *= factor;
+      belt->straight *= factor;
     }
     std::visit([factor](auto& c) { c.mass *= factor; }, component);
     components_.push_back(component);

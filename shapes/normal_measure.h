@@ -76,6 +76,26 @@ struct EllipsoidCurvature {
   double factor = 1.0;
 };
 
+/// A spindle's belt about the z axis: normals at polar angles pi/2 + t, |t| <= `half_angle_rad`, at most pi/2, with the
+/// density `over_chord` (cos t - cos half_angle) + `straight` cos t in t, uniform about the axis.
+struct NormalBelt {
+  double half_angle_rad = 0.0;
+  double over_chord = 0.0, straight = 0.0;
+  double mass = 0.0;
+};
+
+/// The upper or the lower half of a spheroid about the z axis: its surface, or its mean curvature. With the points at
+/// (a sin t, c cos t), normals along (c sin t, a cos t), g the length of that, they count 2 pi a g sin t and
+/// pi (c + a^2 c / g^2) sin t in t. Of a flat one the latter has a peak at the equator, and the normal's polar angle p
+/// is uniform instead: pi (a^2 / h + a^2 c^2 / h^3) sin p, h = |(a sin p, c cos p)|.
+struct HalfSpheroidNormals {
+  double across = 0.0, along = 0.0;  // a, c
+  bool is_upper = true;
+  bool is_curvature = false;
+  double mass = 0.0;  // factor times S/2 or M/2 of the whole spheroid
+  double factor = 1.0;
+};
+
 /// The image of a point of the unit square: a unit normal (to a few roundings), and what it counts for.
 struct WeightedNormal {
   Vec3d unit_normal;
@@ -86,8 +106,8 @@ struct WeightedNormal {
 /// or of M (length).
 class NormalMeasure {
  public:
-  using Component =
-      std::variant<NormalAtom, NormalArc, NormalRing, NormalZone, NormalRim, EllipsoidNormals, EllipsoidCurvature>;
+  using Component = std::variant<NormalAtom, NormalArc, NormalRing, NormalZone, NormalRim, NormalBelt, EllipsoidNormals,
+                                 EllipsoidCurvature, HalfSpheroidNormals>;
 
   void add(const Component& component) { components_.push_back(component); }
   /// Every component of `other`, `factor` times.

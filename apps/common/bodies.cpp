@@ -15,14 +15,44 @@
 namespace vex {
 namespace {
 
+constexpr std::string_view kHull = "hull:", kPoints = "points:";
+
+bool is_hull_text(std::string_view text) { return text.starts_with(kHull) || text.starts_with(kPoints); }
+
+/// A text taken apart: BODY, hull:FILE or points:FILE, perhaps behind rounded:r,
+struct TextParts {
+  double radius = 0.0;
+  std::string core;        // a named shape, or the path of a file
+  bool hull = false;       // of the file's points
+  bool as_points = false;  // as text, where the file's name tells no format
+};
+
+TextParts parts_of(const std::string& text) {
+  const std::optional<RoundedText> round = parse_rounded(text);
+  std::string_view core = round ? round->body : std::string_view(text);
+  TextParts parts{round ? round->radius : 0.0, "", false, false};
+  if (is_hull_text(core)) {
+    parts.hull = true;
+    parts.as_points = core.starts_with(kPoints);
+    core.remove_prefix(parts.as_points ? kPoints.size() : kHull.size());
+    if (core.empty() || names_a_shape(core)) {
+      throw UsageError("no file to take the hull of (" + text + ") - write hull:FILE or points:FILE");
+    }
+  }
+  parts.core = core;
+  return parts;
+}
+
 // `spher:1` and `Sphere:1` are mistyped bodies rather than missing files, and so is `sphere`.
 bool looks_like_a_named_shape(const std::string& text) {
   std::error_code error;
   if (std::filesystem::exists(text, error)) return false;
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) return names_a_shape(text + ":");
-  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-'; };
-  return colon > 1 && std::ranges::all_of(text.substr(0, colon), is_letter);
+  const auto is_letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_';
+  };
+  return colon > 1 && !is_hull_text(text) && std::ranges::all_of(text.substr(0, colon), is_letter);
 }
 
 // `sphere` alone: its sizes are missing.
@@ -63,8 +93,9 @@ double scale_factor(const Measures& measures, const BodyOptions& options, const 
 bool is_a_mesh(const std::string& core) { return !names_a_shape(core) && !looks_like_a_named_shape(core); }
 
 // The format to read a file as, whatever its name; empty where its name tells.
-std::string format_of(const std::string& path, const BodyOptions& options) {
-  return options.reads_standard_input && path != "-" ? std::string() : options.format;
+std::string format_of(const TextParts& parts, const BodyOptions& options) {
+  if (!options.format.empty() && (!options.reads_standard_input || parts.core == "-")) return options.format;
+  return parts.as_points && !names_a_mesh_format(parts.core) ? ".txt" : "";
 }
 
 // Once for all bodies of a run: the machine is to blame, not a file.
@@ -77,8 +108,8 @@ void say_once_that_no_confinement_is_had(const std::string& reason) {
                reason.c_str());
 }
 
-ReadOptions read_options(const std::string& path, const BodyOptions& options) {
-  return {.format = format_of(path, options),
+ReadOptions read_options(const TextParts& parts, const BodyOptions& options) {
+  return {.format = format_of(parts, options),
           .confining = options.require_confinement ? Confining::required : Confining::as_far_as_possible};
 }
 
@@ -86,17 +117,17 @@ ReadOptions read_options(const std::string& path, const BodyOptions& options) {
 using MeshSource = std::function<ConvexMesh(const MeshOptions&)>;
 
 LoadedBody loaded_from(const std::string& text, const BodyOptions& options, const MeshSource& mesh_from) {
-  const std::optional<RoundedText> round = parse_rounded(text);
-  const std::string core(round ? round->body : std::string_view(text));
-  const double radius = round ? round->radius : 0.0;
+  const TextParts parts = parts_of(text);
+  const std::string& core = parts.core;
+  const double radius = parts.radius;
   // From the measures of the core as it stands.
   const auto factor = [&](const Measures& measures) {
     return scale_factor(radius > 0.0 ? parallel_body_measures(measures, radius) : measures, options, text);
   };
 
   const SizeRange& range = options.with_measures ? kMeasuredSizes : kQueriedSizes;
-  if (looks_like_a_named_shape(core) && core.find(':') == std::string::npos) refuse_without_sizes(core);
-  if (!is_a_mesh(core)) {
+  if (!parts.hull && looks_like_a_named_shape(core) && core.find(':') == std::string::npos) refuse_without_sizes(core);
+  if (!parts.hull && !is_a_mesh(core)) {
     const double scale = factor(parse_shape(core, 1.0, range).measures);
     return {text, parse_shape(text, scale, range), scale};
   }
@@ -105,8 +136,8 @@ LoadedBody loaded_from(const std::string& text, const BodyOptions& options, cons
   mesh_options.convex_tolerance = options.convex_tolerance;
   mesh_options.weld = options.weld;
   mesh_options.unit = options.unit;
-  mesh_options.format = format_of(core, options);
-  mesh_options.hull = options.hull;
+  mesh_options.format = format_of(parts, options);
+  mesh_options.hull = options.hull || parts.hull;
   mesh_options.require_confinement = options.require_confinement;
   if (options.unit_volume || options.scale != 1.0) {
     mesh_options.scale = [&](const Measures& measures) { return scale = factor(measures); };
@@ -116,7 +147,7 @@ LoadedBody loaded_from(const std::string& text, const BodyOptions& options, cons
   say_once_that_no_confinement_is_had(report.reader_unconfined);
   LoadedBody loaded{text, std::move(mesh), scale, std::move(report)};
   require_size_in_range(loaded.shape.body, loaded.shape.measures, text, range);
-  if (round) loaded.shape = rounded(loaded.shape, radius * scale, text, range);
+  if (radius > 0.0) loaded.shape = rounded(loaded.shape, radius * scale, text, range);
   return loaded;
 }
 
@@ -131,9 +162,9 @@ std::pair<LoadedBody, LoadedBody> load_two_bodies(const std::string& a, const st
                                                   const BodyOptions& options) {
   const BodyOptions of_a = options.of_a(), of_b = options.of_b();
   if (a == b && of_a.scale != of_b.scale && names_a_mesh(a)) {
-    const std::string path = file_named_by(a);
+    const TextParts parts = parts_of(a);
     const PolygonSoup soup =
-        naming_the_file(path, [&] { return read_polygon_soup(path, read_options(path, options)); });
+        naming_the_file(parts.core, [&] { return read_polygon_soup(parts.core, read_options(parts, options)); });
     const MeshSource mesh_from = [&](const MeshOptions& mesh_options) { return convex_mesh_from(soup, mesh_options); };
     return {loaded_from(a, of_a, mesh_from), loaded_from(b, of_b, mesh_from)};
   }
@@ -158,20 +189,20 @@ void require_one_unit(std::span<const LoadedBody> bodies, const BodyOptions& opt
 
 bool are_copies(const LoadedBody& a, const LoadedBody& b) { return a.source == b.source && a.scale == b.scale; }
 
-bool names_a_mesh(const std::string& text) { return is_a_mesh(file_named_by(text)); }
-
-std::string file_named_by(const std::string& text) {
-  const std::optional<RoundedText> round = parse_rounded(text);
-  return round ? std::string(round->body) : text;
+bool names_a_mesh(const std::string& text) {
+  const TextParts parts = parts_of(text);
+  return parts.hull || is_a_mesh(parts.core);
 }
+
+std::string file_named_by(const std::string& text) { return parts_of(text).core; }
 
 std::vector<std::string> files_of_bodies(std::span<const std::string> bodies, const BodyOptions& options) {
   std::vector<std::string> files;
   for (const std::string& body : bodies) {
-    const std::string named = file_named_by(body);
-    files.push_back(named);
-    if (!is_a_mesh(named)) continue;
-    for (const std::filesystem::path& file : files_read_with(named, format_of(named, options))) {
+    const TextParts parts = parts_of(body);
+    files.push_back(parts.core);
+    if (!parts.hull && !is_a_mesh(parts.core)) continue;
+    for (const std::filesystem::path& file : files_read_with(parts.core, format_of(parts, options))) {
       files.push_back(file.string());
     }
   }

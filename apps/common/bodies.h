@@ -48,8 +48,8 @@ struct LoadedBody {
   bool is_polytope() const { return !vertices_of(shape.body).empty(); }
 };
 
-/// `text`: a named shape (`box:1,2,3`), the path of a mesh, "-" for a mesh on standard input, or `rounded:r,` and one
-/// of these. Throws UsageError or InputError.
+/// `text`: a named shape (`box:1,2,3`), the path of a mesh, "-" for a mesh on standard input, `hull:` or `points:` and
+/// the path of a file whose points' convex hull is meant, or `rounded:r,` and one of these. Throws UsageError or InputError.
 LoadedBody load_body(const std::string& text, const BodyOptions& options);
 
 /// A with `options.of_a()` and B with `options.of_b()`. A mesh that is both is read once. Throws besides InputError
@@ -69,7 +69,7 @@ bool are_copies(const LoadedBody& a, const LoadedBody& b);
 /// Throws UsageError where `rounded:r,` is malformed.
 bool names_a_mesh(const std::string& text);
 
-/// The file that the text names, without `rounded:r,` before it; "-" for standard input; the text itself where it names
+/// The file that the text names, without `rounded:r,`, `hull:` and `points:` before it; "-" for standard input; the text itself where it names
 /// none.
 std::string file_named_by(const std::string& text);
 

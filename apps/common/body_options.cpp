@@ -158,6 +158,9 @@ std::string named_bodies_help() {
   for (const NamedShape& shape : named_shapes()) {
     text += "\n  " + std::string(shape.name) + ":" + std::string(shape.parameters) + "  " + std::string(shape.meaning);
   }
+  text +=
+      "\n  hull:FILE  the convex hull of all points of a mesh file: --hull for this body alone"
+      "\n  points:FILE  the same; a file whose name tells no format is read as text, three numbers a line";
   return text;
 }
 

@@ -8,8 +8,8 @@
 namespace vex {
 
 /// The convex hull of `points` and `pieces`, with a ball of `ball_radius` about each of its points. The doubles are
-/// taken as they are. Every body that ships with vex has this form; a user's own body may have none, and then ends
-/// undecided where double precision proves nothing.
+/// taken as they are. Most bodies that ship with vex have this form; a lens, a superball and some others,
+/// and a user's own body, have none, and then end undecided where double precision proves nothing.
 struct ExactForm {
   /// {c + D x : |x| <= 1}, D = diag(semi_axes): an ellipsoid, flat where a semi-axis is 0. Of a dome only the half with
   /// x_z >= 0. Its support function is c . d + |D d|; of a dome, D_z d_z counts as 0 where it is negative.

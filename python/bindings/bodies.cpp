@@ -248,6 +248,8 @@ void bind_bodies(py::module_& module) {
   module.def(
       "names_a_shape", [](const std::string& text) { return names_a_shape(text); }, py::arg("text"));
   module.def(
+      "names_a_mesh_format", [](const std::string& path) { return names_a_mesh_format(path); }, py::arg("path"));
+  module.def(
       "parse_rounded",
       [](const std::string& text) -> py::object {
         const std::optional<RoundedText> round = parse_rounded(text);

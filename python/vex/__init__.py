@@ -20,22 +20,23 @@ from .percolation import Percolation, percolation
 from .queries import (Manifold, Proof, contact_manifold, depth, distance, linear_cast, overlap, overlap_certificate,
                       ray_cast, signed_distance, time_of_impact, within)
 from .scenes import Clusters, Hit, Neighbour, Scene, UndecidedWarning
-from .shapes import (antiprism, box, capsule, cone, cuboctahedron, cylinder, disc, dodecahedron, ellipsoid, frustum,
-                     hemisphere, icosahedron, icosidodecahedron, needle, octahedron, plate, prism, pyramid,
-                     rhombicosidodecahedron, rhombicuboctahedron, snub_cube, snub_dodecahedron, sphere, tetrahedron,
-                     truncated_cube, truncated_cuboctahedron, truncated_dodecahedron, truncated_icosahedron,
-                     truncated_icosidodecahedron, truncated_octahedron, truncated_tetrahedron)
+from .shapes import (antiprism, box, capsule, cone, cuboctahedron, cut_sphere, cylinder, disc, dodecahedron, egg,
+                     ellipsoid, frustum, hemisphere, icosahedron, icosidodecahedron, lens, needle, octahedron, plate,
+                     prism, pyramid, rhombicosidodecahedron, rhombicuboctahedron, snub_cube, snub_dodecahedron, sphere,
+                     spindle, superball, superellipsoid, tetrahedron, truncated_cube, truncated_cuboctahedron,
+                     truncated_dodecahedron, truncated_icosahedron, truncated_icosidodecahedron, truncated_octahedron,
+                     truncated_tetrahedron)
 
 __all__ = [
     "Body", "BodyLike", "Clusters", "Error", "ExcludedVolume", "Hit", "InputError", "Interrupted", "Manifold",
     "Neighbour", "OrientationLaw", "Percolation", "Proof", "Reference", "Scene", "UndecidedWarning", "UsageError",
-    "__version__", "antiprism", "box", "capsule", "cone", "contact_manifold", "cuboctahedron", "cylinder", "depth",
-    "disc", "distance", "dodecahedron", "ellipsoid", "estimators", "excluded_volume", "excluded_volume_at",
-    "excluded_volume_of_angle", "formula", "from_support", "frustum", "hemisphere", "hull", "icosahedron",
-    "icosidodecahedron", "linear_cast", "load", "named_shapes", "needle", "octahedron", "overlap",
-    "overlap_certificate", "percolation", "plate", "plot", "prism", "pyramid", "ray_cast", "rhombicosidodecahedron",
-    "rhombicuboctahedron", "rounded", "signed_distance", "snub_cube", "snub_dodecahedron", "sphere",
-    "stream_version", "tetrahedron", "time_of_impact", "truncated_cube", "truncated_cuboctahedron",
-    "truncated_dodecahedron", "truncated_icosahedron", "truncated_icosidodecahedron", "truncated_octahedron",
-    "truncated_tetrahedron", "within",
+    "__version__", "antiprism", "box", "capsule", "cone", "contact_manifold", "cuboctahedron", "cut_sphere",
+    "cylinder", "depth", "disc", "distance", "dodecahedron", "egg", "ellipsoid", "estimators", "excluded_volume",
+    "excluded_volume_at", "excluded_volume_of_angle", "formula", "from_support", "frustum", "hemisphere", "hull",
+    "icosahedron", "icosidodecahedron", "lens", "linear_cast", "load", "named_shapes", "needle", "octahedron",
+    "overlap", "overlap_certificate", "percolation", "plate", "plot", "prism", "pyramid", "ray_cast",
+    "rhombicosidodecahedron", "rhombicuboctahedron", "rounded", "signed_distance", "snub_cube", "snub_dodecahedron",
+    "sphere", "spindle", "stream_version", "superball", "superellipsoid", "tetrahedron", "time_of_impact",
+    "truncated_cube", "truncated_cuboctahedron", "truncated_dodecahedron", "truncated_icosahedron",
+    "truncated_icosidodecahedron", "truncated_octahedron", "truncated_tetrahedron", "within",
 ]

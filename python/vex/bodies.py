@@ -23,7 +23,7 @@ class Body:
     ----------
     source
         A text that names a body, ``"capsule:1,0.25"`` or ``"rounded:0.1,box:1,1,1"`` (`named_shapes` lists them), or a
-        mesh file; or any object with ``vertices`` (N, 3) and, where it has them, ``faces``: trimesh's and coxeter's
+        mesh file, ``"hull:FILE"`` or ``"points:FILE"`` for the convex hull of its points; or any object with ``vertices`` (N, 3) and, where it has them, ``faces``: trimesh's and coxeter's
         shapes. An object without faces is the hull of its vertices.
     hull
         Of a mesh: its convex hull, whatever its surface is. Otherwise it must be closed and convex.
@@ -291,6 +291,10 @@ def _own_key(recipe: Tuple[Any, ...]) -> Tuple[Any, ...]:
     """A function is the one that it is, whatever it says of being equal to others."""
     if recipe[0] == "rounded":
         return ("rounded", recipe[1], recipe[2]._exact_key())
+    if recipe[0] == "named":  # of a shape that has no exact form, its numbers
+        radius, core = _vex.parse_rounded(recipe[1]) or (0.0, recipe[1])
+        name, _, sizes = core.partition(":")
+        return ("named", name, tuple(map(float, sizes.split(","))), radius) + recipe[2:]
     return ("own", id(recipe[1]), recipe[2])
 
 
@@ -328,12 +332,22 @@ def _of_text(text: str, mesh: Dict[str, Any], format: str) -> Tuple["_vex.Body",
     if rounded is not None:
         radius, core = rounded
     is_file = os.path.exists(core)
-    if _vex.names_a_shape(core) or (not is_file and ":" in core[2:]):
+    if core.startswith(("hull:", "points:")):
+        kind, _, path = core.partition(":")
+        if not path or _vex.names_a_shape(path):
+            raise _vex.UsageError(f"no file to take the hull of ({text}) - write hull:FILE or points:FILE")
+        mesh = dict(mesh, hull=True)
+        if kind == "points" and not format and not _vex.names_a_mesh_format(path):
+            format = ".txt"
+        if not radius > 0.0:
+            return _of_recipe(("mesh", _vex.read_surface(path, format), mesh))
+        core = path
+    elif _vex.names_a_shape(core) or (not is_file and ":" in core[2:]):
         given = [name for name in ("hull", "convex_tolerance", "weld", "unit") if mesh[name]] + (["format"] if format else [])
         if given:
             raise _vex.UsageError(f"{', '.join(given)}: of meshes alone, and {text!r} is none - leave it out")
         return _of_recipe(("named", text, scale, unit_volume))
-    if not is_file and _vex.names_a_shape(core + ":"):
+    elif not is_file and _vex.names_a_shape(core + ":"):
         parameters = {name: parameters for name, parameters, _ in _vex.named_shapes()}[core]
         raise _vex.UsageError(f"a body without its sizes ({core}) - write {core}:{parameters}")
     if not radius > 0.0:

@@ -162,3 +162,33 @@ def truncated_icosidodecahedron(edge: float) -> Body:
 def snub_dodecahedron(edge: float) -> Body:
     """A snub dodecahedron: 12 pentagons and 80 triangles."""
     return _named("snub-dodecahedron", edge)
+
+
+def lens(radius: float, thickness: float) -> Body:
+    """What two equal balls have in common, its rim of this radius in z = 0."""
+    return _named("lens", radius, thickness)
+
+
+def cut_sphere(radius: float, below: float, above: float) -> Body:
+    """A ball between the planes z = -below and z = above; where that is the radius there is no flat face."""
+    return _named("cut-sphere", radius, below, above)
+
+
+def spindle(length: float, radius: float) -> Body:
+    """What a segment of a circle sweeps about its chord along z, of this length; `radius` is that of the equator."""
+    return _named("spindle", length, radius)
+
+
+def egg(radius: float, below: float, above: float) -> Body:
+    """Two half spheroids of one equator in z = 0, of these heights."""
+    return _named("egg", radius, below, above)
+
+
+def superball(exponent: float, radius: float) -> Body:
+    """|x|^2P + |y|^2P + |z|^2P <= R^2P, P from 0.5: octahedron, ball (1), and towards a cube of edges 2 R."""
+    return _named("superball", exponent, radius)
+
+
+def superellipsoid(a: float, b: float, c: float, exponent_across: float, exponent_along: float) -> Body:
+    """(|x/a|^2P + |y/b|^2P)^(Q/P) + |z/c|^2Q <= 1, P across the z axis and Q along it."""
+    return _named("superellipsoid", a, b, c, exponent_across, exponent_along)

@@ -91,6 +91,8 @@ double cost_of_series(const NormalMeasure& measure, std::size_t max_degree) {
       angle_rad = arc->angle_rad;
     } else if (const auto* const rim = std::get_if<NormalRim>(&component)) {
       angle_rad = rim->polar_to_rad - rim->polar_from_rad;
+    } else if (const auto* const belt = std::get_if<NormalBelt>(&component)) {
+      angle_rad = 2.0 * belt->half_angle_rad;
     } else {
       ++n_nodes;
       continue;
@@ -102,6 +104,9 @@ double cost_of_series(const NormalMeasure& measure, std::size_t max_degree) {
 
 bool is_affordable(const NormalMeasure& measure) {
   const auto is_too_thin = [](const NormalMeasure::Component& component) {
+    if (const auto* const half = std::get_if<HalfSpheroidNormals>(&component)) {
+      return aspect_ratio({half->across, half->across, half->along}) > kLargestAspectRatio;
+    }
     const auto* const area = std::get_if<EllipsoidNormals>(&component);
     return area != nullptr && aspect_ratio(area->semi_axes) > kLargestAspectRatio;
   };
@@ -145,6 +150,11 @@ LegendreSeries legendre_series(const NormalMeasure& measure, std::size_t max_deg
       add_mean(arc->angle_rad, 1, at, &sum);
     } else if (const auto* const rim = std::get_if<NormalRim>(&component)) {
       add_mean(rim->polar_to_rad - rim->polar_from_rad, 1, at, &sum);
+    } else if (const auto* const belt = std::get_if<NormalBelt>(&component)) {
+      add_mean(2.0 * belt->half_angle_rad, 1, at, &sum);
+    } else if (const auto* const half = std::get_if<HalfSpheroidNormals>(&component)) {
+      const double ratio = aspect_ratio({half->across, half->across, half->along});
+      add_mean(0.5 * pi, static_cast<std::size_t>(2.0 * ratio), at, &sum);
     } else if (std::holds_alternative<NormalAtom>(component) || std::holds_alternative<NormalRing>(component)) {
       add_polynomials(mass_of(component), std::clamp(at(0.5).unit_normal.z, -1.0, 1.0), &sum);
     } else if (const auto* const area = std::get_if<EllipsoidNormals>(&component)) {

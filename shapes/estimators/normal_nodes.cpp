@@ -47,7 +47,8 @@ Vec3d middle_normal(const NormalMeasure::Component& component) { return normal_a
 
 bool is_alike_about_z(const NormalMeasure::Component& component) {
   return std::holds_alternative<NormalRing>(component) || std::holds_alternative<NormalZone>(component) ||
-         std::holds_alternative<NormalRim>(component);
+         std::holds_alternative<NormalRim>(component) || std::holds_alternative<NormalBelt>(component) ||
+         std::holds_alternative<HalfSpheroidNormals>(component);
 }
 
 bool is_whole_sphere(const NormalMeasure::Component& component) {
@@ -60,7 +61,8 @@ bool is_whole_sphere(const NormalMeasure::Component& component) {
 bool is_even(const NormalMeasure::Component& component) {
   if (const auto* const ring = std::get_if<NormalRing>(&component)) return ring->cos_polar == 0.0;
   if (const auto* const zone = std::get_if<NormalZone>(&component)) return zone->cos_from == -zone->cos_to;
-  return std::holds_alternative<EllipsoidNormals>(component) || std::holds_alternative<EllipsoidCurvature>(component);
+  return std::holds_alternative<NormalBelt>(component) || std::holds_alternative<EllipsoidNormals>(component) ||
+         std::holds_alternative<EllipsoidCurvature>(component);
 }
 
 /// Exactly opposite vectors are equal once the first coordinate that is not 0 is made positive.

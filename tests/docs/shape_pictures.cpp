@@ -45,7 +45,7 @@ Subject mesh(const std::filesystem::path& path) { return {path.filename().string
 // The height beside the body, between the planes of its ends.
 Dimension height_beside(double height, double radius) {
   const Vec3d left = across(-radius, 0.0);
-  return {left + Vec3d{0, 0, -0.5 * height}, left + Vec3d{0, 0, 0.5 * height}, "H", {-16, 0}, {-10, 0}};
+  return {left + Vec3d{0, 0, -0.5 * height}, left + Vec3d{0, 0, 0.5 * height}, "H", {-26, 0}, {-10, 0}};
 }
 
 Subject prism() {
@@ -101,6 +101,22 @@ std::vector<ShapePicture> shape_pictures(const std::filesystem::path& meshes) {
                                   {{0, 0, -0.7}, {0, 1, -0.7}, "R1", {}, {1, -10}},
                                   {{0, 0, 0.7}, {0, 0.6, 0.7}, "R2", {}, {4, -10}}}));
   add("hemisphere", named("hemisphere:1", {{{}, {0, -1, 0}, "R", {}, {0, -9}}}));
+  add("lens",
+      named("lens:1,0.9", {{{}, {0, -1, 0}, "R", {}, {0, -9}},
+                           {1.1 * left + Vec3d{0, 0, -0.45}, 1.1 * left + Vec3d{0, 0, 0.45}, "H", {}, {-10, 0}}}));
+  add("cut-sphere", named("cut-sphere:1,0.4,0.7", {{{}, {0, -1, 0}, "R", {}, {0, -9}},
+                                                   {1.12 * left, 1.12 * left + Vec3d{0, 0, -0.4}, "B", {}, {-10, 0}},
+                                                   {1.12 * left, 1.12 * left + Vec3d{0, 0, 0.7}, "T", {}, {-10, 0}}}));
+  add("spindle",
+      named("spindle:2.2,0.6", {{0.75 * left + Vec3d{0, 0, -1.1}, 0.75 * left + Vec3d{0, 0, 1.1}, "L", {}, {-10, 0}},
+                                {{}, {0, 0.6, 0}, "R", {}, {-2, -10}}}));
+  add("egg", named("egg:0.8,0.7,1.3", {{1.2 * left, 1.2 * left + Vec3d{0, 0, -0.7}, "B", {}, {-10, 0}},
+                                       {1.2 * left, 1.2 * left + Vec3d{0, 0, 1.3}, "T", {}, {-10, 0}},
+                                       {{}, {0, 0.8, 0}, "R", {}, {-2, -10}}}));
+  add("superball", named("superball:2,1", {{{}, {0, 0, 1}, "R", {}, {-10, 0}}}));
+  add("superellipsoid", named("superellipsoid:1,1.3,0.8,3,0.75", {{{}, {1, 0, 0}, "A", {}, {-7, -8}},
+                                                                  {{}, {0, 1.3, 0}, "B", {}, {2, -11}},
+                                                                  {{}, {0, 0, 0.8}, "C", {}, {-11, 0}}}));
   add("disc", named("disc:1", {{{}, {0, -1, 0}, "R", {}, {0, -9}}}));
   add("plate", named("plate:1.8,1.4", {{{-0.9, -0.7, 0}, {0.9, -0.7, 0}, "A", {-4, -7}, {-6, -9}},
                                        {{-0.9, -0.7, 0}, {-0.9, 0.7, 0}, "B", {2, -8}, {3, -10}}}));

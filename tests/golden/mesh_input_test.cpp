@@ -61,6 +61,30 @@ TEST_F(MeshInput, StandardInputIsForOneOfThem) {
   expect_wrong({"box:1,1,1", "--format", "stl"}, "no body is a mesh file (--format stl with box:1,1,1)");
 }
 
+TEST_F(MeshInput, TheHullOfOneFile) {
+  // A cube without one of its sides, and a tetrahedron with a point inside.
+  std::string open_cube = cube_obj();
+  open_cube.erase(open_cube.rfind("f "));
+  write_file("open.obj", open_cube);
+  write_file("points.dat", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n0.25 0.25 0.25\n");
+  expect_refusal(run({"open.obj"}), 3, "open.obj");
+  const json hull = json_of({"hull:open.obj", "points:points.dat", "--trials", "1000"});
+  EXPECT_EQ(hull.at("bodies")[0].at("source"), "hull:open.obj");
+  EXPECT_NEAR(volume(hull, 0), 1.0, 1e-15);
+  EXPECT_NEAR(volume(hull, 1), 1.0 / 6, 1e-15);
+  EXPECT_EQ(hull.at("bodies")[1].at("vertices"), 4);
+  EXPECT_NEAR(volume(json_of({"rounded:1,points:open.obj", "--trials", "1000"}), 0),
+              1.0 + 6.0 + 3.0 * M_PI + 4.0 / 3.0 * M_PI, 1e-12);
+  EXPECT_NEAR(volume(json_of({"hull:open.obj", "--unit-volume", "--scale", "2", "--trials", "1000"}), 0), 8.0, 1e-14);
+  expect_refusal(run({"hull:cube.obj", "open.obj"}), 3, "open.obj");  // which nobody asked the hull of
+  expect_refusal(run({"hull:points.dat"}), 3, "points.dat");
+  expect_refusal(run({"hull:nothing.obj"}), 3, "nothing.obj");
+  for (const char* text : {"hull:", "points:", "hull:box:1,1,1", "rounded:1,hull:"}) {
+    expect_wrong({text}, "write hull:FILE or points:FILE");
+  }
+  EXPECT_EQ(json_of_shell("\"$VEX\" hull:- --format obj < open.obj" + kShortLine).at("bodies")[0].at("vertices"), 8);
+}
+
 TEST_F(MeshInput, AFormatThatTheNameDoesNotTell) {
   write_file("cube.backup", cube_obj());
   write_file("tetrahedron", tetrahedron_stl());

@@ -161,6 +161,8 @@ TEST_F(Usage, ABodyThatDoesNotExist) {
   for (const char* body : {"spher:1", "cube:1", "Sphere:1", "BOX:1,1,1"}) expect_wrong({body}, "sphere:R");
   expect_wrong({"sphere"}, "sphere:R (radius)");
   expect_wrong({"needle"}, "needle:L (length");
+  for (const char* body : {"truncated_cube:1", "truncated-cubes:1"})
+    expect_wrong({body}, "did you mean truncated-cube:E?");
   expect_wrong({"rounded"}, "rounded:r,BODY");
   expect_wrong({"rounded:0.1"}, "rounded:r,BODY");
   expect_wrong({"rounded:0.1,sphere"}, "sphere:R (radius)");

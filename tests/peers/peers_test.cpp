@@ -30,6 +30,8 @@ TEST_P(PeersOnPairs, AgreeOnNearlyEveryRandomPose) {
   EXPECT_LE(record.disagreements.n_all, 4u);
 }
 
+INSTANTIATE_TEST_SUITE_P(FormlessPairs, PeersOnPairs, testing::ValuesIn(formless_pairs()),
+                         [](const auto& pair) { return test_name(pair.param); });
 INSTANTIATE_TEST_SUITE_P(Pairs, PeersOnPairs, testing::ValuesIn(unordered_pairs()),
                          [](const auto& pair) { return test_name(pair.param); });
 

@@ -57,6 +57,8 @@ TEST_P(LawsOfEveryBody, PowersOfTwoChangeNoVerdict) {
   share.expect_representative();
 }
 
+INSTANTIATE_TEST_SUITE_P(FormlessPairs, LawsOfEveryBody, testing::ValuesIn(formless_pairs()),
+                         [](const auto& pair) { return test_name(pair.param); });
 INSTANTIATE_TEST_SUITE_P(Pairs, LawsOfEveryBody, testing::ValuesIn(unordered_pairs()),
                          [](const auto& pair) { return test_name(pair.param); });
 

@@ -81,6 +81,8 @@ TEST_P(OverlapLaws, TheBandOfUndecidedPosesIsNarrow) {
   }
 }
 
+INSTANTIATE_TEST_SUITE_P(FormlessPairs, OverlapLaws, testing::ValuesIn(formless_pairs()),
+                         [](const auto& pair) { return test_name(pair.param); });
 INSTANTIATE_TEST_SUITE_P(Pairs, OverlapLaws, testing::ValuesIn(unordered_pairs()),
                          [](const auto& pair) { return test_name(pair.param); });
 

@@ -25,6 +25,10 @@ def test_every_named_shape_is_a_function_with_its_parameters():
         sizes = [0.5 + 0.25 * k for k in range(parameters.count(",") + 1)]
         if parameters.startswith("N,"):
             sizes[0] = 5
+        if name == "cut-sphere":
+            sizes[0] = 2
+        if name == "spindle":
+            sizes[0] = 4
         assert getattr(vex, name.replace("-", "_"))(*sizes) == vex.Body(name + ":" + ",".join(map(str, sizes)))
 
 
@@ -197,3 +201,27 @@ def test_moments_of_inertia():
     for flat in (vex.disc(1), vex.rounded("box:1,1,1", 0.1)):
         with pytest.raises(vex.UsageError):
             flat.moment_of_inertia
+
+
+def test_bodies_without_an_exact_form_are_what_they_are():
+    ball = vex.superball(1.0, 0.5)
+    assert ball.volume == pytest.approx(vex.sphere(0.5).volume, rel=1e-13)
+    assert ball == vex.Body("superball:1,0.5") and hash(ball) == hash(vex.superball(1, 0.5))
+    assert ball != vex.superball(1.5, 0.5) and ball != ball.scaled(2.0)
+    assert pickle.loads(pickle.dumps(ball)) == ball
+    assert vex.overlap(ball, ball, [[0.9, 0, 0, 1, 0, 0, 0], [1.1, 0, 0, 1, 0, 0, 0]]).tolist() == [1, 0]
+    assert vex.lens(1, 0.5).rounded(0.1) == vex.lens(1.0, 0.5).rounded(0.1)
+    with pytest.raises(vex.InputError, match="exponent"):
+        vex.superball(0.4, 1.0)
+
+
+def test_the_hull_of_a_file_is_a_text(tmp_path):
+    (tmp_path / "points.dat").write_text("0 0 0\n1 0 0\n0 1 0\n0 0 1\n0.25 0.25 0.25\n")
+    (tmp_path / "points.xyz").write_text("0 0 0\n1 0 0\n0 1 0\n0 0 1\n0.25 0.25 0.25\n")
+    body = vex.Body(f"points:{tmp_path / 'points.dat'}")
+    assert body.volume == pytest.approx(1 / 6, rel=1e-14) and len(body.vertices) == 4
+    assert body == vex.Body(f"hull:{tmp_path / 'points.xyz'}")
+    rounded = vex.Body(f"rounded:0.5,hull:{tmp_path / 'points.xyz'}", unit_volume=True)
+    assert rounded.volume == pytest.approx(1.0, rel=1e-12)
+    with pytest.raises(vex.UsageError, match="hull:FILE"):
+        vex.Body("hull:box:1,1,1")

@@ -99,6 +99,8 @@ TEST_P(EveryPair, AgreesWithTheFormula) {
   EXPECT_LE(std::fabs(z_of(found, average_excluded_volume(a.measures, b.measures))), 4.5);
 }
 
+INSTANTIATE_TEST_SUITE_P(FormlessPairs, EveryPair, testing::ValuesIn(formless_pairs()),
+                         [](const auto& pair) { return test_name(pair.param); });
 INSTANTIATE_TEST_SUITE_P(Pairs, EveryPair, testing::ValuesIn(ordered_pairs()),
                          [](const auto& pair) { return test_name(pair.param); });
 

@@ -22,9 +22,20 @@ const Vec3d kDirs[] = {{1, 0, 0},     {-1, 0, 0},     {0, 1, 0},
 
 TEST(BodyMesh, ReachesAsFarAsTheBody) {
   for (const NamedShape& shape : named_shapes()) {
-    const std::map<std::string_view, const char*> sizes = {
-        {"R", "1"},     {"A,B,C", "1,2,3"}, {"L,R", "2,0.5"}, {"H,R", "2,0.5"},   {"H,R1,R2", "2,1,0.5"},
-        {"A,B", "1,2"}, {"L", "2"},         {"E", "1"},       {"N,A,H", "5,1,2"}, {"r,BODY", "0.5,box:1,2,3"}};
+    const std::map<std::string_view, const char*> sizes = {{"R", "1"},
+                                                           {"A,B,C", "1,2,3"},
+                                                           {"L,R", "2,0.5"},
+                                                           {"H,R", "2,0.5"},
+                                                           {"H,R1,R2", "2,1,0.5"},
+                                                           {"A,B", "1,2"},
+                                                           {"L", "2"},
+                                                           {"E", "1"},
+                                                           {"N,A,H", "5,1,2"},
+                                                           {"R,H", "1,0.5"},
+                                                           {"R,B,T", "1,0.5,0.75"},
+                                                           {"P,R", "2,1"},
+                                                           {"A,B,C,P,Q", "1,2,3,2,0.75"},
+                                                           {"r,BODY", "0.5,box:1,2,3"}};
     const auto size = sizes.find(shape.parameters);
     ASSERT_NE(size, sizes.end()) << shape.name << ":" << shape.parameters;
     const std::string text = std::string(shape.name) + ":" + size->second;

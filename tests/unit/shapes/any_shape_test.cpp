@@ -31,6 +31,7 @@ TEST(ParseShape, MakesEveryBodyOfTheList) {
       if (c >= 'A' && c <= 'Z' && text.back() != '1') text += "1";
     }
     if (shape.name == "rounded") text = "rounded:1,box:1,1,1";
+    if (shape.name == "spindle") text = "spindle:3,1";
     if (shape.parameters.starts_with("N,")) text.replace(text.find(':') + 1, 1, "5");
     EXPECT_EQ(parse_shape(text).kind, shape.name) << text;
     EXPECT_TRUE(names_a_shape(text));
@@ -108,6 +109,16 @@ TEST(ParseShape, TakesWholeNumbersOfSides) {
   }
   EXPECT_NE(message_of<InputError>("prism:2,1,1").find("a whole number from 3 to 1000"), std::string::npos);
   EXPECT_NE(message_of<UsageError>("prism:6,1").find("prism:N,A,H"), std::string::npos);
+}
+
+TEST(ParseShape, RefusesSizesThatDoNotGoTogether) {
+  for (const char* text : {"lens:1,2.1", "lens:1,1e-10", "cut-sphere:1,1.1,0.5", "cut-sphere:1,0.5,1.1",
+                           "spindle:2,1.1", "spindle:2,1e-10"}) {
+    EXPECT_NE(message_of<InputError>(text), "") << text;
+  }
+  EXPECT_NE(message_of<InputError>("superball:0.4,1").find("(superball:0.4,1) - "), std::string::npos);
+  EXPECT_EQ(parse_shape("superball:2,1", 3.0).body.support({1, 0, 0}).x, 3.0) << "an exponent is no length";
+  EXPECT_EQ(parse_shape("lens:1,2").measures.volume, parse_shape("sphere:1").measures.volume);
 }
 
 TEST(ParseShape, ExplainsMalformedTexts) {

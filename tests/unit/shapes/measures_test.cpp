@@ -1,6 +1,8 @@
 // V, S and M of the named bodies against the closed forms and values of the reference tables.
 #include <gtest/gtest.h>
 
+#include <boost/math/constants/constants.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -52,6 +54,136 @@ TEST(Measures, OfRegularPolyhedra) {
   expect_measures("octahedron:2", 8 * std::sqrt(2.0) / 3, 8 * std::sqrt(3.0), 12 * (180 - 109.47122063449069) * degree);
   expect_measures("dodecahedron:1", 7.6631189606246320, 20.645728807067603, 15 * (180 - 116.56505117707799) * degree);
   expect_measures("icosahedron:1", 2.1816949906249124, 8.6602540378443865, 15 * (180 - 138.18968510422140) * degree);
+}
+
+// Closed forms that cancel, in 50 digits.
+using Digits50 = boost::multiprecision::cpp_bin_float_50;
+
+void expect_digits(const std::string& text, const Digits50& v, const Digits50& s, const Digits50& m) {
+  expect_measures(text, static_cast<double>(v), static_cast<double>(s), static_cast<double>(m));
+}
+
+TEST(Measures, OfBodiesOfCircularArcs) {
+  const Digits50 exact_pi = boost::math::constants::pi<Digits50>();
+  for (const double ratio : {1e-8, 1e-4, 0.01, 0.1, 0.5, 0.9, 0.99999999, 1.0}) {
+    char lens[96], spindle[96], cut[96];
+    std::snprintf(lens, sizeof lens, "lens:1.25,%.17g", 2.5 * ratio);
+    std::snprintf(spindle, sizeof spindle, "spindle:2.5,%.17g", 1.25 * ratio);
+    std::snprintf(cut, sizeof cut, "cut-sphere:1.25,%.17g,0.75", 1.25 * ratio);
+    // h is what is less; the ball or arc of radius b has its middle c away.
+    const Digits50 r = 1.25, h_lens = Digits50(2.5 * ratio) / 2, h_spindle = 1.25 * ratio;
+    {
+      const Digits50 h = h_lens, b = (r * r + h * h) / (2 * h), half_angle = asin(Digits50(r / b > 1 ? 1 : r / b));
+      expect_digits(lens, 2 * exact_pi * h * h * (3 * b - h) / 3, 4 * exact_pi * b * h,
+                    4 * exact_pi * h + exact_pi * r * (exact_pi - 2 * half_angle));
+    }
+    {
+      const Digits50 h = h_spindle, b = (r * r + h * h) / (2 * h), c = b - h;
+      const Digits50 a = asin(Digits50(r / b > 1 ? 1 : r / b));
+      expect_digits(spindle, 2 * exact_pi * (r * (b * b + c * c) - r * r * r / 3 - c * (b * b * a + r * c)),
+                    4 * exact_pi * b * (r - c * a), 2 * exact_pi * (2 * r - c * a));
+    }
+    {
+      const Digits50 below = 1.25 * ratio, above = 0.75, cap_b = r - below, cap_t = r - above;
+      const auto cap = [&](const Digits50& x) { return Digits50(exact_pi * x * x * (3 * r - x) / 3); };
+      const Digits50 p = sqrt(Digits50(r * r - below * below)), q = sqrt(Digits50(r * r - above * above));
+      expect_digits(cut, 4 * exact_pi * r * r * r / 3 - cap(cap_b) - cap(cap_t),
+                    exact_pi * (4 * r * r - 2 * r * (cap_b + cap_t) + p * p + q * q),
+                    exact_pi * (2 * (below + above) + p * acos(Digits50(below / r)) + q * acos(Digits50(above / r))));
+    }
+  }
+  expect_measures("cut-sphere:2,2,2", 32 * pi / 3, 16 * pi, 8 * pi);
+  expect_measures("egg:2,2,2", 32 * pi / 3, 16 * pi, 8 * pi);
+  for (const double below : {1e-3, 0.7, 30.0}) {
+    const Measures egg = parse_shape("egg:1," + std::to_string(below) + ",2").measures;
+    const Measures p = parse_shape("ellipsoid:1,1," + std::to_string(below)).measures;
+    const Measures q = parse_shape("ellipsoid:1,1,2").measures;
+    EXPECT_NEAR(egg.volume, 2 * pi / 3 * (below + 2), 1e-14 * egg.volume);
+    EXPECT_NEAR(egg.surface_area, 0.5 * (p.surface_area + q.surface_area), 1e-14 * egg.surface_area);
+    EXPECT_NEAR(egg.integrated_mean_curvature, 0.5 * (p.integrated_mean_curvature + q.integrated_mean_curvature),
+                1e-13);
+  }
+}
+
+TEST(Measures, OfSuperellipsoidsAreThoseOfMpmath) {
+  // superellipsoid_truth.py
+  expect_measures("superball:0.75,1", 2.9427657258847144, 10.117514443002703, 11.391821969020966);
+  expect_measures("superball:1.5,1", 5.6965835415098352, 15.727990725427815, 14.184614634544129);
+  expect_measures("superball:4,1", 7.5167003621715319, 20.68461600574795, 16.860184075559684);
+  expect_measures("superellipsoid:0.5,0.75,1,1.5,0.75", 1.4241458853774588, 6.5364702750509936, 9.3470437343707038);
+  expect_measures("superellipsoid:1,1,5,3,1.25", 28.91541296891881, 63.329083641754067, 36.251344204111955);
+  expect_measures("superellipsoid:1,2,3,0.625,6", 28.567161681623726, 61.015260536085535, 31.554110695296837);
+}
+
+TEST(Measures, OfSuperellipsoidsThatAreOtherBodies) {
+  const auto are_alike = [](const std::string& text, const std::string& other) {
+    const Measures m = parse_shape(other).measures;
+    expect_measures(text, m.volume, m.surface_area, m.integrated_mean_curvature);
+  };
+  are_alike("superball:1,2", "sphere:2");
+  are_alike("superellipsoid:1,2,3,1,1", "ellipsoid:1,2,3");
+  are_alike("superellipsoid:0.03,2,1,1,1", "ellipsoid:0.03,2,1");
+  are_alike("superellipsoid:1e30,2e30,3e30,1,1", "ellipsoid:1e30,2e30,3e30");
+  are_alike("superball:0.5,1", "octahedron:1.4142135623730951");
+  const double r = std::sqrt(0.5);  // a double pyramid on a square, 3 high each: twice the pyramid, without its base
+  const Measures half = parse_shape("pyramid:4,1.4142135623730951,3").measures;
+  const double slant = std::sqrt(9 + r * r);
+  const Measures found = parse_shape("superellipsoid:1,1,3,0.5,0.5").measures;
+  EXPECT_NEAR(found.volume, 2 * half.volume, 1e-12);
+  EXPECT_NEAR(found.surface_area, 4 * std::sqrt(2.0) * slant, 1e-11);
+  // Nearly a box, and nearly a cylinder: the mean width falls short by a multiple of 1/P.
+  const Measures box = parse_shape("superellipsoid:1,2,3,1000,1000").measures, m = parse_shape("box:2,4,6").measures;
+  EXPECT_LT(box.volume, m.volume);
+  EXPECT_NEAR(box.volume, m.volume, 5e-3 * m.volume);
+  EXPECT_NEAR(box.surface_area, m.surface_area, 5e-3 * m.surface_area);
+  EXPECT_NEAR(box.integrated_mean_curvature, m.integrated_mean_curvature, 5e-3 * m.integrated_mean_curvature);
+}
+
+TEST(SolidMoments, OfSuperellipsoids) {
+  const auto second = [](const char* text) { return parse_shape(text).moments->second; };
+  const auto a = second("superellipsoid:1,2,3,1,1"), b = second("ellipsoid:1,2,3");
+  const auto c = second("superball:0.5,1");             // of an octahedron with corners at 1 the moments are 2/15
+  const auto d = second("superellipsoid:1,2,3,1,0.5");  // a double cone: pi a b c / 10 a^2 and pi a b c / 15 c^2
+  const double pi_abc = 6 * pi;
+  EXPECT_NEAR(a[0].x, b[0].x, 1e-13 * b[0].x);
+  EXPECT_NEAR(a[1].y, b[1].y, 1e-13 * b[1].y);
+  EXPECT_NEAR(a[2].z, b[2].z, 1e-13 * b[2].z);
+  for (const double moment : {c[0].x, c[1].y, c[2].z}) EXPECT_NEAR(moment, 2.0 / 15, 1e-14);
+  EXPECT_NEAR(d[0].x, pi_abc / 10, 1e-12);
+  EXPECT_NEAR(d[1].y, pi_abc / 10 * 4, 1e-11);
+  EXPECT_NEAR(d[2].z, pi_abc / 15 * 9, 1e-11);
+}
+
+/// Of a body about the z axis, by discs: from its support function alone, 400 000 normals of a meridian.
+void expect_moments_by_discs(const std::string& text) {
+  const Body body = parse_shape(text);
+  constexpr int kNormals = 400'000;
+  double volume = 0.0, first = 0.0, second = 0.0, across = 0.0;
+  Vec3d before = body.body.support({1e-9, 0.0, -1.0});
+  for (int k = 1; k < kNormals; ++k) {
+    const double polar = pi * k / kNormals;
+    const Vec3d at = body.body.support({std::sin(polar), 0.0, -std::cos(polar)});
+    const double dz = at.z - before.z, x = 0.5 * (at.x + before.x), z = 0.5 * (at.z + before.z), disc = pi * x * x * dz;
+    volume += disc;
+    first += z * disc;
+    second += z * z * disc;
+    across += 0.25 * x * x * disc;
+    before = at;
+  }
+  const double mean = first / volume;
+  ASSERT_TRUE(body.moments.has_value());
+  EXPECT_NEAR(body.moments->volume, volume, 1e-8 * volume) << text;
+  EXPECT_NEAR(body.moments->centroid.z, mean, 1e-8) << text;
+  EXPECT_NEAR(body.moments->second[0].x, across, 1e-8 * across) << text;
+  EXPECT_NEAR(body.moments->second[1].y, across, 1e-8 * across) << text;
+  EXPECT_NEAR(body.moments->second[2].z, second - mean * first, 1e-8 * second) << text;
+}
+
+TEST(SolidMoments, OfBodiesAboutAnAxisAreTheirDiscs) {
+  for (const char* text : {"lens:0.9,0.7", "lens:1,0.1", "cut-sphere:0.8,0.3,0.6", "cut-sphere:1,1,0.2",
+                           "spindle:1.8,0.5", "spindle:2,0.1", "egg:0.6,0.5,1.1", "hemisphere:0.8"}) {
+    expect_moments_by_discs(text);
+  }
 }
 
 TEST(Measures, OfPrismsAndPyramids) {

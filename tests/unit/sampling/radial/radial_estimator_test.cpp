@@ -33,6 +33,8 @@ TEST_P(RadialEstimatorOfPairs, AgreesWithTheFormula) {
   EXPECT_LE(found.std_error, 0.02 * truth);
 }
 
+INSTANTIATE_TEST_SUITE_P(FormlessPairs, RadialEstimatorOfPairs, testing::ValuesIn(formless_pairs()),
+                         [](const auto& pair) { return test_name(pair.param); });
 INSTANTIATE_TEST_SUITE_P(Pairs, RadialEstimatorOfPairs, testing::ValuesIn(unordered_pairs()),
                          [](const auto& pair) { return test_name(pair.param); });
 
