@@ -2,7 +2,6 @@
 
 #include "apps/common/instruction_sets.h"
 #include "apps/common/numbers.h"
-#include "apps/common/orientations.h"
 #include "engine/numeric/errors.h"
 
 namespace vex {

@@ -4,19 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <random>
 #include <string>
 
+#include "mutator.h"
 #include "query_fuzz.h"
 
 namespace vex::tests {
 namespace {
-
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-  const char* const text = std::getenv(name);
-  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
-}
 
 TEST(LyingBodies, EndEveryQuery) {
   std::mt19937_64 random(from_environment("VEX_FUZZ_SEED", 1));

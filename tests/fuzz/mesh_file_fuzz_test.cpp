@@ -15,9 +15,9 @@
 #include "engine/numeric/errors.h"
 #include "meshes/convex_mesh.h"
 #include "meshes/data/mesh_writers.h"
+#include "mutator.h"
 #include "soups.h"
 #include "temporary_folder.h"
-#include "tests/fuzz/mutator.h"
 
 namespace vex::tests {
 namespace {
@@ -27,11 +27,6 @@ constexpr std::uint64_t kFiles = 80;  // there a reader that takes memory until 
 #else
 constexpr std::uint64_t kFiles = 300;
 #endif
-
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
-}
 
 class MeshFileFuzz : public ::testing::TestWithParam<const char*> {};
 

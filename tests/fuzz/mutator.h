@@ -1,13 +1,21 @@
-// Damages files, each time in another way, and always the same way for the same seed.
+// Files changed as broken writers, disks and hands change them.
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <random>
 #include <string>
 #include <vector>
 
 namespace vex::tests {
+
+/// A number from the environment, so that a test can be made a campaign.
+inline std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
+  const char* text = std::getenv(name);
+  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
+}
 
 /// Changes a file in one to four places, each in a way that readers are known to mind.
 class Mutator {

@@ -110,8 +110,14 @@ std::string fault_of_touch(const ConvexBody& a, const ConvexBody& b, const Pose&
   const double coordinates = norm_1(claimed.point_a) + norm_1(claimed.point_b) + a.reach() + 2.0 * b.reach() +
                              norm_1(pose.a_from_b().translation) + claimed.time * moving;
   const double near = accuracy + 16.0 * kUnitRoundoff * coordinates * (1.0 + claimed.time * turning);
+  const double own = accuracy + 16.0 * kUnitRoundoff * (norm_1(claimed.point_b_in_b) + b.reach());
+  const double waited = 2.0 * (moving + turning * (a.reach() + b.reach())) * (claimed.upper - claimed.lower);
+  // An allowance that no double tells would allow everything.
+  if (!std::isfinite(near) || !std::isfinite(own) || !std::isfinite(near + waited + kAcross * size)) {
+    return "the contact is beyond what is looked at";
+  }
   const std::optional<Places> places = motion.places(claimed.time, certificate);
-  if (!places || !std::isfinite(near)) return "the contact is beyond what is looked at";
+  if (!places) return "the contact is beyond what is looked at";
   const auto are_near = [](std::vector<DyadicVector> points, const DyadicVector& to, const Dyadic& distance) {
     for (DyadicVector& p : points) p = p - to;
     return checker::comes_within(points, distance);
@@ -122,11 +128,9 @@ std::string fault_of_touch(const ConvexBody& a, const ConvexBody& b, const Pose&
   if (!are_near(places->of_b, of_b, Dyadic(near) + Dyadic(pair.b().ball_radius) - places->margin)) {
     return "point_b is not proven to be near B";
   }
-  const Dyadic own(accuracy + 16.0 * kUnitRoundoff * (norm_1(claimed.point_b_in_b) + b.reach()));
-  if (!checker::is_near_b(pair.moved(checker::exactly(Transformd{})), certificate.near_b, own_b, own)) {
+  if (!checker::is_near_b(pair.moved(checker::exactly(Transformd{})), certificate.near_b, own_b, Dyadic(own))) {
     return "point_b_in_b is not in B";
   }
-  const double waited = 2.0 * (moving + turning * (a.reach() + b.reach())) * (claimed.upper - claimed.lower);
   const DyadicVector off = of_b - of_a;
   const Dyadic along = dot(normal, off), along_allowed(near + waited), allowed(kAcross * size + near + waited);
   const std::optional<Dyadic> gap = motion.gap_at(claimed.time, normal);

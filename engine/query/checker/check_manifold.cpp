@@ -129,6 +129,9 @@ CertificateCheck check_certificate(const ConvexBody& a, const ConvexBody& b, con
   const double far = a.reach() + 2.0 * b.reach() + norm_1(pose.a_from_b().translation) + norm_1(found.point_a);
   const double tolerance = promised_accuracy(a, b, found) + kRounding * far;
   const double slope = 2.0 * std::sin(std::fmin(feature_angle, 1.5));
+  if (!std::isfinite(tolerance + 8.0 * (a.circumradius() + b.circumradius()))) {
+    return failed("bodies are so far that no double tells what rounding allows their contacts");
+  }
   const DyadicVector normal = whole::exactly(found.normal);
   for (std::size_t k = 0; k < claimed.contacts.size() && fault.empty(); ++k) {
     fault = fault_of_contact(*pair, normal, claimed.contacts[k], certificate.contacts[k], tolerance,

@@ -59,13 +59,21 @@ std::string fault_of_points(const ConvexBody& a, const ConvexBody& b, const Pose
   for (const Vec3d& v : {claimed.normal, claimed.point_a, claimed.point_b, claimed.point_b_in_b}) {
     if (!is_finite(v)) return "a point or the normal is not finite";
   }
-  const Dyadic accuracy(promised_accuracy(a, b, claimed)), one(1.0), few(0x1p-48);
+  const double far =
+      norm_1(claimed.point_a) + norm_1(claimed.point_b) + b.reach() + norm_1(pose.a_from_b().translation);
+  const double promised = promised_accuracy(a, b, claimed);
+  const auto rounding = [](const Vec3d& point, const ConvexBody& body) {
+    return kOfOwnBody * body.circumradius() + 16.0 * kUnitRoundoff * (norm_1(point) + body.reach());
+  };
+  const double own_a = rounding(claimed.point_a, a), own_b = rounding(claimed.point_b_in_b, b);
+  for (const double allowance : {promised, far, own_a, own_b}) {
+    if (!std::isfinite(allowance)) return "points are so far that no double tells what rounding allows them";
+  }
+  const Dyadic accuracy(promised), one(1.0), few(0x1p-48);
   const DyadicVector normal = whole::exactly(claimed.normal), point_a = whole::exactly(claimed.point_a),
                      point_b = whole::exactly(claimed.point_b);
   const Dyadic stretch = dot(normal, normal) - one;
   if (few < stretch || stretch < -few) return "the normal is no unit vector";
-  const double far =
-      norm_1(claimed.point_a) + norm_1(claimed.point_b) + b.reach() + norm_1(pose.a_from_b().translation);
   const Dyadic near_enough = accuracy + Dyadic(16.0 * kUnitRoundoff * far);
   const Dyadic distance(claimed.signed_distance);
   // Or any points of the bodies as far apart would do.
@@ -78,12 +86,9 @@ std::string fault_of_points(const ConvexBody& a, const ConvexBody& b, const Pose
   if (!is_near_a(pair, certificate.near_a, point_a, near_enough)) return "point_a is not proven to be near A";
   if (!is_near_b(pair, certificate.near_b, point_b, near_enough)) return "point_b is not proven to be near B";
   // In its own body, too, however far the other one is.
-  const auto rounding = [](const Vec3d& point, const ConvexBody& body) {
-    return Dyadic(kOfOwnBody * body.circumradius() + 16.0 * kUnitRoundoff * (norm_1(point) + body.reach()));
-  };
-  if (!is_near_a(pair, certificate.near_a, point_a, rounding(claimed.point_a, a))) return "point_a is not in A";
+  if (!is_near_a(pair, certificate.near_a, point_a, Dyadic(own_a))) return "point_a is not in A";
   if (!is_near_b(pair.moved(checker::exactly(Transformd{})), certificate.near_b, whole::exactly(claimed.point_b_in_b),
-                 rounding(claimed.point_b_in_b, b))) {
+                 Dyadic(own_b))) {
     return "point_b_in_b is not in B";
   }
   return {};
