@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -71,14 +72,21 @@ void RunLedger::resume(const RunState& state) {
   }
 }
 
+// Pieces that wait, of some ten kilobytes each; between any two of them is a block that a rank still works on.
+std::size_t RunLedger::most_waiting() const {
+  constexpr std::size_t kFew = 4096, kEach = 4;
+  return settings_.ranks == nullptr ? kFew
+                                    : std::max(kFew, kEach * static_cast<std::size_t>(settings_.ranks->n_ranks()));
+}
+
 std::optional<RunLedger::Block> RunLedger::take(std::uint64_t most) {
-  constexpr std::size_t kMostWaiting = 4096;
-  if (over_ || waiting_.size() >= kMostWaiting) return std::nullopt;  // whoever has the first of them brings it
+  if (over_ || waiting_.size() >= most_waiting()) return std::nullopt;  // whoever has the first of them brings it
   block_end_ = std::max(block_end_, round_end_);
   if (next_ == block_end_) {
     if (settings_.ranks == nullptr || block_end_ == limit_) return std::nullopt;
     block_end_ = evaluation_after(block_end_);
   }
+  evaluations_.insert(block_end_);
   const std::uint64_t begin = next_;
   next_ += std::min(most, block_end_ - next_);
   return Block{settings_.first_trial + begin, settings_.first_trial + next_};
@@ -86,14 +94,25 @@ std::optional<RunLedger::Block> RunLedger::take(std::uint64_t most) {
 
 bool RunLedger::bring(const Block& block, BlockRecord&& record) {
   n_brought_ += block.end - block.begin;
-  waiting_.emplace(block.begin - settings_.first_trial, std::move(record));
+  const auto at =
+      waiting_
+          .emplace(block.begin - settings_.first_trial, Waiting{block.end - settings_.first_trial, std::move(record)})
+          .first;
+  const auto join = [this](auto before, auto after) {
+    if (before->second.end != after->first || evaluations_.contains(after->first)) return;
+    before->second.record += std::move(after->second.record);
+    before->second.end = after->second.end;
+    waiting_.erase(after);
+  };
+  if (const auto after = std::next(at); after != waiting_.end()) join(at, after);
+  if (at != waiting_.begin()) join(std::prev(at), at);
   bool evaluated = false;
   // Also behind the end of a run that was interrupted: what was done counts. But nothing beyond an evaluation that
   // nobody made.
   while (!over_ || (is_cut_off() && done_.tally.n_trials < round_end_)) {
     const auto next = waiting_.find(done_.tally.n_trials);
     if (next == waiting_.end()) break;
-    done_ += std::move(next->second);
+    done_ += std::move(next->second.record);
     waiting_.erase(next);
     if (over_ || done_.tally.n_trials != round_end_) continue;
     evaluate();
@@ -133,6 +152,7 @@ void RunLedger::evaluate() {
     const bool as_asked = stop_rule.trials && *stop_rule.trials <= limit_;
     stop(as_asked ? StopReason::trials : StopReason::max_trials);
   } else {
+    evaluations_.erase(evaluations_.begin(), evaluations_.upper_bound(round_end_));
     round_end_ = evaluation_after(round_end_);
   }
 }

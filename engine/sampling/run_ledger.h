@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "engine/sampling/monte_carlo.h"
 
@@ -50,6 +51,7 @@ class RunLedger {
     return over_ && (stopped_by_ == StopReason::interrupted || stopped_by_ == StopReason::seconds);
   }
   void resume(const RunState& state);
+  std::size_t most_waiting() const;
   std::uint64_t evaluation_after(std::uint64_t n_trials) const;
   void evaluate();
   bool rounding_is_most() const;
@@ -64,7 +66,13 @@ class RunLedger {
   std::uint64_t block_end_ = 0;  // the evaluation that no block goes beyond now: round_end_, or a later one
   std::uint64_t round_end_ = 0;  // where the stop rule is looked at next
   BlockRecord done_;
-  std::map<std::uint64_t, BlockRecord> waiting_;  // behind a gap, by where they begin
+  // Behind a gap, by where they begin; neighbours are one, unless an evaluation lies between them.
+  struct Waiting {
+    std::uint64_t end;
+    BlockRecord record;
+  };
+  std::map<std::uint64_t, Waiting> waiting_;
+  std::set<std::uint64_t> evaluations_;  // that blocks ended at, or will
   bool over_ = false;
   StopReason stopped_by_ = StopReason::interrupted;
 };

@@ -140,9 +140,10 @@ TEST_F(Resume, GoesOnFromNothingElse) {
 
 TEST_F(Resume, WhereItCannotBeSavedTheRunGoesOn) {
   std::filesystem::create_directory(path("there"));
-  const Finished finished = shell(kWithoutOverride +
-                                  "sh -c '(sleep 0.3; chmod a-w there) & exec \"$VEX\" box:1,1,1 --seconds 1 "
-                                  "--checkpoint there/c.state --checkpoint-every 0.1 --json r.json'");
+  const Finished finished =
+      shell(kWithoutOverride +
+            "sh -c '(until [ -e there/c.state ]; do sleep 0.05; done; chmod a-w there) & exec \"$VEX\" box:1,1,1 "
+            "--seconds 2 --threads 1 --checkpoint there/c.state --checkpoint-every 0.1 --json r.json'");
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   const std::string said = "no state was saved";
   EXPECT_NE(finished.err.find(said), std::string::npos) << finished.err;
