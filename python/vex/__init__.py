@@ -22,13 +22,15 @@ from .queries import (Manifold, Proof, contact_manifold, depth, distance, linear
 from .scenes import Clusters, Hit, Neighbour, Scene, UndecidedWarning
 from .shapes import (box, capsule, cone, cylinder, disc, dodecahedron, ellipsoid, frustum, hemisphere, icosahedron,
                      needle, octahedron, plate, sphere, tetrahedron)
+from .virial import VirialCoefficient, VirialCoefficients, virial_coefficients
 
 __all__ = [
     "Body", "BodyLike", "Clusters", "Error", "ExcludedVolume", "Hit", "InputError", "Interrupted", "Manifold",
-    "Neighbour", "OrientationLaw", "Percolation", "Proof", "Reference", "Scene", "UndecidedWarning", "UsageError", "__version__",
+    "Neighbour", "OrientationLaw", "Percolation", "Proof", "Reference", "Scene", "UndecidedWarning", "UsageError",
+    "VirialCoefficient", "VirialCoefficients", "__version__",
     "box", "capsule", "cone", "contact_manifold", "cylinder", "depth", "disc", "distance", "dodecahedron", "ellipsoid",
     "estimators", "excluded_volume", "excluded_volume_at", "excluded_volume_of_angle", "formula", "from_support",
     "frustum", "hemisphere", "hull", "icosahedron", "linear_cast", "load", "named_shapes", "needle", "octahedron",
     "overlap", "overlap_certificate", "percolation", "plate", "plot", "ray_cast", "rounded", "signed_distance", "sphere",
-    "stream_version", "tetrahedron", "time_of_impact", "within",
+    "stream_version", "tetrahedron", "time_of_impact", "virial_coefficients", "within",
 ]
