@@ -28,7 +28,7 @@ def bodies():
 
 
 def file_of(name, seed):
-    return runs / f"{re.sub('[^A-Za-z0-9]', '_', name)}.{seed}.json"
+    return runs / f"{re.sub('[^A-Za-z0-9]', '_', name.replace('.', 'p'))}.{seed}.json"
 
 
 def measure(name, arguments, seconds, program):

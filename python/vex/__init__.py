@@ -26,11 +26,12 @@ from .shapes import (antiprism, box, capsule, cone, cuboctahedron, cut_sphere, c
                      spindle, superball, superellipsoid, tetrahedron, truncated_cube, truncated_cuboctahedron,
                      truncated_dodecahedron, truncated_icosahedron, truncated_icosidodecahedron, truncated_octahedron,
                      truncated_tetrahedron)
+from .virial import VirialCoefficient, VirialCoefficients, virial_coefficients
 
 __all__ = [
     "Body", "BodyLike", "Clusters", "Error", "ExcludedVolume", "Hit", "InputError", "Interrupted", "Manifold",
     "Neighbour", "OrientationLaw", "Percolation", "Proof", "Reference", "Scene", "UndecidedWarning", "UsageError",
-    "__version__", "antiprism", "box", "capsule", "cone", "contact_manifold", "cuboctahedron", "cut_sphere",
+    "VirialCoefficient", "VirialCoefficients", "__version__", "antiprism", "box", "capsule", "cone", "contact_manifold", "cuboctahedron", "cut_sphere",
     "cylinder", "depth", "disc", "distance", "dodecahedron", "egg", "ellipsoid", "estimators", "excluded_volume",
     "excluded_volume_at", "excluded_volume_of_angle", "formula", "from_support", "frustum", "hemisphere", "hull",
     "icosahedron", "icosidodecahedron", "lens", "linear_cast", "load", "named_shapes", "needle", "octahedron",
@@ -38,5 +39,6 @@ __all__ = [
     "rhombicosidodecahedron", "rhombicuboctahedron", "rounded", "signed_distance", "snub_cube", "snub_dodecahedron",
     "sphere", "spindle", "stream_version", "superball", "superellipsoid", "tetrahedron", "time_of_impact",
     "truncated_cube", "truncated_cuboctahedron", "truncated_dodecahedron", "truncated_icosahedron",
-    "truncated_icosidodecahedron", "truncated_octahedron", "truncated_tetrahedron", "within",
+    "truncated_icosidodecahedron", "truncated_octahedron", "truncated_tetrahedron", "virial_coefficients",
+    "within",
 ]
