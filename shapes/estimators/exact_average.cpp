@@ -66,8 +66,8 @@ ExactAverage exact_average(const Body& a, const Body& b, const OrientationLaw& l
                            const ExactAverageSettings& settings) {
   VEX_EXPECT(settings.n_randomisations >= 2);
   if (settings.series) {
-    const std::optional<SeriesAverage> series = law.kind() == OrientationLaw::Kind::angle ? axial_average(a, b, law)
-                                                                                          : legendre_average(a, b, law);
+    const std::optional<SeriesAverage> series =
+        law.kind() == OrientationLaw::Kind::angle ? axial_average(a, b, law) : legendre_average(a, b, law);
     if (series && series->error <= kSeriesError * series->excluded_volume) {
       return {series->excluded_volume, series->error};
     }

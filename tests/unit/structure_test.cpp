@@ -76,8 +76,9 @@ TEST(Structure, EveryRoomSeesOnlyTheRoomsBelowIt) {
 TEST(Structure, EveryThirdPartyHasItsOnePlace) {
   const std::map<std::string, std::vector<std::string>> places = {
       {"assimp/", {"meshes/assimp_"}},
-      {"zlib.h", {"meshes/gunzip.cpp", "meshes/formats/zip_archive.cpp", "meshes/data/archives.cpp",
-                  "apps/vex_percolate/realisations_file.cpp"}},
+      {"zlib.h",
+       {"meshes/gunzip.cpp", "meshes/formats/zip_archive.cpp", "meshes/data/archives.cpp",
+        "apps/vex_percolate/realisations_file.cpp"}},
       {"libqhull", {"meshes/hull.cpp"}},
       {"ccd/", {"apps/peers/ccd_"}},
       {"fcl/", {"apps/peers/fcl_"}},
@@ -85,15 +86,16 @@ TEST(Structure, EveryThirdPartyHasItsOnePlace) {
       {"Eigen/", {"engine/numeric/eigen.h", "apps/referees/"}},
       {"boost/",
        {"engine/numeric/whole.h", "engine/numeric/float_256.h", "engine/sampling/estimate.cpp",
-        "engine/sampling/percolation/extrapolation.cpp", "engine/sampling/points/sobol.cpp", "shapes/ellipsoid.cpp", "shapes/estimators/legendre_series.cpp",
-        "shapes/estimators/axial_average.cpp", "shapes/nematic/",
+        "engine/sampling/percolation/extrapolation.cpp", "engine/sampling/points/sobol.cpp", "shapes/ellipsoid.cpp",
+        "shapes/estimators/legendre_series.cpp", "shapes/estimators/axial_average.cpp", "shapes/nematic/",
         "apps/referees/", "apps/vex_paper/"}},
       {"CLI/", {"apps/common/"}},
       {"nlohmann/", {"apps/"}},
       {"pybind11/", {"python/bindings/"}},
   };
   std::set<std::string> seen;
-  for (const std::string& room : std::vector<std::string>{"engine", "shapes", kEstimators, "meshes", "apps", "python"}) {
+  for (const std::string& room :
+       std::vector<std::string>{"engine", "shapes", kEstimators, "meshes", "apps", "python"}) {
     for (const Include& include : includes_below(room)) {
       for (const auto& [library, files] : places) {
         if (include.what.rfind(library, 0) != 0) continue;
