@@ -186,7 +186,8 @@ void bind_excluded_volume(py::module_& module) {
       .def_static("cone", &OrientationLaw::cone, py::arg("degrees"))
       .def_static("angle", &OrientationLaw::angle, py::arg("degrees"))
       .def_static("onsager", &OrientationLaw::onsager, py::arg("alpha"))
-      .def_static("parse", [](const std::string& text) { return parse_orientation_law(text); }, py::arg("text"))
+      .def_static(
+          "parse", [](const std::string& text) { return parse_orientation_law(text); }, py::arg("text"))
       .def("__repr__", [](const OrientationLaw& law) { return "<vex.OrientationLaw " + law.name() + ">"; })
       .def(
           "__eq__", [](const OrientationLaw& x, const OrientationLaw& y) { return x == y; }, py::is_operator())

@@ -76,8 +76,8 @@ ExactAverage exact_average(const Body& a, const Body& b, const OrientationLaw& l
   }
   if (!(settings.largest_cost >= 0.0)) throw UsageError("a largest cost is negative or no number - give one from 0 up");
   if (settings.series) {
-    const std::optional<SeriesAverage> series = law.kind() == OrientationLaw::Kind::angle ? axial_average(a, b, law)
-                                                                                          : legendre_average(a, b, law);
+    const std::optional<SeriesAverage> series =
+        law.kind() == OrientationLaw::Kind::angle ? axial_average(a, b, law) : legendre_average(a, b, law);
     if (series && series->error <= kSeriesError * series->excluded_volume) {
       return {series->excluded_volume, series->error};
     }
