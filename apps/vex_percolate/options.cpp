@@ -144,6 +144,12 @@ void declare_outputs(OptionParser& options, PercolateCommandLine& words) {
       .type_name("FILE.glb")
       .group(output);
   options
+      .add_option("--report", words.report,
+                  "Write a page to look at in a browser, which needs no other file and no network: the bodies to turn, "
+                  "all numbers with their meaning, the curves and the way to infinite size; - is standard output")
+      .type_name("FILE.html")
+      .group(output);
+  options
       .add_option("--checkpoint", words.checkpoint,
                   "Write the same as --csv every half minute, as realisations end, and at the end, for --resume")
       .type_name("FILE")
