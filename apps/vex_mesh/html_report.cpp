@@ -74,7 +74,8 @@ void add_results(HtmlPage& page, const MeshRun& run) {
   if (has_result(run)) {
     add("⟨V_ex⟩, Monte Carlo", "/estimate/excluded_volume", with_error(result.value, error),
         "The result. The digits in parentheses are one standard error, in units of the last digits shown.");
-    add("standard error", "/estimate/std_error", short_number(error, 3),
+    add("standard error", "/estimate/std_error",
+        std::isfinite(error) ? short_number(error, 3) : std::string("not known: too few trials"),
         "Two of three such runs, with other seeds, lie within this of the truth.");
   }
   if (result.reference) {
@@ -159,7 +160,7 @@ void add_orientations(HtmlPage& page, const MeshRun& run, const PairView& view) 
 }
 
 void add_costs(HtmlPage& page, const MeshRun& run, const nlohmann::ordered_json& document) {
-  if (!document.contains("pilot") || run.result.record.tally.n_trials == 0) return;
+  if (!document.contains("pilot") || !std::isfinite(run.result.std_error / run.result.value)) return;
   PageTable table;
   table.caption = "Told by a pilot of each before the run: about how many seconds to this run’s error of " +
                   short_number(100.0 * run.result.std_error / run.result.value, 2) +

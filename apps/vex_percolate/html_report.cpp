@@ -166,9 +166,11 @@ std::string html_report(const PercolateRun& run, const std::string& document_tex
   const std::string with_shell = run.options.shell > 0.0 ? " with its shell" : "";
   const std::size_t other = run.bodies.size() > 1 ? 1 : 0;
   page.begin_section("Two bodies, and where they are connected", true);
-  page.pair(pair_view(run.connecting[0], run.bodies[0].source + with_shell, run.connecting[other],
-                      other == 0 ? "" : run.bodies[other].source + with_shell, run.options.orientations.law,
-                      run.options.seed));
+  PairView view = pair_view(run.connecting[0], run.bodies[0].source + with_shell, run.connecting[other],
+                            other == 0 ? "" : run.bodies[other].source + with_shell, run.options.orientations.law,
+                            run.options.seed);
+  view.surface_name = "the surface within which B’s centre connects them";
+  page.pair(view);
   add_numbers(page, run, values);
   add_curves(page, run);
   add_extrapolation(page, run);

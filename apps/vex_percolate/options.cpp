@@ -143,6 +143,12 @@ void declare_outputs(OptionParser& options, PercolateCommandLine& words) {
           "an axis, as binary glTF 2.0, which viewers show: that cluster stands out")
       .type_name("FILE.glb")
       .group(output);
+  options
+      .add_option("--report", words.report,
+                  "Write a page to look at in a browser, which needs no other file and no network: the bodies to turn, "
+                  "all numbers with their meaning, the curves and the way to infinite size; - is standard output")
+      .type_name("FILE.html")
+      .group(output);
   // A saved state is the same as --csv writes, which --resume takes as well.
   declare_checkpoint(options, words, "A run in parts");
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kPhysicsWidth = 900, kPhysicsHeight = 392;
 constexpr double kPlotLeft = 522.0, kPlotRightEnd = 776.0, kPlotLow = 326.0, kPlotHigh = 62.0;
-constexpr double kLeast = 8.0, kMost = 26.0;  // of V_ex / V
+constexpr double kLeast = 8.0, kMost = 20.0;  // of V_ex / V
 constexpr std::string_view kTitleStyle = "font-size=\"16\" font-weight=\"bold\" fill=\"#17202b\"";
 constexpr std::string_view kSoft = "font-size=\"13\" fill=\"#4d5966\"";
 
@@ -52,7 +52,7 @@ void draw_axes_of_angles(Svg& svg) {
   svg.label({0.5 * (kPlotLeft + kPlotRightEnd), kPlotLow + 34.0},
             "angle &#947; between two equal rods, 5 long and 1 thick", kSoft);
   svg.label({0.5 * (kPlotLeft + kPlotRightEnd), kPlotLow + 51.0},
-            "lines: exact; points: Monte Carlo, errors smaller than they", kSoft);
+            "lines: exact; points: Monte Carlo, errors within the dots", kSoft);
   const Pixel middle{470.0, 0.5 * (kPlotLow + kPlotHigh)};
   svg.label(
       middle, "V_ex(&#947;) / V",
@@ -95,13 +95,15 @@ std::string physics_picture() {
   draw_bodies(svg);
   svg.label({0.5 * (kPlotLeft + kPlotRightEnd), 30.0}, "Rods at an angle", kTitleStyle);
   draw_axes_of_angles(svg);
+  double label_at = 0.0;  // no label on another
   for (const Rod& rod : rods()) {
     std::vector<Pixel> curve;
     for (const RodValue& value : rod.exact) curve.push_back(place(value));
     svg.path(svg_path(curve, false), "fill=\"none\" stroke-width=\"2.2\" stroke=\"" + rod.colour + "\"");
     for (const RodValue& value : rod.monte_carlo)
       svg.dot(place(value), 3.6, "fill=\"#fff\" stroke-width=\"1.8\" stroke=\"" + rod.colour + "\"");
-    svg.label_at_start({kPlotRightEnd + 8.0, curve.back().y}, rod.label, coloured(rod.colour, "font-size=\"14\""));
+    label_at = std::max(label_at + 17.0, curve.back().y);
+    svg.label_at_start({kPlotRightEnd + 8.0, label_at}, rod.label, coloured(rod.colour, "font-size=\"14\""));
   }
   return svg.text();
 }

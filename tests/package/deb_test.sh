@@ -100,7 +100,7 @@ for package in $packages; do
     grep -qF "./usr/share/doc/$name/$file" "$scratch/files" || fail "$name: no $file"
   done
   dpkg-deb --fsys-tarfile "$package" | tar -xO "./usr/share/doc/$name/copyright" >"$scratch/copyright"
-  for library in vex CLI11 Random123 nlohmann_json Eigen Boost.Math FCL libccd assimp pybind11; do
+  for library in vex CLI11 Random123 nlohmann_json Eigen Boost.Math FCL libccd assimp pybind11 three.js; do
     grep -qxE "(Upstream-Name: |Files: )$library(/\*)?" "$scratch/copyright" || fail "$name: no licence of $library"
   done
   # shellcheck disable=SC2013  # licence names have no blanks

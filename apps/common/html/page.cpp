@@ -145,17 +145,16 @@ void HtmlPage::pair(const PairView& view) {
   const OrientationView& shown = view.orientations[n / 2];
   const bool is_one_body = view.name_b.empty();
   const std::string name_b = is_one_body ? view.name_a + " again" : view.name_b;
-  const std::string alt =
-      "Body A (" + view.name_a + ", blue), body B (" + name_b +
-      ", orange) where it touches A, and around A the surface that the centre of B may not enter (pale blue).";
+  const std::string alt = "Body A (" + view.name_a + ", blue), body B (" + name_b +
+                          ", orange) where it touches A, and around A " + view.surface_name + " (pale blue).";
   Svg svg = Svg::in_page(kWidth, kHeight, in_xml(alt));
   svg.begin_group({0.5 * kWidth, 0.5 * kHeight}, "");
   draw_pair(svg, view, shown, kWidth - 16.0, kHeight - 16.0);
   svg.end_group();
 
   main_ += "<figure class=\"pair\" id=\"pair\">\n<ul class=\"key\"><li class=\"of-a\">" + in_xml("A: " + view.name_a) +
-           "</li><li>" + in_xml("B: " + name_b) +
-           "</li><li class=\"of-s\">the surface that B’s centre may not enter</li></ul>\n<div class=\"stage\" "
+           "</li><li>" + in_xml("B: " + name_b) + "</li><li class=\"of-s\">" + in_xml(view.surface_name) +
+           "</li></ul>\n<div class=\"stage\" "
            "id=\"stage\"><div class=\"still\">" +
            svg.text() +
            "</div></div>\n<p class=\"remark\" id=\"still-remark\"></p>\n<div class=\"controls\" "

@@ -25,10 +25,11 @@ struct OrientationView {
 };
 
 struct PairView {
-  std::string name_a, name_b;  // B's is empty where it is A again
-  BodyMesh a, b;  // without points where one is too thin to be drawn
+  std::string name_a, name_b;                 // B's is empty where it is A again
+  BodyMesh a, b;                              // without points where one is too thin to be drawn
   double size = 0.0;                          // no part of the picture is farther from A's centre
   std::vector<OrientationView> orientations;  // from the smallest excluded volume to the largest
+  std::string surface_name = "the surface that B’s centre may not enter";
 };
 
 /// Some thirty orientations of the law, in a net of quasi-random points that the seed scrambles; one where the law has
