@@ -71,6 +71,9 @@ std::string one_line(std::string text) {
   return text.substr(0, RunStateWords::kLongestText);
 }
 
+// What the classes count.
+constexpr std::uint64_t kValues = 0, kHits = 1, kSignedValues = 2;
+
 void add_tally(std::string& text, const Tally& tally) {
   text += "\ntrials";
   for (const std::uint64_t n : {tally.n_trials, tally.n_hits, tally.n_undecided}) add(text, n);
@@ -81,7 +84,7 @@ void add_tally(std::string& text, const Tally& tally) {
   const ClassTally& by_class = tally.by_class;
   text += "\nclasses";
   add(text, static_cast<std::uint64_t>(by_class.kind));
-  add(text, std::uint64_t{by_class.are_hits});
+  add(text, by_class.are_hits ? kHits : by_class.is_signed ? kSignedValues : kValues);
   for (const double x : {by_class.offset, by_class.unit, by_class.relative_rounding, by_class.absolute_rounding}) {
     add(text, x);
   }
@@ -103,7 +106,9 @@ void read_classes(Reader& from, std::uint64_t first_trial, Tally& tally) {
   ClassTally& by_class = tally.by_class;
   from.line("classes");
   by_class.kind = static_cast<ClassTally::Kind>(from.count(3));
-  by_class.are_hits = from.count(1) != 0;
+  const std::uint64_t what = from.count(kSignedValues);
+  by_class.are_hits = what == kHits;
+  by_class.is_signed = what == kSignedValues;
   for (double* const x : {&by_class.offset, &by_class.unit, &by_class.relative_rounding, &by_class.absolute_rounding}) {
     *x = from.number();
   }

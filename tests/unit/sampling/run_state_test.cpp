@@ -101,6 +101,7 @@ TEST(RunState, SumsOfEitherSignAndAnySizeAreKeptInFull) {
     Tally& tally = state.done.tally;
     tally.n_trials = tally.n_decided_by[0] = 3;
     tally.by_class.kind = ClassTally::Kind::one;
+    tally.by_class.is_signed = true;
     tally.by_class.unit = 1.0;
     tally.by_class.classes.resize(1);
     ClassSums& sums = tally.by_class.classes[0];
