@@ -4,6 +4,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstring>
@@ -109,7 +110,7 @@ void read_scene(std::string_view data) {
   for (const Transformd& pose : scene.poses) check_pose(pose);
   for (const std::string& text : scene.texts()) {
     read_or_refuse([&] {
-      if (!names_a_mesh(text)) read_shape(text);
+      if (text.find('\0') == std::string::npos && !names_a_mesh(text)) read_shape(text);
     });
   }
   // Written and read again it is the same, bit for bit; but for names, which are written as what they name.
@@ -158,7 +159,8 @@ void read_realisations(std::string_view data) {
 }
 
 void read_body(std::string_view data) {
-  const std::string text(data.substr(0, 4096));
+  // As a command line can have it: without zero bytes, at which messages end, too.
+  const std::string text(data.substr(0, std::min<std::size_t>(data.find('\0'), 4096)));
   read_or_refuse([&] { static_cast<void>(body_and_fraction(text)); });
   read_or_refuse([&] { static_cast<void>(parse_rounded(text)); });
   if (!names_a_mesh(text)) read_shape(text);
