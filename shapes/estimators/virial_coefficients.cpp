@@ -1,5 +1,6 @@
 #include "shapes/estimators/virial_coefficients.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
