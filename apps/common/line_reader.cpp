@@ -51,6 +51,9 @@ bool LineReader::next(std::string_view& line) {
       line = std::string_view(buffer_).substr(begin_, (is_last ? buffer_.size() : end) - begin_);
       begin_ = is_last ? buffer_.size() : end + 1;
       ++number_;
+      if (line.find('\0') != std::string_view::npos) {
+        throw InputError(name_ + ", line " + std::to_string(number_) + ": a zero byte, which no text has - " + advice_);
+      }
       if (line.size() <= kLongestLine) return true;
     } else if (buffer_.size() - begin_ <= kLongestLine) {
       searched = buffer_.size() - begin_;  // of the buffer without what was read

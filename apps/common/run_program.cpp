@@ -8,10 +8,12 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
 #include <new>
 #include <optional>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -78,12 +80,23 @@ std::string suggestion(const CLI::App& app, const std::string& mistyped) {
   return meant.empty() ? std::string() : " - did you mean " + meant + "?";
 }
 
+bool is_first_copy() {
+  for (const char* const name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK"}) {
+    if (const char* const rank = std::getenv(name)) return std::string_view(rank) == "0";
+  }
+  return true;
+}
+
 }  // namespace
 
 std::string version() { return VEX_VERSION; }
 
-void not_built_yet(const std::string& what) {
-  throw UsageError("not built yet (" + what + ") - it comes in a later version");
+// Open MPI's mpirun, PMIx and PMI, as Slurm and MPICH have them.
+int n_copies_started() {
+  for (const char* const name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
+    if (const char* const size = std::getenv(name)) return std::max(std::atoi(size), 1);
+  }
+  return std::getenv("PMIX_RANK") != nullptr ? 0 : 1;
 }
 
 std::string command_line(int argc, char** argv) {
@@ -105,7 +118,7 @@ std::string command_line(int argc, char** argv) {
   return line;
 }
 
-int run_program(OptionParser& options, int argc, char** argv, const std::function<int()>& action) {
+int run_program(OptionParser& options, int argc, char** argv, const std::function<int()>& action, bool shares_work) {
   CLI::App& app = options.app();
   app.formatter(std::make_shared<HelpFormatter>());
   app.set_version_flag("--version", app.get_name() + " " + version(), "Print the version and exit");
@@ -113,9 +126,7 @@ int run_program(OptionParser& options, int argc, char** argv, const std::functio
   hold_standard_streams();
   end_on_interrupts(app.get_name());
   std::signal(SIGPIPE, SIG_IGN);  // a reader that went away is a write that fails, and --json FILE is still written
-  const auto written = [&app](int code) {
-    return std::cout.flush() ? code : report(app, kNoStandardOutput, kFault);
-  };
+  const auto written = [&app](int code) { return std::cout.flush() ? code : report(app, kNoStandardOutput, kFault); };
   for (CLI::Option* option : app.get_options()) {
     option->check([](const std::string& word) { return word.empty() ? "empty" : ""; }, "");
     if (option->get_expected_max() == 0) option->disable_flag_override();
@@ -135,13 +146,21 @@ int run_program(OptionParser& options, int argc, char** argv, const std::functio
   } catch (const CLI::ParseError& error) {
     return report(app, problem_in_words(app, error), kWrongUsage);
   }
+  if (const int n = n_copies_started(); n > 1 && !shares_work && is_first_copy()) {
+    report(app,
+           std::to_string(n) +
+               " copies were started together, and each of them does all of the work - start one, or give "
+               "each its own seed and outputs",
+           kSuccess);
+  }
   try {
     const int code = action();
     if (const std::optional<ThreadShortage> shortage = thread_shortage()) {
-      report(app,
-             "this system gave " + std::to_string(shortage->n_had) + " of " + std::to_string(shortage->n_wanted) +
-                 " threads, which costs time and changes no result - look at ulimit -u and at what confines the program",
-             code);
+      report(
+          app,
+          "this system gave " + std::to_string(shortage->n_had) + " of " + std::to_string(shortage->n_wanted) +
+              " threads, which costs time and changes no result - look at ulimit -u and at what confines the program",
+          code);
     }
     return written(code);
   } catch (const UsageError& error) {

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <thread>
 
+#include "apps/common/run_program.h"
 #include "apps/ranks/program_ranks.h"
 #include "engine/numeric/errors.h"
 #include "engine/sampling/run_state_text.h"
@@ -178,18 +179,10 @@ class MpiRanks final : public ProgramRanks {
   bool has_ended_ = false;
 };
 
-// Open MPI's mpirun, PMIx and PMI, as Slurm and MPICH have them.
-bool was_launched_with_others() {
-  for (const char* const name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
-    if (const char* const size = std::getenv(name)) return std::string_view(size) != "1";
-  }
-  return std::getenv("PMIX_RANK") != nullptr;
-}
-
 }  // namespace
 
 std::unique_ptr<ProgramRanks> join_ranks() {
-  if (!was_launched_with_others()) return nullptr;
+  if (n_copies_started() == 1) return nullptr;
   return std::make_unique<MpiRanks>();
 }
 

@@ -1,10 +1,10 @@
 // vex_merge FILES...: one result from runs of vex_mesh that made ranges of its trials.
 #include <cmath>
-#include <iostream>
 
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
 #include "apps/common/numbers.h"
+#include "apps/common/results.h"
 #include "apps/common/run_program.h"
 #include "apps/vex_merge/merged_document.h"
 
@@ -39,9 +39,11 @@ int run_vex_merge(const MergeCommandLine& words, const std::string& command) {
   if (!options.quiet) files.print_report();
   const MergedTrials merged = merge_documents(options);
   const MergedResult all = merged_result(merged, command);
-  if (!options.quiet && !(json && json->is_standard_output())) std::cout << report_text(merged, all, options);
-  if (json) json->write(document_text(all.document));
-  return all.result.z && std::fabs(*all.result.z) > options.max_z ? kDisagreement : kSuccess;
+  Results results("vex_merge");
+  if (!options.quiet && !(json && json->is_standard_output())) results.print(report_text(merged, all, options));
+  results.write(json, Results::Kind::numbers, [&] { return document_text(all.document); });
+  const bool disagrees = all.result.z && std::fabs(*all.result.z) > options.max_z;
+  return results.exit_code(disagrees ? kDisagreement : kSuccess);
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ int main(int argc, char** argv) {
   const std::function<int()> action = [&] {
     return vex::run_vex_mesh(words, vex::command_line(argc, argv), ranks.get());
   };
-  const int code =
-      vex::run_program(options, argc, argv, [&] { return ranks == nullptr ? action() : ranks->run(action); });
+  const int code = vex::run_program(
+      options, argc, argv, [&] { return ranks == nullptr ? action() : ranks->run(action); }, ranks != nullptr);
   return ranks == nullptr ? code : ranks->leave(code);
 }

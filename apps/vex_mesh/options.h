@@ -42,7 +42,7 @@ struct Options : CommonOptions {
   CheckpointOptions checkpoint;
 };
 
-/// Throws UsageError where a word means nothing, or something that is not built yet.
+/// Throws UsageError where a word means nothing.
 Options interpret(const CommandLine& words);
 
 }  // namespace vex

@@ -26,6 +26,7 @@
 #include "apps/common/option_parser.h"
 #include "apps/common/output_file.h"
 #include "apps/common/processor.h"
+#include "apps/common/results.h"
 #include "apps/common/run_program.h"
 #include "engine/numeric/errors.h"
 #include "engine/numeric/quaternion.h"
@@ -451,13 +452,14 @@ int main(int argc, char** argv) {
       std::fprintf(stderr, "vex_load_bench: interrupted - no file was written\n");
       return kSignalBase + interrupting_signal().load();
     }
+    Results results("vex_load_bench");
     if (json) {
       Json document = document_head(command_line(argc, argv), {}, true, 1e-9 * (wall_ns() - start));
       document["processor"] = processor();
       document["rounds"] = settings.n_rounds;
       document.update(measured);
-      json->write(document.dump(2) + "\n");
+      results.write(json, Results::Kind::numbers, [&] { return document.dump(2) + "\n"; });
     }
-    return static_cast<int>(kSuccess);
+    return results.exit_code(kSuccess);
   });
 }

@@ -9,6 +9,7 @@
 #include "apps/common/common_options.h"
 #include "apps/common/numbers.h"
 #include "apps/common/output_file.h"
+#include "apps/common/results.h"
 #include "apps/common/run_program.h"
 #include "shapes/any_shape.h"
 #include "tests/bench/bench_pairs.h"
@@ -226,6 +227,7 @@ int main(int argc, char** argv) {
       if (prints) std::printf("\n%s", report.markdown.c_str());
       std::fflush(stdout);
     }
+    Results results("vex_query_bench");
     if (json) {
       CommonOptions common;
       common.seed = settings.seed;
@@ -233,8 +235,8 @@ int main(int argc, char** argv) {
       document.update(machine_json());
       document["rounds"] = settings.n_rounds;
       document.update(measured);
-      json->write(document.dump(2) + "\n");
+      results.write(json, Results::Kind::numbers, [&] { return document.dump(2) + "\n"; });
     }
-    return kSuccess;
+    return results.exit_code(kSuccess);
   });
 }

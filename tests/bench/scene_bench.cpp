@@ -5,6 +5,7 @@
 #include "apps/common/common_options.h"
 #include "apps/common/numbers.h"
 #include "apps/common/output_file.h"
+#include "apps/common/results.h"
 #include "apps/common/run_program.h"
 #include "engine/numeric/errors.h"
 #include "tests/bench/rounds.h"
@@ -87,6 +88,7 @@ int main(int argc, char** argv) {
       if (prints) std::printf("\n%s", report.markdown.c_str());
       std::fflush(stdout);
     }
+    Results results("vex_scene_bench");
     if (json) {
       nlohmann::ordered_json document =
           document_head(command_line(argc, argv), CommonOptions{}, true, 1e-9 * (wall_ns() - start));
@@ -94,8 +96,8 @@ int main(int argc, char** argv) {
       document["rounds"] = settings.n_rounds;
       document["share"] = settings.share;
       document.update(measured);
-      json->write(document.dump(2) + "\n");
+      results.write(json, Results::Kind::numbers, [&] { return document.dump(2) + "\n"; });
     }
-    return kSuccess;
+    return results.exit_code(kSuccess);
   });
 }

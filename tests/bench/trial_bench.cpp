@@ -5,6 +5,7 @@
 #include "apps/common/common_options.h"
 #include "apps/common/numbers.h"
 #include "apps/common/output_file.h"
+#include "apps/common/results.h"
 #include "apps/common/run_program.h"
 #include "engine/numeric/errors.h"
 #include "tests/bench/bench_report.h"
@@ -109,11 +110,14 @@ int main(int argc, char** argv) {
     if (prints) std::printf("%s\n", machine_line().c_str());
     const double start = wall_ns();
     nlohmann::ordered_json measured = nlohmann::ordered_json::object();
+    Results results("vex_trial_bench");
     for (const Mode& mode : modes(words)) {
       if (!mode.is_asked) continue;
       const BenchReport report = mode.measure(settings);
       measured[mode.name] = report.rows;
-      if (svg && !report.picture.empty()) svg->write(report.picture);
+      if (!report.picture.empty()) {
+        results.write(svg, Results::Kind::picture, [&] { return report.picture; });
+      }
       if (prints) std::printf("\n%s", report.markdown.c_str());
       std::fflush(stdout);
     }
@@ -126,8 +130,8 @@ int main(int argc, char** argv) {
       document.update(machine_json());
       document["rounds"] = settings.n_rounds;
       document.update(measured);
-      json->write(document.dump(2) + "\n");
+      results.write(json, Results::Kind::numbers, [&] { return document.dump(2) + "\n"; });
     }
-    return kSuccess;
+    return results.exit_code(kSuccess);
   });
 }

@@ -37,6 +37,7 @@ TEST_F(SceneRefusal, ARowThatIsNone) {
   refused("\"box:1,1,1,0,0,0,1,0,0,0", "a quotation mark without its end");
   refused("\"box:1,1,1\" ,0,0,0,1,0,0,0,0", "wrong number of columns (9)");
   refused("\"box:1,1,1\"5,0,0,0,1,0,0,0", "something beside a cell in quotation marks");
+  refused(std::string("sphere:1\0,0,0,0,1,0,0,0", 24), "a zero byte");
   refused("sphere:1," + std::string(70000, '0') + ",0,0,1,0,0,0", "too long");
   expect_refused(kSceneHeader + kGood + "\n" + kGood, {}, 3, "line 4: an empty row (line 3)");
   expect_refused("body,x,y,z,r11,r12,r13,r21,r22,r23,r31,r32,r33\nsphere:1,0,0,0,1,0,0,0,1,0,0,0,-1\n", {}, 3,
