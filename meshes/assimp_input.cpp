@@ -44,7 +44,10 @@ std::string lower_extension(const std::filesystem::path& path) {
 std::optional<BufferFile> gltf_buffer_beside(const std::filesystem::path& mesh, const std::string& uri) {
   for (const std::string& name : {percent_decoded(uri), uri}) {
     if (lower_extension(name) != ".bin") continue;
-    BufferFile buffer{mesh.parent_path() / name, open_beneath(mesh.parent_path(), name)};
+    std::filesystem::path relative(name);
+    // Behind a link, ".." is not where the words say.
+    if (std::ranges::find(relative, "..") == relative.end()) relative = relative.lexically_normal();
+    BufferFile buffer{mesh.parent_path() / relative, open_beneath(mesh.parent_path(), name)};
     if (buffer.file.number() >= 0) return buffer;
   }
   return std::nullopt;

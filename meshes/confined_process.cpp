@@ -134,7 +134,7 @@ bool ConfinedProcess::has_ended(ProcessEnd* end, int flags) {
 
 ProcessEnd ConfinedProcess::end() {
   ProcessEnd end;
-  constexpr int kMostWaits = 1000;  // of a millisecond
+  constexpr int kMostWaits = 5000;  // of a millisecond: on a busy machine a process takes that long to end
   for (int n = 0; n < kMostWaits && left_.count() > 0.0; ++n) {
     if (has_ended(&end, WNOHANG)) return end;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
