@@ -112,7 +112,7 @@ TEST_F(KeptResults, OneOutputThatFailsDropsNoOther) {
   EXPECT_EQ(finished.out.find("</svg>"), std::string::npos) << "and no picture behind it";
 
   const std::string percolate = std::string(VEX_PERCOLATE_PROGRAM) + " box:1,1,1 --sizes 2,3 --realisations 2 --quiet ";
-  finished = shell(percolate + "--checkpoint /dev/full --csv /dev/full --plot /dev/full --json p.json --gltf p.glb");
+  finished = shell(percolate + "--csv /dev/full --plot /dev/full --json p.json --gltf p.glb");
   EXPECT_EQ(finished.exit_code, 1);
   EXPECT_TRUE(parsed(read_file("p.json")).is_object());
   EXPECT_EQ(read_file("p.glb").substr(0, 4), "glTF");
@@ -161,15 +161,6 @@ TEST_F(KeptResults, ASignalEndsARunWhosePipeNobodyReads) {
   EXPECT_EQ(finished.exit_code, 143) << finished.err;
   EXPECT_EQ(finished.out.rfind("# vex_percolate", 0), 0u) << "the realisations: " << finished.out;
   EXPECT_TRUE(parsed(read_file("p.json")).is_object());
-}
-
-TEST_F(KeptResults, ACheckpointThatCannotBeWrittenCostsNoRun) {
-  const Finished finished =
-      shell(std::string(VEX_PERCOLATE_PROGRAM) +
-            " box:1,1,1 --sizes 2,3 --realisations 2 --checkpoint /dev/full --json p.json --quiet");
-  EXPECT_EQ(finished.exit_code, 1);
-  EXPECT_EQ(parsed(read_file("p.json")).at("complete"), true);
-  EXPECT_EQ(finished.out.rfind("# vex_percolate", 0), 0u) << "what it was to hold: " << finished.out;
 }
 
 }  // namespace

@@ -51,8 +51,11 @@ TEST_F(Signals, OfEveryProgram) {
                                   stress + " --pairs 1e7 --threads 1",
                                   percolate + " box:1,1,1 --sizes 10,20 --realisations 100000 --threads 1"}) {
     SCOPED_TRACE(line);
-    const Finished finished =
-        shell(signalled(line + " --quiet --json result.json", "kill -USR1 $program; sleep 0.3; kill -HUP $program; "));
+    // The answer comes with the next look at the run: it is waited for.
+    const Finished finished = shell(signalled(line + " --quiet --json result.json 2> told",
+                                              "kill -USR1 $program; for k in $(seq 200); do [ -s told ] && break; "
+                                              "sleep 0.05; done; kill -HUP $program; ") +
+                                    "; code=$?; cat told >&2; exit $code");
     EXPECT_EQ(finished.exit_code, 129) << finished.err;
     EXPECT_EQ(finished.out, "");
     EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1) << "an answer: " << finished.err;
