@@ -2,6 +2,7 @@
 // sanitizers this is what a campaign begins with. Likewise of what programs read besides, and of queries.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -31,7 +32,11 @@ TEST_P(KeptInputs, KeepTheReadersPromises) {
   EXPECT_GT(n_files, 1U);
 }
 
-const auto kFormatName = [](const auto& test) { return "of_" + test.param.name; };
+const auto kFormatName = [](const auto& test) {
+  std::string name = "of_" + test.param.name;
+  std::ranges::replace(name, '-', '_');
+  return name;
+};
 INSTANTIATE_TEST_SUITE_P(OfEveryFormat, KeptInputs, ::testing::ValuesIn(fuzz_formats()), kFormatName);
 INSTANTIATE_TEST_SUITE_P(OfPrograms, KeptInputs, ::testing::ValuesIn(program_formats()), kFormatName);
 INSTANTIATE_TEST_SUITE_P(OfRuns, KeptInputs, ::testing::ValuesIn(run_state_formats()), kFormatName);
