@@ -1,6 +1,7 @@
 #include "apps/common/body_identity.h"
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
@@ -30,6 +31,18 @@ class Hash {
   std::uint64_t sum_ = 0xcbf29ce484222325u;
 };
 
+// A body without an exact form is known by how far it reaches in directions of no symmetry: others of the same V, S, M
+// and radii, turned or mirrored, reach otherwise. Rounded, since mathematical libraries differ in the last digits.
+void add_reach(const ConvexBody& body, Hash& hash) {
+  constexpr int kDirections = 64;
+  for (int k = 0; k < kDirections; ++k) {
+    const double z = 1.0 - 2.0 * (k + 0.37) / kDirections, across = std::sqrt(1.0 - z * z);
+    const double azimuth = 2.399963 * k + 0.7;
+    const Vec3d dir{across * std::cos(azimuth), across * std::sin(azimuth), z};
+    hash.add(static_cast<std::uint64_t>(std::llround(0x1p36 * dot(dir, body.support(dir)) / body.reach())));
+  }
+}
+
 }  // namespace
 
 std::string body_identity(const Body& body) {
@@ -42,6 +55,8 @@ std::string body_identity(const Body& body) {
       hash.add(std::uint64_t{piece.is_dome});
     }
     hash.add(form->ball_radius);
+  } else {
+    add_reach(body.body, hash);
   }
   hash.add(body.body.centre());
   hash.add(body.body.circumradius());

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "apps/common/body_identity.h"
 #include "apps/common/checksum.h"
 #include "apps/common/line_reader.h"
 #include "apps/common/numbers.h"
+#include "apps/common/run_program.h"
 #include "apps/common/text.h"
 #include "engine/numeric/errors.h"
 #include "engine/sampling/points/random_stream.h"
@@ -17,19 +19,13 @@ namespace {
 
 constexpr std::string_view kHeader = "size,realisation,x,y,z";
 
-// Bodies of one text may differ: of a file that has changed, or in another scale. Their measures then do.
-std::string body_line(const LoadedBody& body, const Body& connecting, double fraction) {
-  const Measures& measures = body.shape.measures;
-  return printable(body.source) + " fraction " + shortest_number(fraction) + " V " + hex_number(measures.volume) +
-         " S " + hex_number(measures.surface_area) + " M " + hex_number(measures.integrated_mean_curvature) + " R " +
-         hex_number(connecting.body.circumradius());
-}
-
 std::vector<std::string> system_lines(const PercolateRun& run) {
   const PercolateOptions& options = run.options;
-  std::vector<std::string> lines = {"# vex_percolate: realisations, stream " + std::to_string(kStreamVersion)};
+  std::vector<std::string> lines = {"# vex_percolate " + version() + ": realisations, stream " +
+                                    std::to_string(kStreamVersion)};
   for (std::size_t k = 0; k < run.bodies.size(); ++k) {
-    lines.push_back("# body: " + body_line(run.bodies[k], run.connecting[k], options.bodies[k].fraction));
+    lines.push_back("# body: " + body_identity(run.bodies[k].shape) + ", fraction " +
+                    shortest_number(options.bodies[k].fraction));
   }
   lines.push_back("# orientations: " + options.law);
   lines.push_back("# shell: " + shortest_number(options.shell));

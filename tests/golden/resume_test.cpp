@@ -183,5 +183,21 @@ TEST_F(Resume, ALongRunIsAnnouncedAndAdvised) {
   EXPECT_EQ(run({"box:1,1,1", "--trials", "1e4"}).err, "");
 }
 
+// Of equal V, S, M and radii, and without an exact form: they were taken for each other, and the mean was of both.
+TEST_F(Resume, BodiesThatOnlyTurnOrMirrorMakeAnotherRun) {
+  const std::string rest = " box:0.2,3,0.2 --orientations aligned --estimator hit-or-miss --quiet ";
+  for (const auto& [body, other] :
+       {std::pair{"superellipsoid:1,2,3,2,1.5", "superellipsoid:2,1,3,2,1.5"},
+        std::pair{"rounded:0.1,superellipsoid:1,2,3,2,1.5", "rounded:0.1,superellipsoid:2,1,3,2,1.5"},
+        std::pair{"egg:1,0.5,1", "egg:1,1,0.5"}}) {
+    ASSERT_EQ(shell(std::string("\"$VEX\" ") + body + rest + "--trials 6400 --checkpoint s --json a.json").exit_code,
+              0);
+    const Finished finished = shell(std::string("\"$VEX\" ") + other + rest + "--trials 12800 --resume s");
+    EXPECT_EQ(finished.exit_code, 3) << body;
+    EXPECT_NE(finished.err.find("a state of another run"), std::string::npos) << finished.err;
+    EXPECT_EQ(shell(std::string("\"$VEX\" ") + body + rest + "--trials 12800 --resume s").exit_code, 0);
+  }
+}
+
 }  // namespace
 }  // namespace vex::golden
