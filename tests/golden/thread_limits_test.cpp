@@ -110,6 +110,9 @@ TEST_F(BenchThreadLimits, NoneIsEnough) {
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 // Stacks of a quarter of a gigabyte: three or four of them fit. (A sanitizer's shadow does not.)
 TEST_F(ThreadLimits, SomeAreTaken) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer reserves more address space than the limit";
+#endif
   const Finished finished = shell(
       "ulimit -s 262144; ulimit -v 1400000; \"$VEX\" box:1,1,1 --trials 1e5 --estimator hit-or-miss --threads 40 "
       "--json -");
