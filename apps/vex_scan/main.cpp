@@ -65,14 +65,28 @@ ScanOutputs output_files(const Scan& scan, bool is_quiet) {
 /// Writes the rows while the scan runs, but no more often than this: a machine that goes down takes little with it.
 class RowsSaver {
  public:
-  RowsSaver(const ScanRun& run, const ScanOutputs& outputs) : run_(run), outputs_(outputs) {}
+  RowsSaver(const ScanRun& run, const std::map<std::string, ScanRow>& earlier, const ScanOutputs& outputs)
+      : run_(run), earlier_(earlier), outputs_(outputs) {}
+
+  /// What a file holds now. As long as the scan is not at its end, rows of an earlier one stay behind the new ones:
+  /// whoever stops it, or kills it, loses none.
+  std::vector<ScanRow> rows(bool is_at_end) const {
+    std::vector<ScanRow> all = run_.rows;
+    if (is_at_end) return all;
+    std::set<std::string> done;
+    for (const ScanRow& row : all) done.insert(row.input);
+    for (const auto& [input, row] : earlier_) {
+      if (!done.contains(row.input)) all.push_back(row);
+    }
+    return all;
+  }
 
   void save_if_due() {
     constexpr std::chrono::milliseconds kBetween{500};
     const bool is_new = run_.rows.size() > n_saved_;
     if (!is_new || Clock::now() - saved_ < kBetween) return;
-    save(outputs_.csv, [this] { return csv_text(run_.scan, run_.rows); });
-    save(outputs_.jsonl, [this] { return jsonl_text(run_.scan, run_.rows); });
+    save(outputs_.csv, [this] { return csv_text(run_.scan, rows(false)); });
+    save(outputs_.jsonl, [this] { return jsonl_text(run_.scan, rows(false)); });
     n_saved_ = run_.rows.size();
     saved_ = Clock::now();
   }
@@ -92,6 +106,7 @@ class RowsSaver {
   }
 
   const ScanRun& run_;
+  const std::map<std::string, ScanRow>& earlier_;
   const ScanOutputs& outputs_;
   std::size_t n_saved_ = 0;
   bool has_said_ = false;
@@ -119,12 +134,12 @@ int run_vex_scan(const ScanCommandLine& words, const std::string& command) {
   const ScanOutputs outputs = output_files(run.scan, run.options.quiet);
   const std::map<std::string, ScanRow> earlier = earlier_rows(run.scan);
   catch_interrupts();
-  RowsSaver saver(run, outputs);
+  RowsSaver saver(run, earlier, outputs);
   run_scan(run, earlier, [&saver] { saver.save_if_due(); });
 
   Results results(kProgram, outputs.own_standard_output());
-  results.write(outputs.csv, Results::Kind::numbers, [&] { return csv_text(run.scan, run.rows); });
-  results.write(outputs.jsonl, Results::Kind::numbers, [&] { return jsonl_text(run.scan, run.rows); });
+  results.write(outputs.csv, Results::Kind::numbers, [&] { return csv_text(run.scan, saver.rows(run.complete)); });
+  results.write(outputs.jsonl, Results::Kind::numbers, [&] { return jsonl_text(run.scan, saver.rows(run.complete)); });
   if (!run.options.quiet && !outputs.own_standard_output()) results.print(report_text(run));
   results.write(outputs.json, Results::Kind::numbers, [&] { return report_json(run); });
   results.write(outputs.plot, Results::Kind::picture, [&] { return picture_of(run); });

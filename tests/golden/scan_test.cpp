@@ -1,4 +1,5 @@
 // vex_scan as users meet it.
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <map>
@@ -232,6 +233,18 @@ TEST_F(ScanProgram, RefusesWhatMakesNoSense) {
   expect_refused({"sphere:1", "--csv", "a.obj"}, 2, "a.obj");
   expect_refused({"sphere:1", "--csv", "a.csv", "--jsonl", "a.csv"}, 2, "one file for two outputs");
   EXPECT_TRUE(files().empty());
+}
+
+// A resumed scan that was stopped wrote its own rows alone, and those of the file were lost.
+TEST_F(ScanProgram, AStoppedScanLosesNoRowsOfAnEarlierOne) {
+  ASSERT_EQ(shell("\"$VEX\" 'box:1,1,{L}' --for L=31:34:1 --trials 1000 --csv s.csv --quiet").exit_code, 0);
+  const std::string before = read_file("s.csv");
+  shell(
+      "timeout -s INT 1 \"$VEX\" 'box:1,1,{L}' --for L=1:34:1 --trials 1e11 --estimator hit-or-miss --csv s.csv "
+      "--quiet");
+  const std::string after = read_file("s.csv");
+  EXPECT_EQ(std::count(after.begin(), after.end(), '\n'), std::count(before.begin(), before.end(), '\n')) << after;
+  EXPECT_NE(after.find("\n31,"), std::string::npos) << after;
 }
 
 }  // namespace
