@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "engine/numeric/rounding.h"
-#include "engine/support/checked_input.h"
 #include "shapes/faced_polytope.h"
 
 namespace vex {
@@ -19,33 +18,20 @@ class Antiprism : public FacedPolytope {
   /// `n_sides` of each polygon, from 3 to 1000, their edge, and the height. A side of the lower polygon, and a corner
   /// of the upper one, are towards +x.
   Antiprism(int n_sides, double edge, double height)
-      : FacedPolytope(corners(n_sides, edge, height), sides(n_sides), {}, inner_radius(n_sides, edge, height)) {}
+      : FacedPolytope(two_polygons(n_sides, edge, height, 1, "an antiprism"), faces_of(n_sides), {},
+                      inner_radius(n_sides, edge, height)) {}
 
  private:
-  static std::vector<Vec3d> corners(int n_sides, double edge, double height) {
-    checked_n_sides(n_sides, "an antiprism");
-    checked_size(edge, "the edge of an antiprism");
-    checked_size(height, "the height of an antiprism");
-    std::vector<Vec3d> all = regular_polygon(n_sides, edge, -0.5 * height);
-    const std::vector<Vec3d> upper = regular_polygon(n_sides, edge, 0.5 * height, 1);
-    all.insert(all.end(), upper.begin(), upper.end());
-    return all;
-  }
   /// Upper corner k is half a side after lower corner k.
-  static std::vector<Face> sides(int n_sides) {
+  static std::vector<Face> faces_of(int n_sides) {
     const auto n = static_cast<std::uint32_t>(n_sides);
-    std::vector<Face> faces;
-    Face lower, upper;
+    std::vector<Face> sides;
     for (std::uint32_t k = 0; k < n; ++k) {
-      lower.push_back(n - 1 - k);
-      upper.push_back(n + k);
       const std::uint32_t next = (k + 1) % n;
-      faces.push_back({k, next, n + k});
-      faces.push_back({next, n + next, n + k});
+      sides.push_back({k, next, n + k});
+      sides.push_back({next, n + next, n + k});
     }
-    faces.push_back(std::move(lower));
-    faces.push_back(std::move(upper));
-    return faces;
+    return between_polygons(n_sides, std::move(sides));
   }
   /// Half the height, or from the origin to a triangle: to the line through the middle of a lower side, at (r, -H/2) in
   /// a half plane of the axis, and the upper corner, at (R, H/2). Corners that are 16 u of R off in x and in y leave a

@@ -12,6 +12,7 @@
 #include "engine/numeric/elementary.h"
 #include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
+#include "engine/support/checked_input.h"
 
 namespace vex {
 namespace {
@@ -161,10 +162,32 @@ std::vector<Vec3d> regular_polygon(int n_sides, double edge, double z, int half_
   return corners;
 }
 
-int checked_n_sides(int n_sides, const char* what) {
+std::vector<Vec3d> two_polygons(int n_sides, double edge, double height, int half_sides, const std::string& what) {
+  checked_n_sides(n_sides, what);
+  checked_size(edge, ("the edge of " + what).c_str());
+  checked_size(height, ("the height of " + what).c_str());
+  std::vector<Vec3d> all = regular_polygon(n_sides, edge, -0.5 * height);
+  const std::vector<Vec3d> upper = regular_polygon(n_sides, edge, 0.5 * height, half_sides);
+  all.insert(all.end(), upper.begin(), upper.end());
+  return all;
+}
+
+std::vector<Face> between_polygons(int n_sides, std::vector<Face> sides) {
+  const auto n = static_cast<std::uint32_t>(n_sides);
+  Face lower, upper;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    lower.push_back(n - 1 - k);
+    upper.push_back(n + k);
+  }
+  sides.push_back(std::move(lower));
+  sides.push_back(std::move(upper));
+  return sides;
+}
+
+int checked_n_sides(int n_sides, const std::string& what) {
   if (n_sides < 3 || n_sides > kMostSides) {
-    throw InputError("the number of sides of " + std::string(what) + " is not from 3 to " + std::to_string(kMostSides) +
-                     " (" + std::to_string(n_sides) + ") - with more of them it is a cylinder or a cone to 1e-5");
+    throw InputError("the number of sides of " + what + " is not from 3 to " + std::to_string(kMostSides) + " (" +
+                     std::to_string(n_sides) + ") - with more of them it is a cylinder or a cone to 1e-5");
   }
   return n_sides;
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "shapes/measures.h"
@@ -41,11 +42,16 @@ std::vector<FacedPolytope::Face> faces_of_equal_edges(std::span<const Vec3d> ver
 /// Corners of a regular polygon about the z axis, a side of it across the x axis, at this height; turned by
 /// `half_sides` half sides. Each coordinate within 16 u of the circumradius.
 std::vector<Vec3d> regular_polygon(int n_sides, double edge, double z, int half_sides = 0);
+/// Of a prism or an antiprism: the lower polygon, then the upper one, turned against it by `half_sides` half sides.
+/// Throws InputError; `what`: "a prism".
+std::vector<Vec3d> two_polygons(int n_sides, double edge, double height, int half_sides, const std::string& what);
+/// These sides, and behind them both polygons.
+std::vector<FacedPolytope::Face> between_polygons(int n_sides, std::vector<FacedPolytope::Face> sides);
 /// Of a regular polygon: to its corners, and to its sides.
 double polygon_circumradius(int n_sides, double edge);
 double polygon_inradius(int n_sides, double edge);
 /// Throws InputError where it is not from 3 to 1000: `what` has them.
-int checked_n_sides(int n_sides, const char* what);
+int checked_n_sides(int n_sides, const std::string& what);
 inline constexpr int kMostSides = 1000;
 
 }  // namespace vex

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "engine/numeric/rounding.h"
-#include "engine/support/checked_input.h"
 #include "shapes/faced_polytope.h"
 
 namespace vex {
@@ -17,31 +16,18 @@ class Prism : public FacedPolytope {
  public:
   /// `n_sides` from 3 to 1000, the edge of the base and the height. A side faces along +x.
   Prism(int n_sides, double edge, double height)
-      : FacedPolytope(corners(n_sides, edge, height), sides(n_sides), {}, inner_radius(n_sides, edge, height)) {}
+      : FacedPolytope(two_polygons(n_sides, edge, height, 0, "a prism"), faces_of(n_sides), {},
+                      inner_radius(n_sides, edge, height)) {}
 
  private:
-  static std::vector<Vec3d> corners(int n_sides, double edge, double height) {
-    checked_n_sides(n_sides, "a prism");
-    checked_size(edge, "the edge of a prism");
-    checked_size(height, "the height of a prism");
-    std::vector<Vec3d> all = regular_polygon(n_sides, edge, -0.5 * height);
-    const std::vector<Vec3d> upper = regular_polygon(n_sides, edge, 0.5 * height);
-    all.insert(all.end(), upper.begin(), upper.end());
-    return all;
-  }
-  static std::vector<Face> sides(int n_sides) {
+  static std::vector<Face> faces_of(int n_sides) {
     const auto n = static_cast<std::uint32_t>(n_sides);
-    std::vector<Face> faces;
-    Face lower, upper;
+    std::vector<Face> sides;
     for (std::uint32_t k = 0; k < n; ++k) {
-      lower.push_back(n - 1 - k);
-      upper.push_back(n + k);
       const std::uint32_t next = (k + 1) % n;
-      faces.push_back({k, next, n + next, n + k});
+      sides.push_back({k, next, n + next, n + k});
     }
-    faces.push_back(std::move(lower));
-    faces.push_back(std::move(upper));
-    return faces;
+    return between_polygons(n_sides, std::move(sides));
   }
   /// Corners that are 16 u of the circumradius off in x and in y leave a ball smaller by less than twice that.
   static double inner_radius(int n_sides, double edge, double height) {

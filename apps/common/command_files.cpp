@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+
 #include "engine/numeric/errors.h"
 
 namespace vex {
@@ -39,10 +41,12 @@ std::optional<OutputFile> CommandFiles::output(const std::string& option, const 
   return file;
 }
 
+bool CommandFiles::own_standard_output() const {
+  return std::ranges::any_of(outputs_, [](const Named& output) { return output.file.is_standard_output(); });
+}
+
 void CommandFiles::print_report() {
-  for (const Named& output : outputs_) {
-    if (output.file.is_standard_output()) return;
-  }
+  if (own_standard_output()) return;
   require_no_input_behind_standard_output();
   const std::optional<FileIdentity> standard_output = identity_of("-", STDOUT_FILENO);
   for (const Named& output : outputs_) {

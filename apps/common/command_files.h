@@ -25,6 +25,9 @@ class CommandFiles {
   /// output goes into an input, or into the file of an output.
   void print_report();
 
+  /// Whether one of the outputs is standard output, where then nothing else is printed.
+  bool own_standard_output() const;
+
  private:
   struct Named {
     std::string option;

@@ -68,13 +68,8 @@ int run_vex_bench(const BenchCommandLine& words, const std::string& command) {
 
   catch_interrupts();
   measure_all(run, bodies);
-  const auto is_standard_output = [](const std::optional<OutputFile>& file) {
-    return file && file->is_standard_output();
-  };
-  const bool prints_elsewhere =
-      is_standard_output(json) || is_standard_output(csv) || is_standard_output(plot) || is_standard_output(others);
-  Results results("vex_bench", prints_elsewhere);
-  if (!run.options.quiet && !prints_elsewhere) results.print(report_text(run));
+  Results results("vex_bench", files.own_standard_output());
+  if (!run.options.quiet && !files.own_standard_output()) results.print(report_text(run));
   results.write(json, Results::Kind::numbers, [&] { return report_json(run); });
   results.write(csv, Results::Kind::numbers, [&] { return report_csv(run); });
   results.write(plot, Results::Kind::picture, [&] { return picture_of(run, Curves::main); });

@@ -40,7 +40,7 @@ int run_vex_merge(const MergeCommandLine& words, const std::string& command) {
   const MergedTrials merged = merge_documents(options);
   const MergedResult all = merged_result(merged, command);
   Results results("vex_merge");
-  if (!options.quiet && !(json && json->is_standard_output())) results.print(report_text(merged, all, options));
+  if (!options.quiet && !files.own_standard_output()) results.print(report_text(merged, all, options));
   results.write(json, Results::Kind::numbers, [&] { return document_text(all.document); });
   const bool disagrees = all.result.z && std::fabs(*all.result.z) > options.max_z;
   return results.exit_code(disagrees ? kDisagreement : kSuccess);

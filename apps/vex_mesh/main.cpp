@@ -64,9 +64,8 @@ int run_vex_mesh(const CommandLine& words, const std::string& command, ProgramRa
   sample(run, "", checkpoint ? &*checkpoint : nullptr, [&history](const Progress& progress) { history.add(progress); });
   if (!leads) return kSuccess;
 
-  const bool is_standard_output_taken = (json && json->is_standard_output()) || (page && page->is_standard_output());
   Results results(kProgram);
-  if (!options.quiet && !is_standard_output_taken) results.print(report_text(run));
+  if (!options.quiet && !files.own_standard_output()) results.print(report_text(run));
   results.write(json, Results::Kind::numbers, [&] { return report_json(run); });
   results.write(page, Results::Kind::picture, [&] {
     const std::vector<HistoryPoint> way = history_of(run.result, history, run.a.shape, run.b.shape, settings);

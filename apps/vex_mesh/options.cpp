@@ -111,13 +111,7 @@ void declare_run_options(OptionParser& options, CommandLine& words) {
       .add_flag("--no-quick-verdicts", words.no_quick_verdicts,
                 "Do not let the circumscribed and inscribed balls decide")
       .group(query);
-  options
-      .add_option(
-          "--isa", words.isa,
-          "Instruction set of the kernels that draw poses and decide them by packets: scalar (none), sse2, avx2, "
-          "avx512, or the best that this machine has (default); changes nothing but the time")
-      .type_name("NAME")
-      .group(query);
+  declare_instruction_set(options, words.isa, query, "the kernels that draw poses and decide them by packets");
   options.add_flag("--cross-check", words.cross_check, "Ask every backend about every pose and list each disagreement")
       .group(query);
   options
@@ -178,7 +172,7 @@ Options interpret(const CommandLine& words) {
     throw UsageError("too many bodies (" + options.control_variate.back() + " for --control-variate) - at most two");
   }
   settings.law = parse_orientation_law(orientations, "--orientations");
-  settings.instruction_set = instruction_set_named(or_default(words.isa, "best"));
+  settings.instruction_set = instruction_set_named(words.isa);
   settings.backend = backend_named(backend);
   options.is_cross_check = words.cross_check;
   if (words.cross_check) {

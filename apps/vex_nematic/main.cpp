@@ -14,9 +14,8 @@ int run_vex_nematic(const NematicCommandLine& words, const std::string& command)
   const std::optional<OutputFile> plot = files.output("--plot", options.plot);
   if (!options.quiet) files.print_report();
   const NematicRun run = run_nematic(options, command);
-  const bool owns_output = (json && json->is_standard_output()) || (plot && plot->is_standard_output());
-  Results results("vex_nematic", owns_output);
-  if (!options.quiet && !owns_output) results.print(report_text(run));
+  Results results("vex_nematic", files.own_standard_output());
+  if (!options.quiet && !files.own_standard_output()) results.print(report_text(run));
   results.write(json, Results::Kind::numbers, [&] { return report_json(run); });
   results.write(plot, Results::Kind::picture, [&] { return picture_of(run); });
   return results.exit_code(kSuccess);

@@ -20,13 +20,7 @@ constexpr const char* kProgram = "vex_percolate";
 struct Outputs {
   std::optional<OutputFile> json, plot, csv, gltf, report;
   std::optional<Checkpoint> checkpoint;
-
-  bool own_standard_output() const {
-    for (const std::optional<OutputFile>* const file : {&json, &plot, &csv, &gltf, &report}) {
-      if (*file && (*file)->is_standard_output()) return true;
-    }
-    return false;
-  }
+  bool own_standard_output = false;  // one of them
 };
 
 Outputs output_files(const PercolateOptions& options) {
@@ -47,6 +41,7 @@ Outputs output_files(const PercolateOptions& options) {
     outputs.checkpoint.emplace(*file, kProgram, parts.seconds_between);
   }
   if (!options.quiet) files.print_report();
+  outputs.own_standard_output = files.own_standard_output();
   return outputs;
 }
 
@@ -78,9 +73,9 @@ int run_vex_percolate(const PercolateCommandLine& words, const std::string& comm
   const int signal = interrupting_signal().load();
   run.complete = signal == 0;
   if (outputs.checkpoint) outputs.checkpoint->save(realisations_text(run));
-  Results results(kProgram, outputs.own_standard_output());
+  Results results(kProgram, outputs.own_standard_output);
   const auto realisations = [&] { return realisations_text(run); };
-  if (!options.quiet && !outputs.own_standard_output()) results.print(report_text(run));
+  if (!options.quiet && !outputs.own_standard_output) results.print(report_text(run));
   results.write(outputs.json, Results::Kind::numbers, [&] { return report_json(run); });
   results.write(outputs.csv, Results::Kind::numbers, realisations);
   results.write(outputs.plot, Results::Kind::picture, [&] { return picture_of(run); });

@@ -118,12 +118,7 @@ void declare_system(OptionParser& options, PercolateCommandLine& words) {
                   "been used")
       .type_name("NAME")
       .group(system);
-  options
-      .add_option("--isa", words.isa,
-                  "Instruction set of the kernels: scalar (none), sse2, avx2, avx512, or the best that this machine "
-                  "has (default); changes nothing but the time")
-      .type_name("NAME")
-      .group(system);
+  declare_instruction_set(options, words.isa, system);
   declare_seed_and_threads(options, words, system);
 }
 
@@ -224,7 +219,7 @@ PercolateOptions interpret(const PercolateCommandLine& words) {
   if (options.shell < 0.0) {
     throw UsageError("a shell below 0 (" + words.shell + " for --shell) - give the largest gap that connects");
   }
-  options.instruction_set = instruction_set_named(words.isa.empty() ? "best" : words.isa);
+  options.instruction_set = instruction_set_named(words.isa);
   options.backend_name = words.backend.empty() ? gjk_backend().name : words.backend;
   BackendKind one_sided = one_sided_backend();
   one_sided.name = kOneSided;

@@ -20,13 +20,7 @@ constexpr const char* kProgram = "vex_scan";
 
 struct ScanOutputs {
   std::optional<OutputFile> json, csv, jsonl, plot;
-
-  bool own_standard_output() const {
-    for (const std::optional<OutputFile>* const file : {&json, &csv, &jsonl, &plot}) {
-      if (*file && (*file)->is_standard_output()) return true;
-    }
-    return false;
-  }
+  bool own_standard_output = false;  // one of them
 };
 
 /// All files that any case reads. What a case's words are worth is not looked at here.
@@ -59,6 +53,7 @@ ScanOutputs output_files(const Scan& scan, bool is_quiet) {
   outputs.jsonl = files.output("--jsonl", scan.words.jsonl);
   outputs.plot = files.output("--plot", scan.words.plot);
   if (!is_quiet) files.print_report();
+  outputs.own_standard_output = files.own_standard_output();
   return outputs;
 }
 
@@ -76,7 +71,7 @@ class RowsSaver {
     std::set<std::string> done;
     for (const ScanRow& row : all) done.insert(row.input);
     for (const auto& [input, row] : earlier_) {
-      if (!done.contains(row.input)) all.push_back(row);
+      if (!done.contains(input)) all.push_back(row);
     }
     return all;
   }
@@ -137,10 +132,10 @@ int run_vex_scan(const ScanCommandLine& words, const std::string& command) {
   RowsSaver saver(run, earlier, outputs);
   run_scan(run, earlier, [&saver] { saver.save_if_due(); });
 
-  Results results(kProgram, outputs.own_standard_output());
+  Results results(kProgram, outputs.own_standard_output);
   results.write(outputs.csv, Results::Kind::numbers, [&] { return csv_text(run.scan, saver.rows(run.complete)); });
   results.write(outputs.jsonl, Results::Kind::numbers, [&] { return jsonl_text(run.scan, saver.rows(run.complete)); });
-  if (!run.options.quiet && !outputs.own_standard_output()) results.print(report_text(run));
+  if (!run.options.quiet && !outputs.own_standard_output) results.print(report_text(run));
   results.write(outputs.json, Results::Kind::numbers, [&] { return report_json(run); });
   results.write(outputs.plot, Results::Kind::picture, [&] { return picture_of(run); });
   return results.exit_code(exit_code_of(run));

@@ -165,12 +165,7 @@ void declare_query(OptionParser& options, SceneCommandLine& words) {
                   "automatic (by the work that each is expected to be; default); changes nothing but the time")
       .type_name("NAME")
       .group(query);
-  options
-      .add_option("--isa", words.isa,
-                  "Instruction set of the kernels that decide pairs by packets: scalar (none), sse2, avx2, avx512, or "
-                  "the best that this machine has (default); changes nothing but the time")
-      .type_name("NAME")
-      .group(query);
+  declare_instruction_set(options, words.isa, query, "the kernels that decide pairs by packets");
   declare_seed_and_threads(options, words, query);
 }
 
@@ -207,7 +202,8 @@ void declare_options(OptionParser& options, SceneCommandLine& words) {
       "\n  1  a fault of the program"
       "\n  2  wrong usage"
       "\n  3  input refused: a row (its line is named), a body, a box; a body larger than the box allows"
-      "\n  128 + N   ended by signal N, 130 and 143 by SIGINT and SIGTERM (rows end at the end of a row; --json says that it is not complete)");
+      "\n  128 + N   ended by signal N, 130 and 143 by SIGINT and SIGTERM (rows end at the end of a row; --json says "
+      "that it is not complete)");
 }
 
 std::vector<std::string> SceneOptions::bodies_of_command_line() const {
@@ -234,7 +230,7 @@ SceneOptions interpret(const SceneCommandLine& words) {
   if (!words.box.empty()) options.box = box_of(words.box);
   options.distance = distance_of(words, options.query);
   options.settings.broad_phase = broad_phase_named(or_default(words.broad_phase, "automatic"));
-  options.settings.instruction_set = instruction_set_named(or_default(words.isa, "best"));
+  options.settings.instruction_set = instruction_set_named(words.isa);
   options.settings.n_threads = options.n_threads;
   options.rows = words.jsonl ? RowFormat::jsonl : RowFormat::csv;
   options.dump_vertices = words.dump_vertices;

@@ -60,9 +60,8 @@ int run_vex_stress(const StressCommandLine& words, const std::string& command) {
 
   catch_interrupts();
   measure_all(run);
-  const bool prints_elsewhere = (json && json->is_standard_output()) || (plot && plot->is_standard_output());
-  Results results("vex_stress", prints_elsewhere);
-  if (!run.options.quiet && !prints_elsewhere) results.print(report_text(run));
+  Results results("vex_stress", files.own_standard_output());
+  if (!run.options.quiet && !files.own_standard_output()) results.print(report_text(run));
   results.write(json, Results::Kind::numbers, [&] { return report_json(run); });
   results.write(plot, Results::Kind::picture, [&] { return picture_of(run); });
   if (!run.complete) return results.exit_code(kSignalBase + interrupting_signal().load());

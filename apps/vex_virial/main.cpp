@@ -53,9 +53,8 @@ int run_vex_virial(const VirialCommandLine& words, const std::string& command) {
   catch_interrupts();
   measure(run);
 
-  const bool owns_output = (json && json->is_standard_output()) || (plot && plot->is_standard_output());
-  Results results("vex_virial", owns_output);
-  if (!options.quiet && !owns_output) results.print(report_text(run));
+  Results results("vex_virial", files.own_standard_output());
+  if (!options.quiet && !files.own_standard_output()) results.print(report_text(run));
   results.write(json, Results::Kind::numbers, [&] { return report_json(run); });
   results.write(plot, Results::Kind::picture, [&] { return picture_of(run); });
   const int signal = interrupting_signal().load();

@@ -50,12 +50,7 @@ void declare_run(OptionParser& options, VirialCommandLine& words) {
                   "How each body is turned: isotropic (default) or aligned, all alike")
       .type_name("LAW")
       .group(system);
-  options
-      .add_option("--isa", words.isa,
-                  "Instruction set of the kernels: scalar (none), sse2, avx2, avx512, or the best that this machine "
-                  "has (default); changes nothing but the time")
-      .type_name("NAME")
-      .group(system);
+  declare_instruction_set(options, words.isa, system);
   declare_seed_and_threads(options, words, system);
 }
 
@@ -108,7 +103,7 @@ VirialOptions interpret(const VirialCommandLine& words) {
   settings.law = law_of(words.orientations);
   settings.seed = options.seed;
   settings.threads = options.n_threads;
-  settings.instruction_set = instruction_set_named(words.isa.empty() ? "best" : words.isa);
+  settings.instruction_set = instruction_set_named(words.isa);
   options.dump_vertices = words.dump_vertices;
   options.plot = words.plot;
   return options;

@@ -1,6 +1,5 @@
 // Work shared among threads (internal): the one place that starts threads. A system that gives fewer than were asked
-// for
-// (`ulimit -u`, a filter of system calls, memory) costs time and nothing else.
+// for (`ulimit -u`, a filter of system calls, memory) costs time and nothing else.
 #pragma once
 
 #include <algorithm>
