@@ -59,7 +59,7 @@ TEST_F(ProgramConfinement, WhereItIsRefusedIsSaidOnceOrRequired) {
 }
 
 TEST_F(ProgramConfinement, WithoutLimitsNothingIsRead) {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef VEX_SANITIZED
   GTEST_SKIP() << "the sanitizer itself asks for the limits that are refused here";
 #endif
   expect_refusal(without("limits", "a.dae"), 3, "its limits are refused: Operation not permitted");

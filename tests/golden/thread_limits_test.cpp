@@ -107,10 +107,9 @@ TEST_F(BenchThreadLimits, NoneIsEnough) {
   EXPECT_EQ(json::parse(finished.out, nullptr, false).at("complete"), true);
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-// Stacks of a quarter of a gigabyte: three or four of them fit. (A sanitizer's shadow does not.)
+// Stacks of a quarter of a gigabyte: three or four of them fit.
 TEST_F(ThreadLimits, SomeAreTaken) {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef VEX_SANITIZED
   GTEST_SKIP() << "the sanitizer reserves more address space than the limit";
 #endif
   const Finished finished = shell(
@@ -121,7 +120,6 @@ TEST_F(ThreadLimits, SomeAreTaken) {
   EXPECT_NE(finished.err.find(" of 40 threads"), std::string::npos) << finished.err;
   EXPECT_EQ(finished.err.find("gave 1 of"), std::string::npos) << finished.err;
 }
-#endif
 
 }  // namespace
 }  // namespace vex::golden
