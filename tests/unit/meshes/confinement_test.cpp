@@ -217,7 +217,8 @@ TEST(ConfinedProcess, ThatSendsAByteNowAndThenEndsByTheSameClock) {
 }
 
 TEST(ConfinedProcess, ThatHeedsNoSignalMeetsTheHardLimitOnItsTime) {
-  ConfinedProcess process({0, 256 * kMiB, 60}, Confining::as_far_as_possible, [] {
+  // A second before the soft limit: a limit of none would strike before the child ignores its signal.
+  ConfinedProcess process({1, 256 * kMiB, 60}, Confining::as_far_as_possible, [] {
     std::signal(SIGXCPU, SIG_IGN);
     for (std::atomic<unsigned> n = 0; true; ++n) {
     }
