@@ -75,6 +75,18 @@ function(vex_compile_together target)
   endif()
 endfunction()
 
+# vex_module(NAME sources...): what programs load once they need it (apps/modules), the file lib/vex/NAME.so.
+function(vex_module name)
+  add_library(vex_${name}_module MODULE ${ARGN})
+  target_link_libraries(vex_${name}_module PRIVATE vex_compile_options)
+  target_compile_features(vex_${name}_module PRIVATE cxx_std_20)
+  # What it holds a copy of is its own.
+  target_link_options(vex_${name}_module PRIVATE LINKER:--as-needed LINKER:--exclude-libs,ALL)
+  set_target_properties(vex_${name}_module PROPERTIES PREFIX "" OUTPUT_NAME ${name}
+    LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib/vex)
+  set_property(GLOBAL APPEND PROPERTY vex_modules vex_${name}_module)
+endfunction()
+
 # vex_library(NAME sources...): a static library with the options above and an alias vex::NAME.
 function(vex_library name)
   add_library(vex_${name} STATIC ${ARGN})

@@ -34,6 +34,10 @@ mark_as_advanced(GZIP_PROGRAM)
 # --- programs
 if(vex_installed_programs)
   install(TARGETS ${vex_installed_programs} RUNTIME COMPONENT programs)
+  get_property(modules GLOBAL PROPERTY vex_modules)
+  if(modules)
+    install(TARGETS ${modules} LIBRARY DESTINATION lib/vex COMPONENT programs)  # where apps/modules looks
+  endif()
 endif()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
 install(FILES cmake/third_party_licenses.txt DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME THIRD_PARTY COMPONENT licence)

@@ -6,7 +6,7 @@
 #include "apps/peers/ccd_backend.h"
 #endif
 #ifdef VEX_WITH_FCL
-#include "apps/peers/fcl_backend.h"
+#include "apps/peers/fcl_loaded.h"
 #endif
 
 namespace vex {
@@ -18,7 +18,7 @@ std::vector<BackendKind> peer_backends() {
       ccd_mpr_backend(),
 #endif
 #ifdef VEX_WITH_FCL
-      fcl_backend(),
+      loaded_fcl_backend(),
 #endif
   };
 }

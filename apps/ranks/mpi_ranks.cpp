@@ -1,3 +1,4 @@
+// The module mpi.
 #include <fcntl.h>
 #include <mpi.h>
 #include <unistd.h>
@@ -14,7 +15,6 @@
 #include <string_view>
 #include <thread>
 
-#include "apps/common/run_program.h"
 #include "apps/ranks/program_ranks.h"
 #include "engine/numeric/errors.h"
 #include "engine/sampling/run_state_text.h"
@@ -181,9 +181,6 @@ class MpiRanks final : public ProgramRanks {
 
 }  // namespace
 
-std::unique_ptr<ProgramRanks> join_ranks() {
-  if (n_copies_started() == 1) return nullptr;
-  return std::make_unique<MpiRanks>();
-}
-
 }  // namespace vex
+
+extern "C" vex::ProgramRanks* vex_mpi_ranks() { return new vex::MpiRanks; }

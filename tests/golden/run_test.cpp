@@ -153,6 +153,15 @@ TEST_F(Run, APeerWithoutSuchAShapeSaysSoAndStaysOutOfACrossCheck) {
   }
 }
 
+TEST_F(Run, AProgramThatWasCopiedAloneSaysThatFclIsMissing) {
+  const std::vector<std::string> backends = backends_of_this_build();
+  if (std::ranges::find(backends, "fcl") == backends.end()) GTEST_SKIP() << "built without FCL";
+  std::filesystem::create_directory(path("bin"));
+  std::filesystem::copy_file(VEX_MESH_PROGRAM, path("bin/vex_mesh"));
+  EXPECT_EQ(shell("bin/vex_mesh box:1,1,1 --trials 1000").exit_code, 0);
+  expect_refusal(shell("bin/vex_mesh box:1,1,1 --trials 1000 --backend fcl"), 3, "lib/vex");
+}
+
 TEST_F(Run, APairThatExcludesNoVolumeIsReportedWithoutARun) {
   for (const Words& words : {Words{"needle:1", "needle:2"}, Words{"plate:1,2", "disc:1", "--orientations", "aligned"},
                              Words{"needle:1", "--orientations", "aligned", "--trials", "1e10"}}) {

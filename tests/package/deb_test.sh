@@ -193,6 +193,12 @@ step "vex_mesh measures a body in an empty environment"
 env -i "$scratch/root/usr/bin/vex_mesh" box:1,1,1 --trials 20000 >"$scratch/report" || fail "exit code $?"
 grep -qE '^ *<V_ex>, formula +11(\.0*)?$' "$scratch/report" || { cat "$scratch/report"; fail "two unit cubes: 11"; }
 
+step "vex_mesh asks FCL in an empty environment"
+if [ -e "$build_dir/lib/vex/fcl.so" ]; then
+  env -i "$scratch/root/usr/bin/vex_mesh" box:1,1,1 --backend fcl --trials 1000 >"$scratch/report" || fail "exit code $?"
+  grep -q 'peer 100 %' "$scratch/report" || { cat "$scratch/report"; fail "two unit cubes by FCL"; }
+fi
+
 step "vex_pair answers in an empty environment"
 env -i "$scratch/root/usr/bin/vex_pair" box:1,1,1 box:1,1,1 --translation 0.5,0,0 >"$scratch/report" || fail "exit code $?"
 grep -q 'OVERLAP' "$scratch/report" || { cat "$scratch/report"; fail "two cubes half an edge apart"; }
