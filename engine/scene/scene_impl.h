@@ -63,6 +63,10 @@ class Scene::Impl {
   // A thread each; they keep their memory.
   std::vector<Clusters>& cluster_parts(int n_threads);
   std::vector<std::vector<ScenePair>>& cluster_news(int n_threads);
+  std::vector<ManifoldMemory>& manifold_memories(int n_threads) {
+    manifold_memories_.resize(static_cast<std::size_t>(n_threads));
+    return manifold_memories_;
+  }
 
  private:
   // How far apart the centres of bodies may be that are this near each other. Throws InputError where it is too far.
@@ -96,6 +100,7 @@ class Scene::Impl {
   ScenePairs pairs_buffer_;
   std::vector<Clusters> cluster_parts_;
   std::vector<std::vector<ScenePair>> cluster_news_;
+  std::vector<ManifoldMemory> manifold_memories_;
 };
 
 }  // namespace vex

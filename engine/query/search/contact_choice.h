@@ -1,0 +1,18 @@
+// Four of a manifold's contacts that keep what it supports: its area, and its depth.
+#pragma once
+
+#include <vector>
+
+#include "engine/query/contact_manifold.h"
+#include "engine/query/search/planar_polygon.h"
+
+namespace vex {
+
+/// Of more than four contacts, corners of a convex polygon at these places, the four that span the largest area, to
+/// 0.1 %, and 0.5 % for more than 64; at least 2/pi of the polygon's (E. Sas, Compositio Mathematica 6, 1939). Where the
+/// deepest is deeper than these by more than `shallower`, it takes the place of the one that loses least; at least half
+/// of the area is then left. Ties go by features, so that the same ones are kept from step to step. Order stays.
+void keep_four(std::vector<ContactManifold::Contact>& contacts, const std::vector<PlanarPoint>& places,
+               double shallower, std::vector<std::size_t>& candidates);
+
+}  // namespace vex
