@@ -187,6 +187,15 @@ bool take_vertices(const ConvexBody& body, const ContactFrame& frame, double out
   return true;
 }
 
+// Of many places those of which four may be chosen: heights are asked of these alone.
+void keep_outermost(Memory& memory) {
+  find_outermost(memory.common_hull, memory.candidates);
+  for (std::size_t k = 0; k < memory.candidates.size(); ++k) {
+    memory.opposite[k] = memory.opposite[memory.candidates[k]];  // which is this one or a later one
+  }
+  memory.opposite.resize(memory.candidates.size());
+}
+
 // The contacts of two faces, if both bodies have one; in A's frame.
 void find_contacts(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Separation& found,
                    const ManifoldSettings& settings, Memory& memory,
@@ -231,6 +240,7 @@ void find_contacts(const ConvexBody& a, const ConvexBody& b, const Transformd& a
   const double farthest = units.length(std::fmax(settings.margin, found.upper));
   const double ball_a = units.length(a.ball_radius()), ball_b = units.length(b.ball_radius());
   find_common_places(memory, angle, resolution.of_points);
+  if (settings.four_at_most && memory.opposite.size() > kMostOutermost) keep_outermost(memory);
   memory.places.clear();
   for (const auto& [of_a, of_b] : memory.opposite) {
     const double height_a = memory.face_a.height_at(of_a) + ball_a;

@@ -64,7 +64,8 @@ class Scene::Impl {
   std::vector<Clusters>& cluster_parts(int n_threads);
   std::vector<std::vector<ScenePair>>& cluster_news(int n_threads);
   std::vector<ManifoldMemory>& manifold_memories(int n_threads) {
-    manifold_memories_.resize(static_cast<std::size_t>(n_threads));
+    const auto n = static_cast<std::size_t>(n_threads);
+    if (manifold_memories_.size() < n) manifold_memories_.resize(n);
     return manifold_memories_;
   }
 

@@ -11,31 +11,13 @@ namespace {
 
 using Contact = ContactManifold::Contact;
 
-constexpr std::size_t kMostCandidates = 64;
 // An area has to be as much larger to be taken instead of one that was found before.
 constexpr double kLarger = 1.0 + 0x1p-10;
 
-// Numbers of the contacts that may be chosen, in the polygon's order, from one on that does not hang on where the
-// polygon begins.
-void find_candidates(const std::vector<Contact>& contacts, const std::vector<PlanarPoint>& places,
-                     std::vector<std::size_t>& candidates) {
-  const std::size_t n = contacts.size();
+// Numbers of the contacts in the polygon's order, from one on that does not hang on where the polygon begins.
+void find_candidates(const std::vector<Contact>& contacts, std::vector<std::size_t>& candidates) {
   candidates.clear();
-  if (n <= kMostCandidates) {
-    for (std::size_t k = 0; k < n; ++k) candidates.push_back(k);
-  } else {
-    for (std::size_t k = 0; k < kMostCandidates; ++k) {
-      const double angle = 2.0 * std::numbers::pi * static_cast<double>(k) / kMostCandidates;
-      const PlanarPoint dir{std::cos(angle), std::sin(angle)};
-      std::size_t farthest = 0;
-      for (std::size_t i = 1; i < n; ++i) {
-        if (dot(dir, places[i]) > dot(dir, places[farthest])) farthest = i;
-      }
-      candidates.push_back(farthest);
-    }
-    std::ranges::sort(candidates);
-    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-  }
+  for (std::size_t k = 0; k < contacts.size(); ++k) candidates.push_back(k);
   const auto first = std::ranges::min_element(candidates, {}, [&](std::size_t k) {
     return std::pair(contacts[k].feature_a, contacts[k].feature_b);
   });
@@ -73,10 +55,30 @@ double area_of(const std::vector<PlanarPoint>& places, const Four& four) {
 
 }  // namespace
 
+void find_outermost(const std::vector<PlanarPoint>& places, std::vector<std::size_t>& outermost) {
+  outermost.clear();
+  for (std::size_t k = 0; k < kMostOutermost - 1; ++k) {
+    const double angle = 2.0 * std::numbers::pi * static_cast<double>(k) / (kMostOutermost - 1);
+    const PlanarPoint dir{std::cos(angle), std::sin(angle)};
+    std::size_t farthest = 0;
+    for (std::size_t i = 1; i < places.size(); ++i) {
+      if (dot(dir, places[i]) > dot(dir, places[farthest])) farthest = i;
+    }
+    outermost.push_back(farthest);
+  }
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    if (dot(places[i], places[i]) < dot(places[nearest], places[nearest])) nearest = i;
+  }
+  outermost.push_back(nearest);
+  std::ranges::sort(outermost);
+  outermost.erase(std::unique(outermost.begin(), outermost.end()), outermost.end());
+}
+
 void keep_four(std::vector<Contact>& contacts, const std::vector<PlanarPoint>& places, double shallower,
                std::vector<std::size_t>& candidates) {
   if (contacts.size() <= 4) return;
-  find_candidates(contacts, places, candidates);
+  find_candidates(contacts, candidates);
   Four four = largest_four(places, candidates);
   std::ranges::sort(four);
   const auto distance = [&](std::size_t k) { return contacts[k].signed_distance; };
