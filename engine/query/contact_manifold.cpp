@@ -196,51 +196,25 @@ void keep_outermost(Memory& memory) {
   memory.opposite.resize(memory.candidates.size());
 }
 
-// The contacts of two faces, if both bodies have one; in A's frame.
-void find_contacts(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Separation& found,
-                   const ManifoldSettings& settings, Memory& memory,
-                   std::vector<ContactManifold::Contact>& contacts) {
-  const double size = a.circumradius() + b.circumradius();
-  const ContactUnits units{found.point_a, size > 0.0 ? std::ilogb(size) : 0};
-  const auto place_a = [&](const Vec3d& v) { return units(v); };
-  const auto place_b = [&](const Vec3d& v) { return units(a_from_b(v)); };
-  const double searched = searched_accuracy(a, b, found);
-  if (searched > 1e-6 * (size + std::fabs(found.signed_distance))) return;
-  // The curved ones first: most have no face, and then nothing else is asked.
-  const Vec3d normal_b = a_from_b.direction_to_b(found.normal);
-  const double angle = settings.feature_angle;
-  if (!a.is_rounded_polytope() &&
-      !has_probed_face(a, found.normal, found.point_a - a.ball_radius() * found.normal, angle, memory.corners_a,
-                       place_a)) {
-    return;
-  }
-  if (!b.is_rounded_polytope() &&
-      !has_probed_face(b, -normal_b, found.point_b_in_b + b.ball_radius() * normal_b, angle, memory.corners_b,
-                       place_b)) {
-    return;
-  }
-  const ContactFrame frame(found.normal);
-  // Coordinates across the normal are rounded several times each. And flat is what was, before vertices were rounded to
-  // coordinates in their own frames and in A's.
-  const double reach = units.length(2.0 * size + std::fabs(found.signed_distance));
-  const double coordinates = units.length(a.reach() + 2.0 * b.reach() + norm_1(a_from_b.translation));
-  const ContactResolution rounded(64.0 * kUnitRoundoff * reach, 4.0 * kUnitRoundoff * coordinates);
-  const ContactResolution resolution = searched > 0.0 ? rounded.known_to(units.length(searched)) : rounded;
-  if (!std::isfinite(resolution.of_edges)) return;
-  if (!a.is_rounded_polytope()) {
-    memory.face_a.take_corners(memory.corners_a, frame, 1.0, resolution, memory.planar);
-  } else if (!take_vertices(a, frame, 1.0, angle, resolution, memory, memory.face_a, place_a)) {
-    return;
-  }
-  if (!b.is_rounded_polytope()) {
-    memory.face_b.take_corners(memory.corners_b, frame, -1.0, resolution, memory.planar);
-  } else if (!take_vertices(b, frame, -1.0, angle, resolution, memory, memory.face_b, place_b)) {
-    return;
-  }
-  const double farthest = units.length(std::fmax(settings.margin, found.upper));
+// What a pair's contacts are found from, besides its faces.
+struct ContactQuestion {
+  const ConvexBody &a, &b;
+  const Separation& found;
+  const ManifoldSettings& asked;
+  ContactUnits units;
+  ContactFrame frame;
+  ContactResolution resolution;
+};
+
+// The contacts of the two faces in the memory, in units.
+void find_contacts_of_faces(const ContactQuestion& question, Memory& memory,
+                            std::vector<ContactManifold::Contact>& contacts) {
+  const auto& [a, b, found, asked, units, frame, resolution] = question;
+  const double farthest = units.length(std::fmax(asked.margin, found.upper));
   const double ball_a = units.length(a.ball_radius()), ball_b = units.length(b.ball_radius());
-  find_common_places(memory, angle, resolution.of_points);
-  if (settings.four_at_most && memory.opposite.size() > kMostOutermost) keep_outermost(memory);
+  find_common_places(memory, asked.feature_angle, resolution.of_points);
+  if (asked.four_at_most && memory.opposite.size() > kMostOutermost) keep_outermost(memory);
+  contacts.clear();
   memory.places.clear();
   for (const auto& [of_a, of_b] : memory.opposite) {
     const double height_a = memory.face_a.height_at(of_a) + ball_a;
@@ -250,15 +224,78 @@ void find_contacts(const ConvexBody& a, const ConvexBody& b, const Transformd& a
     memory.places.push_back(of_a);
   }
   merge(contacts, memory.places, resolution.of_edges);
+}
+
+// Whether there is a contact about as deep as the separation, and its point about between them.
+bool have_the_nearest(const ContactQuestion& question, const Memory& memory,
+                      const std::vector<ContactManifold::Contact>& contacts) {
+  if (contacts.empty()) return false;
+  const double slope = std::sin(std::fmin(question.asked.feature_angle, 1.0));
+  const double size = question.units.length(question.a.circumradius() + question.b.circumradius());
+  const double deepest = std::ranges::min(contacts, {}, &ContactManifold::Contact::signed_distance).signed_distance;
+  if (deepest > question.units.length(question.found.signed_distance) + 0x1p-10 * slope * size) return false;
+  // The separation's point is at the origin.
+  return memory.common_hull.size() < 3 || distance_to(memory.common_hull, {}) <= slope * size;
+}
+
+// The contacts of two faces, if both bodies have one; in A's frame.
+void find_contacts(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Separation& found,
+                   const ManifoldSettings& asked, Memory& memory, std::vector<ContactManifold::Contact>& contacts) {
+  const double size = a.circumradius() + b.circumradius();
+  const ContactUnits units{found.point_a, size > 0.0 ? std::ilogb(size) : 0};
+  const auto place_a = [&](const Vec3d& v) { return units(v); };
+  const auto place_b = [&](const Vec3d& v) { return units(a_from_b(v)); };
+  const double searched = searched_accuracy(a, b, found);
+  if (searched > 1e-6 * (size + std::fabs(found.signed_distance))) return;
+  // The curved ones first: most have no face, and then nothing else is asked.
+  const Vec3d normal_b = a_from_b.direction_to_b(found.normal);
+  const Vec3d nearest_a = found.point_a - a.ball_radius() * found.normal,
+              nearest_b = found.point_b_in_b + b.ball_radius() * normal_b;
+  const double angle = asked.feature_angle;
+  const bool is_probed_a = !a.is_rounded_polytope(), is_probed_b = !b.is_rounded_polytope();
+  if (is_probed_a && !has_probed_face(a, found.normal, nearest_a, angle, memory.corners_a, place_a)) return;
+  if (is_probed_b && !has_probed_face(b, -normal_b, nearest_b, angle, memory.corners_b, place_b)) return;
+  const ContactFrame frame(found.normal);
+  // Coordinates across the normal are rounded several times each. And flat is what was, before vertices were rounded to
+  // coordinates in their own frames and in A's.
+  const double reach = units.length(2.0 * size + std::fabs(found.signed_distance));
+  const double coordinates = units.length(a.reach() + 2.0 * b.reach() + norm_1(a_from_b.translation));
+  const ContactResolution rounded(64.0 * kUnitRoundoff * reach, 4.0 * kUnitRoundoff * coordinates);
+  const ContactResolution resolution = searched > 0.0 ? rounded.known_to(units.length(searched)) : rounded;
+  if (!std::isfinite(resolution.of_edges)) return;
+  if (is_probed_a) {
+    memory.face_a.take_corners(memory.corners_a, frame, 1.0, resolution, memory.planar);
+  } else if (!take_vertices(a, frame, 1.0, angle, resolution, memory, memory.face_a, place_a)) {
+    return;
+  }
+  if (is_probed_b) {
+    memory.face_b.take_corners(memory.corners_b, frame, -1.0, resolution, memory.planar);
+  } else if (!take_vertices(b, frame, -1.0, angle, resolution, memory, memory.face_b, place_b)) {
+    return;
+  }
+  const ContactQuestion question{a, b, found, asked, units, frame, resolution};
+  find_contacts_of_faces(question, memory, contacts);
+  // Of a rim the deepest point is between two of its corners; it is added where it matters, for it does not persist.
+  if ((is_probed_a || is_probed_b) && !have_the_nearest(question, memory, contacts)) {
+    const auto add_nearest = [&](std::vector<NumberedPoint>& corners, ContactFace& face, double outward,
+                                 const Vec3d& nearest) {
+      if (corners.size() < 3) return;  // an edge has its ends
+      corners.push_back({nearest, kNearestPoint});
+      face.take_corners(corners, frame, outward, resolution, memory.planar);
+    };
+    if (is_probed_a) add_nearest(memory.corners_a, memory.face_a, 1.0, place_a(nearest_a));
+    if (is_probed_b) add_nearest(memory.corners_b, memory.face_b, -1.0, place_b(nearest_b));
+    find_contacts_of_faces(question, memory, contacts);
+  }
   name_features(memory, contacts);
-  if (settings.four_at_most && contacts.size() > 4) {
+  if (asked.four_at_most && contacts.size() > 4) {
     PlanarPoint least = memory.places[0], most = least;
     for (const PlanarPoint& place : memory.places) {
       least = {std::fmin(least.x, place.x), std::fmin(least.y, place.y)};
       most = {std::fmax(most.x, place.x), std::fmax(most.y, place.y)};
     }
     const double width = std::fmin(most.x - least.x, most.y - least.y);
-    keep_four(contacts, memory.places, 0x1p-6 * std::sin(std::fmin(angle, 1.0)) * width, memory.candidates);
+    keep_four(contacts, memory.places, 0x1p-6 * std::sin(std::fmin(angle, 1.0)) * width);
   }
   for (ContactManifold::Contact& contact : contacts) {
     contact.point_a = units.point(contact.point_a);

@@ -67,8 +67,9 @@ class ManifoldMemory {
 /// - What is flat about the normal, as a cap, becomes a polygon of sixteen corners, support points all: one each 22.5
 ///   degrees about the cap's own normal, from an axis of the body's frame on, so that they are the same points of the
 ///   body from step to step however it leans within the feature angle. Of a disc that is .974 of its area, and the
-///   polygon is off the rim by .0192 radii at most. To them comes the separation's own point, if it is outside: so the
-///   deepest contact is always there. Points are on the body, or, where the face is not flat but bends by less than the
+///   polygon is off the rim by .0192 radii at most. The separation's own point comes to them where it is farther out by
+///   more than sin(feature_angle) times R_A + R_B, or deeper by more than a 1024th of that: there is always a contact
+///   about as deep as the separation. Points are on the body, or, where the face is not flat but bends by less than the
 ///   feature angle, in it and below its surface by no more than tan(feature_angle) times the face's width.
 /// - A straight line within the feature angle, on which a cylinder, cone or frustum lies, becomes an edge of two ends,
 ///   each to within the support mapping's error and the normal's own.

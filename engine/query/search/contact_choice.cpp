@@ -11,41 +11,62 @@ namespace {
 
 using Contact = ContactManifold::Contact;
 
-// An area has to be as much larger to be taken instead of one that was found before.
-constexpr double kLarger = 1.0 + 0x1p-10;
-
-// Numbers of the contacts in the polygon's order, from one on that does not hang on where the polygon begins.
-void find_candidates(const std::vector<Contact>& contacts, std::vector<std::size_t>& candidates) {
-  candidates.clear();
-  for (std::size_t k = 0; k < contacts.size(); ++k) candidates.push_back(k);
-  const auto first = std::ranges::min_element(candidates, {}, [&](std::size_t k) {
-    return std::pair(contacts[k].feature_a, contacts[k].feature_b);
-  });
-  std::rotate(candidates.begin(), first, candidates.end());
-}
+// Quadrilaterals of at least this share of the largest one's area are as good; and of corners that are as far from a
+// diagonal but for so much the first one counts. Which is the largest would hang on the last digits, of a disc's corners
+// say; which of those that are as good has the least features does not.
+constexpr double kAsGood = 0.97, kFarther = 1.0 + 0x1p-20;
 
 using Four = std::array<std::size_t, 4>;
 
-// The largest quadrilateral of a convex polygon's corners: over each diagonal the farthest corner on either side, which
-// goes on as the diagonal does.
-Four largest_four(const std::vector<PlanarPoint>& places, const std::vector<std::size_t>& candidates) {
-  const std::size_t n = candidates.size();
-  const auto at = [&](std::size_t k) -> const PlanarPoint& { return places[candidates[k % n]]; };
+struct Quadrilateral {
+  Four corners;
+  double area;
+};
+
+// Over each diagonal of a convex polygon the farthest corners on either side, which go on as the diagonal does.
+template <class Take>
+void for_each_quadrilateral(const std::vector<PlanarPoint>& places, const Take& take) {
+  const std::size_t n = places.size();
+  const auto at = [&](std::size_t k) -> const PlanarPoint& { return places[k < n ? k : k - n]; };
   const auto area = [&](std::size_t i, std::size_t j, std::size_t k) { return turn(at(j) - at(i), at(k) - at(i)); };
-  Four best{candidates[0], candidates[1], candidates[2], candidates[3 % n]};
-  double most = 0.0;
   for (std::size_t i = 0; i + 2 < n; ++i) {
     std::size_t right = i + 1, left = i + 3;
     for (std::size_t k = i + 2; k < n && k + 1 < i + n; ++k) {
-      while (right + 1 < k && area(i, right + 1, k) > area(i, right, k)) ++right;
+      while (right + 1 < k && area(i, right + 1, k) > kFarther * area(i, right, k)) ++right;
       left = std::max(left, k + 1);
-      while (left + 1 < i + n && area(k, left + 1, i) > area(k, left, i)) ++left;
-      const double found = area(i, right, k) + area(k, left, i);
-      if (!(found > kLarger * most)) continue;
-      most = found;
-      best = {candidates[i], candidates[right % n], candidates[k], candidates[left % n]};
+      while (left + 1 < i + n && area(k, left + 1, i) > kFarther * area(k, left, i)) ++left;
+      Four corners{i, right, k, left < n ? left : left - n};
+      take(Quadrilateral{corners, area(i, right, k) + area(k, left, i)});
     }
   }
+}
+
+// By their features, whatever the numbers of the corners.
+std::array<FeatureId, 8> features_of(const std::vector<Contact>& contacts, const Four& corners) {
+  std::array<std::pair<FeatureId, FeatureId>, 4> pairs;
+  for (std::size_t k = 0; k < 4; ++k) pairs[k] = {contacts[corners[k]].feature_a, contacts[corners[k]].feature_b};
+  std::ranges::sort(pairs);
+  std::array<FeatureId, 8> features{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    features[2 * k] = pairs[k].first;
+    features[2 * k + 1] = pairs[k].second;
+  }
+  return features;
+}
+
+Four largest_four(const std::vector<Contact>& contacts, const std::vector<PlanarPoint>& places) {
+  double most = 0.0;
+  for_each_quadrilateral(places, [&](const Quadrilateral& one) { most = std::max(most, one.area); });
+  Four best{0, 1, 2, 3};
+  std::array<FeatureId, 8> least;
+  least.fill(~FeatureId{0});
+  for_each_quadrilateral(places, [&](const Quadrilateral& one) {
+    if (!(one.area >= kAsGood * most)) return;
+    const std::array<FeatureId, 8> features = features_of(contacts, one.corners);
+    if (!(features < least)) return;
+    least = features;
+    best = one.corners;
+  });
   return best;
 }
 
@@ -75,11 +96,9 @@ void find_outermost(const std::vector<PlanarPoint>& places, std::vector<std::siz
   outermost.erase(std::unique(outermost.begin(), outermost.end()), outermost.end());
 }
 
-void keep_four(std::vector<Contact>& contacts, const std::vector<PlanarPoint>& places, double shallower,
-               std::vector<std::size_t>& candidates) {
+void keep_four(std::vector<Contact>& contacts, const std::vector<PlanarPoint>& places, double shallower) {
   if (contacts.size() <= 4) return;
-  find_candidates(contacts, candidates);
-  Four four = largest_four(places, candidates);
+  Four four = largest_four(contacts, places);
   std::ranges::sort(four);
   const auto distance = [&](std::size_t k) { return contacts[k].signed_distance; };
   std::size_t deepest = 0;

@@ -126,7 +126,6 @@ void probe_face(const ConvexBody& body, const Vec3d& unit_dir, const Vec3d& near
           std::any_of(rim.begin(), rim.begin() + k, [&](const Vec3d& p) { return norm_1(p - rim[k]) <= kStraight; });
       if (!is_known) corners.push_back({probe.point(rim[k]), k});
     }
-    corners.push_back({nearest, kNearestPoint});
     return;
   }
   // Twice: the ends that the ring has found may be beside the edge.

@@ -183,6 +183,27 @@ TEST(ContactManifold, OfTiltedFacesIsAPolygonWithinTheFeatureAngleAndAnEdgeWitho
             2u);
 }
 
+// About any axis in the plane; and they are the same four as of the box that is not tilted.
+TEST(ContactManifold, OfABoxTiltedByAHundredthKeepsItsFourContactsWithinAMargin) {
+  const auto names_of = [](const ContactManifold& manifold) {
+    std::vector<std::pair<FeatureId, FeatureId>> names;
+    for (const auto& c : manifold.contacts) names.emplace_back(c.feature_a, c.feature_b);
+    std::ranges::sort(names);
+    return names;
+  };
+  const auto upright = names_of(contact_manifold(slab(), cube(), turned_about_z(0.0, {0.1, 0.2, 1.0})));
+  ASSERT_EQ(upright.size(), 4u);
+  for (int k = 0; k < 32; ++k) {
+    const Transformd yaw = turned_about_z(0.2 * k, {});
+    Transformd pose = product(yaw, product(turned_about_x(0.01, {}), inverse(yaw)));
+    const Vec3d lowest = pose(cube().support(-pose.direction_to_b({0.0, 0.0, 1.0})));
+    pose.translation = {0.1, 0.2, 0.5 - lowest.z - 1e-3};
+    const ContactManifold manifold = contact_manifold(slab(), cube(), pose, 0.02);
+    expect_is_sound(manifold, 1e-13);
+    EXPECT_EQ(names_of(manifold), upright) << k;
+  }
+}
+
 TEST(ContactManifold, OfAFaceTiltedBothWaysIsTheFaceOrAnEdgeOrACorner) {
   const Transformd about_y{{0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {}};  // a quarter turn about z
   const auto contacts = [&](double tilt_x, double tilt_y) {
