@@ -330,6 +330,7 @@ ContactManifold contact_manifold(const ConvexBody& a, const ConvexBody& b, const
                                  double feature_angle) {
   thread_local ManifoldMemory memory;
   ContactManifold manifold;
+  manifold.contacts.reserve(8);
   contact_manifold(a, b, pose, {.margin = margin, .feature_angle = feature_angle}, memory, manifold);
   return manifold;
 }

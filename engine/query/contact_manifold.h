@@ -19,8 +19,8 @@ struct ContactManifold {
     // one place along them, and beside each other by no more than that angle times their length.
     Vec3d point_a, point_b;
     double signed_distance = 0.0;  // (point_b - point_a) . normal: negative where they are in each other
-    // What of A and what of B makes the contact. From step to step the same pair of them is the same contact, as long as
-    // the same vertices, edges and faces touch: for warm starts. No two of 64 contacts or fewer have both in common.
+    // What of A and what of B makes the contact. From step to step the same pair of them is the same contact, as long
+    // as the same vertices, edges and faces touch: for warm starts. No two of 64 contacts or fewer have both in common.
     FeatureId feature_a = 0, feature_b = 0;
   };
   Separation separation;          // its normal is the manifold's

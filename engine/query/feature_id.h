@@ -8,8 +8,8 @@ namespace vex {
 
 /// A vertex, an edge between two vertices, or a face (or what of it takes part), of which the least vertex is told:
 /// below 2^53, so that any language's numbers hold it. Only equality means anything. Vertices are numbered as in the
-/// body's exact form; those of a curved body as contact_manifold says. Numbers of vertices from 2^25 up are taken modulo
-/// 2^25.
+/// body's exact form; those of a curved body as contact_manifold says. Numbers of vertices from 2^25 up are taken
+/// modulo 2^25.
 using FeatureId = std::uint64_t;
 
 enum class FeatureKind : std::uint8_t { vertex, edge, face };

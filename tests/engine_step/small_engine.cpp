@@ -126,8 +126,7 @@ void SmallEngine::solve() {
       const auto velocity = [&] { return velocity_of(one.b, one.arm_b) - velocity_of(one.a, one.arm_a); };
       for (std::size_t k = 0; k < 2; ++k) {
         const double most = settings_.friction * one.impulse, before = one.impulse_across[k];
-        one.impulse_across[k] =
-            std::clamp(before - one.mass_across[k] * dot(one.across[k], velocity()), -most, most);
+        one.impulse_across[k] = std::clamp(before - one.mass_across[k] * dot(one.across[k], velocity()), -most, most);
         apply((one.impulse_across[k] - before) * one.across[k]);
       }
       const double before = one.impulse;
@@ -147,9 +146,8 @@ double SmallEngine::time_free(BodyId id, Counts& counts) const {
     if (bodies_[other].inverse_mass != 0.0) continue;
     const Transformd& pose = world_from_body_[other];
     const RigidMotion motion{pose.direction_to_b(body.velocity), pose.direction_to_b(body.angular_velocity)};
-    const FirstContact contact =
-        time_of_impact(scene_.shape(scene_.shape_of(other)), scene_.shape(scene_.shape_of(id)),
-                       Pose::unchecked(scene_.relative_pose({other, id})), motion, first);
+    const FirstContact contact = time_of_impact(scene_.shape(scene_.shape_of(other)), scene_.shape(scene_.shape_of(id)),
+                                                Pose::unchecked(scene_.relative_pose({other, id})), motion, first);
     // What is undecided is met, perhaps, but not before `lower`.
     if (contact.verdict.outcome == Outcome::disjoint) continue;
     is_hit = true;

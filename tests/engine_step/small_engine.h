@@ -1,9 +1,10 @@
-// A small engine on vex's scenes: rigid bodies that fall, touch, stack and roll. It shows what an engine takes from vex,
-// and tests that this is enough: manifolds with features that persist, in memory that is kept, and times of impact.
+// A small engine on vex's scenes: rigid bodies that fall, touch, stack and roll. It shows what an engine takes from
+// vex, and tests that this is enough: manifolds with features that persist, in memory that is kept, and times of
+// impact.
 //
 // A step: velocities by gravity; the scene's manifolds; sequential impulses on the contacts, begun with those of the
-// step before that the same features made (E. Catto, Iterative dynamics with temporal coherence, GDC 2005); poses by the
-// new velocities (semi-implicit Euler), of fast bodies no farther than to the time of impact.
+// step before that the same features made (E. Catto, Iterative dynamics with temporal coherence, GDC 2005); poses by
+// the new velocities (semi-implicit Euler), of fast bodies no farther than to the time of impact.
 #pragma once
 
 #include <array>

@@ -100,7 +100,9 @@ void expect_rests(const std::vector<Item>& items, double most_drift, double leas
 
 TEST(Stacks, OfBoxesRest) { expect_rests({4, box(1.0, 0.8, 0.5)}, 1e-4, 16); }
 TEST(Stacks, OfCylindersRest) { expect_rests({4, cylinder(0.6, 0.4)}, 1e-4, 16); }
-TEST(Stacks, OfHullsRest) { expect_rests({prism(6, 0.5, 0.5), prism(5, 0.5, 0.4), prism(7, 0.45, 0.5), prism(6, 0.4, 0.4)}, 1e-4, 16); }
+TEST(Stacks, OfHullsRest) {
+  expect_rests({prism(6, 0.5, 0.5), prism(5, 0.5, 0.4), prism(7, 0.45, 0.5), prism(6, 0.4, 0.4)}, 1e-4, 16);
+}
 
 }  // namespace
 }  // namespace vex

@@ -112,8 +112,8 @@ TEST(ManifoldAllocations, InACallersMemoryThereAreNoneInSteadyState) {
       dome.push_back({off * std::cos(2.4 * k), off * std::sin(2.4 * k), side * (1.0 - 0.002 * off * off)});
     }
   }
-  const ConvexBody bodies[] = {Box(1.0, 1.0, 1.0),         Cylinder(1.0, 0.5),
-                               Ellipsoid(1.0, 1.0, 0.5),   Inflated(Cylinder(0.8, 0.4), 0.1),
+  const ConvexBody bodies[] = {Box(1.0, 1.0, 1.0),          Cylinder(1.0, 0.5),
+                               Ellipsoid(1.0, 1.0, 0.5),    Inflated(Cylinder(0.8, 0.4), 0.1),
                                Inflated(Box(1, 1, 1), 0.0), Polytope(prism, {}, 0.4),
                                Polytope(dome, {}, 0.4)};
   ManifoldMemory memory;

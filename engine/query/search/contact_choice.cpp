@@ -12,8 +12,8 @@ namespace {
 using Contact = ContactManifold::Contact;
 
 // Quadrilaterals of at least this share of the largest one's area are as good; and of corners that are as far from a
-// diagonal but for so much the first one counts. Which is the largest would hang on the last digits, of a disc's corners
-// say; which of those that are as good has the least features does not.
+// diagonal but for so much the first one counts. Which is the largest would hang on the last digits, of a disc's
+// corners say; which of those that are as good has the least features does not.
 constexpr double kAsGood = 0.97, kFarther = 1.0 + 0x1p-20;
 
 using Four = std::array<std::size_t, 4>;

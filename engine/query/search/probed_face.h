@@ -16,13 +16,13 @@ namespace vex {
 /// Numbers of a curved body's points. Corners of a face have those below: each kCornersOfFace-th of a turn about the
 /// face's normal one, the first along an axis of the body's frame, whichever direction is asked.
 inline constexpr std::uint32_t kCornersOfFace = 16;
-inline constexpr std::uint32_t kNearestPoint = 16;                  // the point that the separation tells
-inline constexpr std::uint32_t kEdgeFrom = 17, kEdgeTo = 18;        // the ends of an edge
-inline constexpr std::uint32_t kWholeBody = (1U << 25) - 1;         // of a contact that no face has a part in
+inline constexpr std::uint32_t kNearestPoint = 16;            // the point that the separation tells
+inline constexpr std::uint32_t kEdgeFrom = 17, kEdgeTo = 18;  // the ends of an edge
+inline constexpr std::uint32_t kWholeBody = (1U << 25) - 1;   // of a contact that no face has a part in
 
-/// Points of the core, in the body's own frame. Of a face up to kCornersOfFace corners; of an edge, which is straight to
-/// 2^-26 of the circumradius, its two ends; none of what is neither. `unit_dir`, and `nearest`, a point of the core that
-/// is farthest along it, are in that frame, too.
+/// Points of the core, in the body's own frame. Of a face up to kCornersOfFace corners; of an edge, which is straight
+/// to 2^-26 of the circumradius, its two ends; none of what is neither. `unit_dir`, and `nearest`, a point of the core
+/// that is farthest along it, are in that frame, too.
 void probe_face(const ConvexBody& body, const Vec3d& unit_dir, const Vec3d& nearest, double feature_angle,
                 std::vector<NumberedPoint>& corners);
 

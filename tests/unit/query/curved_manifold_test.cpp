@@ -265,7 +265,8 @@ TEST(CurvedManifold, OfABodyOfOnesOwnIsFoundByItsSupportMappingAlone) {
     expect_is_sound(slab(), own, pose, found, 0.02, "own");
     ASSERT_EQ(found.contacts.size(), truth.contacts.size()) << tilt;
     for (const auto& c : truth.contacts) {
-      EXPECT_TRUE(std::ranges::any_of(found.contacts, [&](const auto& o) { return norm(o.point_b - c.point_b) < 1e-7; }));
+      EXPECT_TRUE(
+          std::ranges::any_of(found.contacts, [&](const auto& o) { return norm(o.point_b - c.point_b) < 1e-7; }));
     }
   }
 }
