@@ -126,10 +126,10 @@ std::string witness_text(Query query, const Answer& answer) {
   if (answer.point_b) text += line("point of B, in A's frame", vector_text(*answer.point_b));
   if (query != Query::manifold) return text;
   text += line("contacts", std::to_string(answer.contacts.size()));
-  for (const auto& [a, b, signed_distance] : answer.contacts) {
-    text += line("   signed distance", shortest_number(signed_distance));
-    text += line("      point of A", vector_text(a));
-    text += line("      point of B, in A's frame", vector_text(b));
+  for (const ContactManifold::Contact& contact : answer.contacts) {
+    text += line("   signed distance", shortest_number(contact.signed_distance));
+    text += line("      point of A", vector_text(contact.point_a));
+    text += line("      point of B, in A's frame", vector_text(contact.point_b));
   }
   return text;
 }

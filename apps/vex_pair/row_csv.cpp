@@ -63,18 +63,20 @@ class CsvFields {
       number(name, v ? (*v).*coordinate : Answer::kNone);
     }
   }
-  // Seven numbers each, between blanks; semicolons between contacts.
+  // Nine numbers each, between blanks; semicolons between contacts.
   void contacts(std::string_view, const std::vector<ContactManifold::Contact>& contacts) {
     text_ += ',';
     append_integer(text_, contacts.size());
     text_ += ',';
-    for (const auto& [a, b, signed_distance] : contacts) {
+    for (const auto& [a, b, signed_distance, feature_a, feature_b] : contacts) {
       if (text_.back() != ',') text_ += ';';
-      for (const double coordinate : {a.x, a.y, a.z, b.x, b.y, b.z}) {
-        append_number(text_, coordinate, "");
+      for (const double number : {a.x, a.y, a.z, b.x, b.y, b.z, signed_distance}) {
+        append_number(text_, number, "");
         text_ += ' ';
       }
-      append_number(text_, signed_distance, "");
+      append_integer(text_, feature_a);
+      text_ += ' ';
+      append_integer(text_, feature_b);
     }
   }
   void integer(std::string_view, int value) {

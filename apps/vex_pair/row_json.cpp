@@ -52,7 +52,10 @@ class JsonFields {
       text_ += &contact == contacts.data() ? "{\"point_a\":" : ",{\"point_a\":";
       append_vector(text_, contact.point_a);
       vector("point_b", contact.point_b);
-      number("signed_distance", contact.signed_distance);
+      number("distance", contact.signed_distance);
+      number("signed_distance", contact.signed_distance);  // the same, as it was called first
+      feature("feature_a", contact.feature_a);
+      feature("feature_b", contact.feature_b);
       text_ += '}';
     }
     text_ += ']';
@@ -63,6 +66,10 @@ class JsonFields {
   }
 
  private:
+  void feature(std::string_view name, FeatureId value) {
+    key(name);
+    append_integer(text_, value);
+  }
   void key(std::string_view name) {
     text_ += ",\"";
     text_ += name;

@@ -99,6 +99,7 @@ class Scene {
   SceneAnswer any_overlap();
   /// What is within `margin` of each other, with contacts; poses and points in the frame of body a.
   void contact_manifolds(SceneManifolds& out, double margin = 0.0);
+  void contact_manifolds(SceneManifolds& out, const ManifoldSettings& settings);
 
   /// The pairs of one body: it is `a` or `b`, as in overlapping_pairs.
   void overlaps_of(BodyId body, ScenePairs& out);

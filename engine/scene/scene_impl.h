@@ -63,6 +63,11 @@ class Scene::Impl {
   // A thread each; they keep their memory.
   std::vector<Clusters>& cluster_parts(int n_threads);
   std::vector<std::vector<ScenePair>>& cluster_news(int n_threads);
+  std::vector<ManifoldMemory>& manifold_memories(int n_threads) {
+    const auto n = static_cast<std::size_t>(n_threads);
+    if (manifold_memories_.size() < n) manifold_memories_.resize(n);
+    return manifold_memories_;
+  }
 
  private:
   // How far apart the centres of bodies may be that are this near each other. Throws InputError where it is too far.
@@ -96,6 +101,7 @@ class Scene::Impl {
   ScenePairs pairs_buffer_;
   std::vector<Clusters> cluster_parts_;
   std::vector<std::vector<ScenePair>> cluster_news_;
+  std::vector<ManifoldMemory> manifold_memories_;
 };
 
 }  // namespace vex

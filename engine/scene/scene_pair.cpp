@@ -1,5 +1,7 @@
 #include "engine/scene/scene_pair.h"
 
+#include <utility>
+
 namespace vex {
 
 std::string_view name_of(SceneStage stage) {
@@ -23,6 +25,18 @@ SceneCounts& SceneCounts::operator+=(const SceneCounts& other) {
     stages[k].settled += other.stages[k].settled;
   }
   return *this;
+}
+
+void SceneManifolds::resize(std::size_t n) {
+  while (entries.size() > n) {
+    spare_.push_back(std::move(entries.back()));
+    entries.pop_back();
+  }
+  while (entries.size() < n && !spare_.empty()) {
+    entries.push_back(std::move(spare_.back()));
+    spare_.pop_back();
+  }
+  entries.resize(n);
 }
 
 }  // namespace vex

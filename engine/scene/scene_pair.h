@@ -82,7 +82,8 @@ struct SceneDistances {
   SceneCounts counts;
 };
 
-/// The touching pairs with their contacts.
+/// The touching pairs with their contacts. A caller's buffer: of pairs that come and go it keeps the memory of their
+/// contacts.
 struct SceneManifolds {
   struct Entry {
     ScenePair pair;
@@ -91,6 +92,12 @@ struct SceneManifolds {
   std::vector<Entry> entries;
   std::vector<ScenePair> undecided;
   SceneCounts counts;
+
+  /// So many entries; those that are too many are put by for when there are more again.
+  void resize(std::size_t n);
+
+ private:
+  std::vector<Entry> spare_;
 };
 
 /// Whether any two bodies overlap.

@@ -1,5 +1,6 @@
 // Queries of all pairs that build on the verdicts: distances, contacts, clusters.
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <iterator>
 #include <utility>
@@ -13,11 +14,15 @@ namespace {
 
 constexpr std::size_t kBlock = 64;
 
-// work(k) for k below n, blocks of them by whichever thread is free.
+// work(k, thread) for k below n, blocks of them by whichever thread is free.
 template <class Work>
 void for_each(std::size_t n, int n_threads, const Work& work) {
-  share_parts(n_threads, (n + kBlock - 1) / kBlock, [&](std::size_t block) {
-    for (std::size_t k = block * kBlock; k < std::min((block + 1) * kBlock, n); ++k) work(k);
+  std::atomic<std::size_t> next{0};
+  const std::size_t n_blocks = (n + kBlock - 1) / kBlock;
+  on_threads(static_cast<int>(std::min(static_cast<std::size_t>(n_threads), n_blocks)), [&](int thread) {
+    for (std::size_t block = next++; block < n_blocks; block = next++) {
+      for (std::size_t k = block * kBlock; k < std::min((block + 1) * kBlock, n); ++k) work(k, thread);
+    }
   });
 }
 
@@ -29,23 +34,27 @@ void Scene::distances_within(double distance, SceneDistances& out) {
   out.counts = near.counts;
   out.undecided = near.undecided;
   out.entries.resize(near.pairs.size());
-  for_each(near.pairs.size(), settings().n_threads, [&](std::size_t k) {
+  for_each(near.pairs.size(), settings().n_threads, [&](std::size_t k, int) {
     const ScenePair& pair = near.pairs[k];
     out.entries[k] = {
         pair, vex::distance(shape(shape_of(pair.a)), shape(shape_of(pair.b)), Pose::unchecked(relative_pose(pair)))};
   });
 }
 
-void Scene::contact_manifolds(SceneManifolds& out, double margin) {
+void Scene::contact_manifolds(SceneManifolds& out, double margin) { contact_manifolds(out, {.margin = margin}); }
+
+void Scene::contact_manifolds(SceneManifolds& out, const ManifoldSettings& asked) {
   ScenePairs& near = impl_->pairs_buffer();
-  pairs_within(margin, near);
+  pairs_within(asked.margin, near);
   out.counts = near.counts;
   out.undecided = near.undecided;
-  out.entries.resize(near.pairs.size());
-  for_each(near.pairs.size(), settings().n_threads, [&](std::size_t k) {
+  out.resize(near.pairs.size());
+  std::vector<ManifoldMemory>& memories = impl_->manifold_memories(settings().n_threads);
+  for_each(near.pairs.size(), settings().n_threads, [&](std::size_t k, int thread) {
     const ScenePair& pair = near.pairs[k];
-    out.entries[k] = {pair, contact_manifold(shape(shape_of(pair.a)), shape(shape_of(pair.b)),
-                                             Pose::unchecked(relative_pose(pair)), margin)};
+    out.entries[k].pair = pair;
+    contact_manifold(shape(shape_of(pair.a)), shape(shape_of(pair.b)), Pose::unchecked(relative_pose(pair)), asked,
+                     memories[static_cast<std::size_t>(thread)], out.entries[k].manifold);
   });
 }
 

@@ -4,7 +4,9 @@
 #include <concepts>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "engine/numeric/rounding.h"
 #include "engine/support/checked_input.h"
@@ -90,7 +92,9 @@ class ConvexBody {
     detail::check_claims(
         {centre_, circumradius_, inradius_, support_error_, core_support_error_, ball_radius_, rolling_radius_}, form,
         generators_);
-    model_ = std::make_shared<const ModelOf<Shape>>(std::move(shape));
+    auto model = std::make_shared<ModelOf<Shape>>(std::move(shape));
+    if (is_rounded_polytope_) model->vertices = std::move(form->points);
+    model_ = std::move(model);
   }
 
   /// What has a support mapping and lacks a member is told which.
@@ -128,6 +132,9 @@ class ConvexBody {
   const std::optional<Generators>& generators() const { return generators_; }
   /// Whether the core is known to be the convex hull of finitely many points.
   bool is_rounded_polytope() const { return is_rounded_polytope_; }
+  /// These points, those of `exact_form`, without a copy; none where the core is not known to be their hull. They live
+  /// as long as the shape.
+  std::span<const Vec3d> vertices_of_core() const { return model_->vertices; }
 
   /// What the body is exactly; none where its class does not tell. Copies the vertices of a polytope.
   std::optional<ExactForm> exact_form() const { return model_->exact_form(); }
@@ -165,6 +172,7 @@ class ConvexBody {
     virtual std::optional<ExactForm> exact_form() const = 0;
     virtual bool may_have_direction_table() const = 0;
     virtual std::optional<DirectionTable> direction_table() const = 0;
+    std::vector<Vec3d> vertices;  // of a rounded polytope's core
   };
   template <class Shape>
   struct ModelOf final : Model {

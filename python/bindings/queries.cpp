@@ -35,6 +35,7 @@ struct ContactRow {
 };
 struct ManifoldRow {
   double point_a[3], point_b[3], distance;
+  std::uint64_t feature_a, feature_b;
 };
 
 /// Whether each answer was proven again by the checker, and what is missing where it was not; where that was asked for.
@@ -268,12 +269,15 @@ py::tuple impacts(const PyBody& a, const PyBody& b, const Floats& rows, const st
 
 /// Of each pose the separation and the contacts.
 py::tuple manifolds(const PyBody& a, const PyBody& b, const Floats& rows, const std::optional<Floats>& translations,
-                    double margin, double feature_angle, bool certify_answers, int threads) {
+                    double margin, double feature_angle, bool four_at_most, bool certify_answers, int threads) {
   const PoseRows poses(rows, translations);
   std::vector<ContactManifold> found(poses.size());
   Proofs proofs(certify_answers, poses.size());
   over_each_pose(poses, threads, [&](std::size_t k, const Pose& pose) {
-    found[k] = contact_manifold(a.body, b.body, pose, margin, feature_angle);
+    thread_local ManifoldMemory memory;
+    contact_manifold(a.body, b.body, pose,
+                     {.margin = margin, .feature_angle = feature_angle, .four_at_most = four_at_most}, memory,
+                     found[k]);
     if (proofs.is_wanted()) {
       const ManifoldCertificate certificate = certify(a.body, b.body, pose, found[k]);
       proofs.set(k, check_certificate(a.body, b.body, pose, found[k], certificate, margin, feature_angle));
@@ -287,6 +291,8 @@ py::tuple manifolds(const PyBody& a, const PyBody& b, const Floats& rows, const 
       put(to->point_a, contact.point_a);
       put(to->point_b, contact.point_b);
       to->distance = contact.signed_distance;
+      to->feature_a = contact.feature_a;
+      to->feature_b = contact.feature_b;
       ++to;
     }
     py::array_t<SeparationRow> separation(1);
@@ -343,7 +349,7 @@ py::dict overlap_certificate(const PyBody& a, const PyBody& b, const Floats& row
 void bind_queries(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(SeparationRow, value, lower, upper, normal, point_a, point_b, verdict, is_rough);
   PYBIND11_NUMPY_DTYPE(ContactRow, time, lower, upper, normal, point_a, point_b, verdict);
-  PYBIND11_NUMPY_DTYPE(ManifoldRow, point_a, point_b, distance);
+  PYBIND11_NUMPY_DTYPE(ManifoldRow, point_a, point_b, distance, feature_a, feature_b);
 
   const auto a = py::arg("a"), b = py::arg("b"), poses = py::arg("poses"), threads = py::arg("threads"),
              certify = py::arg("certify"), until = py::arg("until");
@@ -372,7 +378,7 @@ void bind_queries(py::module_& module) {
              py::arg("angular_velocities"), py::arg("velocities_a").none(true),
              py::arg("angular_velocities_a").none(true), until, certify, threads);
   module.def("contact_manifold", &manifolds, a, b, poses, translations, py::arg("margin"), py::arg("feature_angle"),
-             certify, threads);
+             py::arg("four_at_most"), certify, threads);
 }
 
 }  // namespace vex::python

@@ -35,7 +35,9 @@ class Manifold(NamedTuple):
     """Where two bodies touch."""
 
     separation: npt.NDArray[Any]  #: one row of `signed_distance`; its normal is the manifold's
-    contacts: npt.NDArray[Any]  #: fields point_a, point_b (3,) and distance, negative where the bodies are in each other
+    #: fields point_a, point_b (3,), distance, negative where the bodies are in each other, feature_a and feature_b:
+    #: numbers of what of A and of B makes the contact, the same from step to step
+    contacts: npt.NDArray[Any]
 
 
 def _answer(values: Any, proof: Any, single: bool) -> Any:
@@ -173,7 +175,7 @@ def time_of_impact(a: BodyLike, b: BodyLike, poses: Poses, velocities: npt.Array
 
 
 def contact_manifold(a: BodyLike, b: BodyLike, poses: Poses, *, margin: float = 0.0, feature_angle: float = 0.01,
-                     certify: bool = False, threads: Optional[int] = None) -> Any:
+                     four_at_most: bool = False, certify: bool = False, threads: Optional[int] = None) -> Any:
     """Where bodies in contact touch: the corners of the polygon in which their faces across the contact meet.
 
     Parameters
@@ -181,15 +183,18 @@ def contact_manifold(a: BodyLike, b: BodyLike, poses: Poses, *, margin: float = 
     margin
         Contacts are given up to this gap.
     feature_angle
-        Radians: what of a polytope is within it of the plane across the normal is the face.
+        Radians: what of a body is within it of the plane across the normal is the face.
+    four_at_most
+        Of more than four contacts those that span the largest area, and the deepest.
 
     Returns
     -------
-    list of `Manifold`, one a pose. Of a body that is no polytope, rounded or not, there is one contact.
+    list of `Manifold`, one a pose. Of a cap, as a cylinder's, the face is a polygon of sixteen corners; of a line on
+    which a body lies, its two ends; of what bends away there is one contact.
     """
     rows, translations, single = as_poses(poses)
     found, proof = _vex.contact_manifold(as_body(a)._core, as_body(b)._core, rows, translations, float(margin),
-                                         float(feature_angle), bool(certify), threads_of(threads))
+                                         float(feature_angle), bool(four_at_most), bool(certify), threads_of(threads))
     return _answer([Manifold(separation[0], contacts) for separation, contacts in found], proof, single)
 
 

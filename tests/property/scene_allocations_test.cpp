@@ -1,14 +1,21 @@
-// Queries of all pairs keep their memory: once a scene has answered, the same query of one thread allocates nothing.
+// Queries of all pairs keep their memory: once a scene has answered, the same query of one thread allocates nothing. So
+// do manifolds of two bodies in a caller's memory.
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <new>
+#include <numbers>
 #include <random>
 
+#include "engine/query/contact_manifold.h"
 #include "engine/scene/scene.h"
+#include "engine/support/combinators.h"
 #include "shapes/box.h"
+#include "shapes/cylinder.h"
+#include "shapes/ellipsoid.h"
+#include "shapes/polytope.h"
 #include "tests/referees/random_poses.h"
 
 namespace {
@@ -61,12 +68,15 @@ TEST(SceneAllocations, QueriesOfAllPairsAllocateNothingInSteadyState) {
       for (const Pose& pose : poses) scene.add(cube, pose);
       ScenePairs found;
       SceneDistances distances;
+      SceneManifolds manifolds;
       Clusters clusters;
       EXPECT_EQ(allocations_of([&] { scene.overlapping_pairs(found); }), 0u);
       ASSERT_GT(found.pairs.size(), kBodies / 2);
       EXPECT_EQ(allocations_of([&] { scene.move_all(poses), scene.overlapping_pairs(found); }), 0u);
       EXPECT_EQ(allocations_of([&] { scene.pairs_within(0.1, found); }), 0u);
       EXPECT_EQ(allocations_of([&] { scene.distances_within(0.1, distances); }), 0u);
+      EXPECT_EQ(allocations_of([&] { scene.contact_manifolds(manifolds, {.margin = 0.1, .four_at_most = true}); }), 0u);
+      ASSERT_EQ(manifolds.entries.size(), distances.entries.size());
       EXPECT_EQ(allocations_of([&] { scene.any_overlap(); }), 0u);
       EXPECT_EQ(allocations_of([&] { scene.clusters(clusters); }), 0u);
       EXPECT_EQ(allocations_of([&] { scene.overlaps_of(7, found); }), 0u);
@@ -89,6 +99,45 @@ TEST(SceneAllocations, QueriesOfAllPairsAllocateNothingInSteadyState) {
       EXPECT_EQ(allocations_of([&] { scene.move_all(poses), scene.overlapping_pairs(found); }), 0u);
     }
   }
+}
+
+// Of cylinders, too; of prisms of many sides, which are clipped in boxes, and of shallow faces. Pairs of all sizes take
+// turns in one memory.
+TEST(ManifoldAllocations, InACallersMemoryThereAreNoneInSteadyState) {
+  std::vector<Vec3d> prism, dome;
+  for (int k = 0; k < 300; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / 300.0, off = std::sqrt((k + 0.5) / 300.0);
+    for (const double side : {-0.5, 0.5}) {
+      prism.push_back({std::cos(angle), std::sin(angle), side});
+      dome.push_back({off * std::cos(2.4 * k), off * std::sin(2.4 * k), side * (1.0 - 0.002 * off * off)});
+    }
+  }
+  const ConvexBody bodies[] = {Box(1.0, 1.0, 1.0),          Cylinder(1.0, 0.5),
+                               Ellipsoid(1.0, 1.0, 0.5),    Inflated(Cylinder(0.8, 0.4), 0.1),
+                               Inflated(Box(1, 1, 1), 0.0), Polytope(prism, {}, 0.4),
+                               Polytope(dome, {}, 0.4)};
+  ManifoldMemory memory;
+  ContactManifold found;
+  std::size_t n_contacts = 0;
+  const auto ask_all = [&] {
+    n_contacts = 0;
+    for (const ConvexBody& a : bodies) {
+      for (const ConvexBody& b : bodies) {
+        for (const bool four_at_most : {false, true}) {
+          for (const double tilt : {0.0, 0.003, 0.3}) {
+            Transformd pose;
+            pose.row_y = {0.0, std::cos(tilt), -std::sin(tilt)};
+            pose.row_z = {0.0, std::sin(tilt), std::cos(tilt)};
+            pose.translation = {0.1, 0.05, 0.99};
+            contact_manifold(a, b, pose, {.margin = 0.05, .four_at_most = four_at_most}, memory, found);
+            n_contacts += found.contacts.size();
+          }
+        }
+      }
+    }
+  };
+  EXPECT_EQ(allocations_of(ask_all), 0u);
+  EXPECT_GT(n_contacts, 2000u);
 }
 
 }  // namespace

@@ -1,128 +1,82 @@
-// What of a polytope is across a contact: its face there, seen along the normal.
+// A body's face across a contact, seen along the normal.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
-#include "engine/numeric/directions.h"
+#include "engine/query/feature_id.h"
+#include "engine/query/search/contact_feature.h"
 #include "engine/query/search/contact_patches.h"
 #include "engine/query/search/planar_polygon.h"
 
 namespace vex {
 
-// How well a face's corners are known. `of_points`: how far they may be off a line or a plane that they are meant to be
-// in, for the roundings of what is computed of them and for those of their coordinates in the bodies' frames. What is
-// no farther apart than `of_edges` is no edge, but one corner.
-struct ContactResolution {
-  double of_points, of_edges;
-
-  ContactResolution(double computed, double given)
-      : of_points(std::fmax(computed, given)), of_edges(std::fmax(0x1p20 * computed, 4.0 * given)) {}
-};
-
-// A right-handed frame with the normal as its third axis: a place is where a point is across the normal.
-struct ContactFrame {
-  Vec3d across_x, across_y, normal;
-
-  explicit ContactFrame(const Vec3d& unit_normal) : normal(unit_normal) {
-    const Vec3d side = cross(least_axis(normal), normal);
-    across_x = (1.0 / norm(side)) * side;
-    across_y = cross(normal, across_x);
-  }
-  Vec3d point(const PlanarPoint& place, double height) const {
-    return (place.x * across_x + place.y * across_y) + height * normal;
-  }
-};
-
-// What of a polytope is within the feature angle of the plane across a direction: a face, an edge or a vertex. From the
-// farthest vertex to the edge there that leans least, and about that to the one of its two faces that does.
-class ContactFeature {
- public:
-  ContactFeature(const std::vector<Vec3d>& vertices, const Vec3d& normal, double feature_angle, double least_extent) {
-    const auto height = [&](const Vec3d& v) { return dot(normal, v); };
-    top_ = *std::ranges::max_element(vertices, {}, height);
-    double best = -HUGE_VAL;
-    for (const Vec3d& v : vertices) {
-      const Vec3d along = v - top_;
-      const double drop = dot(normal, along), extent = norm(along - drop * normal);
-      if (extent > least_extent && drop / extent > best) {
-        best = drop / extent;
-        along_ = (1.0 / norm(along)) * along;
-      }
-    }
-    if (!(best >= -std::tan(feature_angle) - 0x1p-20)) return;
-    kind_ = Kind::edge;
-    const Vec3d upright = normal - dot(normal, along_) * along_;
-    const Vec3d up = (1.0 / norm(upright)) * upright, side = cross(up, along_);
-    double leaning = 2.0 * std::sin(0.5 * feature_angle) + 0x1p-20;
-    for (const double sign : {-1.0, 1.0}) {
-      double slope = -HUGE_VAL;
-      for (const Vec3d& v : vertices) {
-        const double beside = sign * dot(side, v - top_);
-        if (beside > least_extent) slope = std::fmax(slope, dot(up, v - top_) / beside);
-      }
-      if (slope == -HUGE_VAL) continue;
-      const Vec3d across = up - (sign * slope) * side;
-      const Vec3d face_normal = (1.0 / norm(across)) * across;
-      if (norm(face_normal - normal) > leaning) continue;
-      leaning = norm(face_normal - normal);
-      kind_ = Kind::face;
-      normal_ = face_normal;
-    }
-  }
-
-  bool is_face() const { return kind_ == Kind::face; }
-  /// Of a vertex: from the face's plane, the edge's line, or the farthest vertex.
-  double distance_of(const Vec3d& v) const {
-    const Vec3d from_top = v - top_;
-    if (kind_ == Kind::face) return std::fabs(dot(normal_, from_top));
-    if (kind_ == Kind::edge) return norm(from_top - dot(along_, from_top) * along_);
-    return norm(from_top);
-  }
-
- private:
-  enum class Kind { vertex, edge, face } kind_ = Kind::vertex;
-  Vec3d top_, along_, normal_;
-};
-
-// The vertices of a core that are near its plane across the normal, seen along this; heights along an outward one.
+// What of a body is across a contact, seen along the normal: corners with heights along an outward normal, and the
+// outline about them. It keeps its memory from one contact to the next.
 class ContactFace {
  public:
-  ContactFace(const std::vector<Vec3d>& vertices, const ContactFrame& frame, double outward, double feature_angle,
-              const ContactResolution& resolution)
-      : resolution_(resolution.of_points) {
-    std::vector<PlanarPoint> places;
-    const auto add = [&](const Vec3d& v) {
-      corners_.push_back({{dot(frame.across_x, v), dot(frame.across_y, v)}, outward * dot(frame.normal, v)});
-      places.push_back(corners_.back().at);
-    };
+  /// Of the vertices of a core, those near its plane across the normal. Any vector of vertices but an empty one.
+  void take_vertices(const std::vector<Vec3d>& vertices, const ContactFrame& frame, double outward,
+                     double feature_angle, const ContactResolution& resolution, PlanarMemory& memory) {
+    clear(resolution);
     const ContactFeature feature(vertices, outward * frame.normal, feature_angle, resolution.of_edges);
-    for (const Vec3d& v : vertices) {
-      if (!(feature.distance_of(v) > resolution_)) add(v);  // nor where that is no number: there always is a corner
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      // Nor where that is no number: there always is a corner.
+      if (!(feature.distance_of(vertices[k]) > resolution_)) add(vertices[k], k, frame, outward);
     }
-    outline_ = planar_hull(places, resolution_);
+    planar_hull(places_, resolution_, memory, outline_);
     if (!feature.is_face() || outline_.size() < 3) {
       find_outline_corners();
       return;
     }
     // The faces beside it that are within the angle of it.
-    const std::vector<PlanarPoint> of_feature = outline_;
+    of_feature_ = outline_;
     const double slope = std::sin(feature_angle);
-    for (const Vec3d& v : vertices) {
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      const Vec3d& v = vertices[k];
       const double below = feature.distance_of(v);
       const PlanarPoint place{dot(frame.across_x, v), dot(frame.across_y, v)};
       // From a corner it is no nearer than from the polygon, and found at once.
-      const PlanarPoint from_corner = place - of_feature.front();
+      const PlanarPoint from_corner = place - of_feature_.front();
       if (!(below > resolution_ && below <= slope * std::hypot(from_corner.x, from_corner.y))) continue;
-      if (below <= slope * distance_to(of_feature, place)) add(v);
+      if (below <= slope * distance_to(of_feature_, place)) add(v, k, frame, outward);
     }
-    outline_ = planar_hull(places, resolution_);
+    planar_hull(places_, resolution_, memory, outline_);
+    find_outline_corners();
+  }
+
+  /// Of points that are known to be the face's corners, or in it; one or more.
+  void take_corners(const std::vector<NumberedPoint>& corners, const ContactFrame& frame, double outward,
+                    const ContactResolution& resolution, PlanarMemory& memory) {
+    clear(resolution);
+    for (const NumberedPoint& corner : corners) add(corner.at, corner.number, frame, outward);
+    planar_hull(places_, resolution_, memory, outline_);
     find_outline_corners();
   }
 
   const std::vector<PlanarPoint>& outline() const { return outline_; }
+
+  // The feature of the body that is at a place of the outline, or within `near` of the length of the side there: a
+  // vertex, an edge, or the face.
+  FeatureId feature_at(const PlanarPoint& place, double near) const {
+    const std::size_t n = outline_.size();
+    if (n == 1) return feature_of_vertex(outline_corners_[0].number);
+    const std::size_t side = n == 2 ? 0 : side_beyond(middle_, place);
+    const ContactCorner &from = outline_corners_[side], &to = outline_corners_[(side + 1) % n];
+    const PlanarPoint along = to.at - from.at;
+    const double length = std::sqrt(dot(along, along)), most = std::fmax(near * length, 4.0 * resolution_);
+    const auto distance_from = [&](const ContactCorner& corner) {
+      const PlanarPoint off = place - corner.at;
+      return std::sqrt(dot(off, off));
+    };
+    const double off_from = distance_from(from), off_to = distance_from(to);
+    if (std::fmin(off_from, off_to) <= most) return feature_of_vertex((off_from <= off_to ? from : to).number);
+    if (n == 2 || turn(along, place - from.at) <= most * length) return feature_of_edge(from.number, to.number);
+    return feature_of_face(least_number_);
+  }
 
   // The greatest height of the corners' hull at a place of the outline, or beside it by rounding.
   double height_at(const PlanarPoint& place) {
@@ -164,6 +118,22 @@ class ContactFace {
 
  private:
   using Corner = ContactCorner;
+
+  void clear(const ContactResolution& resolution) {
+    resolution_ = resolution.of_points;
+    corners_.clear();
+    outline_corners_.clear();
+    places_.clear();
+    has_last_ = false;
+    is_flat_ = false;
+  }
+  void add(const Vec3d& v, std::size_t number, const ContactFrame& frame, double outward) {
+    corners_.push_back({{dot(frame.across_x, v), dot(frame.across_y, v)},
+                        outward * dot(frame.normal, v),
+                        static_cast<std::uint32_t>(number)});
+    places_.push_back(corners_.back().at);
+  }
+
   struct Triangle {
     std::array<Corner, 3> corners{};
     double inside = -HUGE_VAL;
@@ -199,7 +169,8 @@ class ContactFace {
   // Each place of the outline is a corner's; of corners one above the other, as a prism's seen along its edge, the
   // highest counts.
   void find_outline_corners() {
-    std::vector<Corner> sorted = corners_;
+    std::vector<Corner>& sorted = sorted_;
+    sorted = corners_;
     const auto at_x = [](const Corner& corner) { return corner.at.x; };
     std::ranges::sort(sorted, {}, at_x);
     for (const PlanarPoint& place : outline_) {
@@ -226,7 +197,14 @@ class ContactFace {
     is_flat_ = most > 0.0 && std::ranges::all_of(corners_, [&](const Corner& corner) {
                  return std::fabs(corner.height - largest.plane_at(corner.at)) <= resolution_;
                });
-    if (!is_flat_) patches_ = ContactPatches(corners_);
+    if (!is_flat_) patches_.take(corners_);
+    PlanarPoint sum;
+    least_number_ = outline_corners_.front().number;
+    for (const Corner& corner : outline_corners_) {
+      sum = sum + corner.at;
+      least_number_ = std::min(least_number_, corner.number);
+    }
+    middle_ = (1.0 / static_cast<double>(outline_corners_.size())) * sum;
   }
   Triangle of_fan(std::size_t k) const {
     return {{outline_corners_[0], outline_corners_[k], outline_corners_[k + 1]}, 0.0};
@@ -258,7 +236,11 @@ class ContactFace {
     const PlanarPoint first = outline_[0] - from, dir = through - from;
     const bool is_beyond_half = turn(first, dir) < 0.0;
     const auto is_before = [&](const PlanarPoint& corner) {
-      const bool is_in_half = turn(first, corner - from) >= 0.0, is_right = turn(corner - from, dir) >= 0.0;
+      const PlanarPoint off = corner - from;
+      const bool is_in_half = turn(first, off) >= 0.0;
+      // Of one that is about opposite, rounding leaves open on which side it is; but it is about `first`, or opposite
+      // that.
+      const bool is_right = dot(off, dir) < 0.0 ? (dot(first, off) > 0.0) != is_beyond_half : turn(off, dir) >= 0.0;
       return is_beyond_half ? is_in_half || is_right : is_in_half && is_right;
     };
     std::size_t side = 0, end = outline_.size();
@@ -288,9 +270,11 @@ class ContactFace {
     return best;
   }
 
-  std::vector<Corner> corners_, outline_corners_;
+  std::vector<Corner> corners_, outline_corners_, sorted_;
   bool is_flat_ = false;
-  std::vector<PlanarPoint> outline_;
+  std::vector<PlanarPoint> outline_, places_, of_feature_;
+  PlanarPoint middle_;
+  std::uint32_t least_number_ = 0;
   double resolution_ = 0.0;
   ContactPatches patches_;
   Triangle last_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace vex {
 namespace {
@@ -11,7 +10,9 @@ constexpr std::size_t kOfPatch = 12;
 
 }  // namespace
 
-ContactPatches::ContactPatches(std::vector<ContactCorner> corners) : corners_(std::move(corners)) {
+void ContactPatches::take(const std::vector<ContactCorner>& corners) {
+  corners_ = corners;
+  patches_.clear();
   // Strips along y, about as wide as their patches are long.
   const std::size_t n = corners_.size(), n_patches = (n + kOfPatch - 1) / kOfPatch;
   const std::size_t n_strips = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(n_patches))));

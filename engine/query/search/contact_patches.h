@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "engine/query/search/planar_polygon.h"
@@ -13,6 +14,7 @@ namespace vex {
 struct ContactCorner {
   PlanarPoint at;
   double height;
+  std::uint32_t number = 0;  // of its body's vertex
 };
 
 /// Of a height `slope` per length, through a corner.
@@ -28,8 +30,8 @@ struct ContactPlane {
 
 class ContactPatches {
  public:
-  ContactPatches() = default;
-  explicit ContactPatches(std::vector<ContactCorner> corners);
+  /// Of these corners from now on; memory is kept.
+  void take(const std::vector<ContactCorner>& corners);
 
   /// None where none is above it by more than `least`, a length.
   const ContactCorner* farthest_above(const ContactPlane& plane, double least);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vex {
 namespace {
@@ -30,9 +31,35 @@ void add_chain(const std::vector<PlanarPoint>& sorted, double resolution, std::v
   }
 }
 
+// As std::stable_sort, but in memory that is there; and as there any answers of `is_before` will do, as of rounded
+// differences that do not agree with each other.
+template <class IsBefore>
+void sort_in(std::vector<PlanarPoint>& points, std::vector<PlanarPoint>& merged, const IsBefore& is_before) {
+  constexpr std::size_t kInserted = 8;
+  const std::size_t n = points.size();
+  for (std::size_t from = 0; from < n; from += kInserted) {
+    for (std::size_t k = from + 1; k < std::min(from + kInserted, n); ++k) {
+      const PlanarPoint point = points[k];
+      std::size_t at = k;
+      for (; at > from && is_before(point, points[at - 1]); --at) points[at] = points[at - 1];
+      points[at] = point;
+    }
+  }
+  merged.resize(n);
+  for (std::size_t run = kInserted; run < n; run *= 2) {
+    for (std::size_t from = 0; from < n; from += 2 * run) {
+      const auto at = [&](std::size_t k) { return points.begin() + static_cast<std::ptrdiff_t>(std::min(k, n)); };
+      std::merge(at(from), at(from + run), at(from + run), at(from + 2 * run),
+                 merged.begin() + static_cast<std::ptrdiff_t>(from), is_before);
+    }
+    points.swap(merged);
+  }
+}
+
 }  // namespace
 
-std::vector<PlanarPoint> planar_hull(std::vector<PlanarPoint> points, double resolution) {
+void planar_hull(const std::vector<PlanarPoint>& points, double resolution, PlanarMemory& memory,
+                 std::vector<PlanarPoint>& hull) {
   // Along the longest extent, so that the ends of the chains are far from each other.
   PlanarPoint from = points.front(), to = points.front();
   for (int round = 0; round < 2; ++round) {
@@ -41,45 +68,34 @@ std::vector<PlanarPoint> planar_hull(std::vector<PlanarPoint> points, double res
     }
     std::swap(from, to);
   }
+  hull.clear();
   const double extent = length(to - from);
-  if (!(extent > resolution)) return {from};
+  if (!(extent > resolution)) {
+    hull.push_back(from);
+    return;
+  }
   const PlanarPoint along = (1.0 / extent) * (to - from);
-  // By rounded differences, which need not agree with each other: a sort that takes any answers.
-  std::ranges::stable_sort(points, [&](const PlanarPoint& a, const PlanarPoint& b) {
+  memory.sorted = points;
+  sort_in(memory.sorted, memory.merged, [&](const PlanarPoint& a, const PlanarPoint& b) {
     const double by = dot(along, a - b);
     return by != 0.0 ? by < 0.0 : turn(along, a - b) < 0.0;
   });
-  std::vector<PlanarPoint> hull;
-  add_chain(points, resolution, hull);
+  add_chain(memory.sorted, resolution, hull);
   hull.pop_back();
-  std::ranges::reverse(points);
-  add_chain(points, resolution, hull);
+  std::ranges::reverse(memory.sorted);
+  add_chain(memory.sorted, resolution, hull);
   hull.pop_back();
-  if (hull.size() < 2) return {from, to};
-  return hull;
+  if (hull.size() >= 2) return;
+  hull.clear();
+  hull.push_back(from);
+  hull.push_back(to);
 }
 
 namespace {
 
-// One side of a polygon that clips: how far a place is to the left of it.
-struct ClippingSide {
-  PlanarPoint from, along;
-  double long_as, resolution;
-
-  double left(const PlanarPoint& at) const { return turn(along, at - from) / long_as; }
-  bool is_left(double at) const { return at >= -resolution; }
-  // Where the way from one place to the next one passes the line, if it does so beyond doubt.
-  template <class Take>
-  void cross(const PlanarPoint& place, double at, const PlanarPoint& next, double at_next, const Take& take) const {
-    if (is_left(at) != is_left(at_next) && std::fabs(at) > resolution && std::fabs(at_next) > resolution) {
-      take(place + (at / (at - at_next)) * (next - place));
-    }
-  }
-};
-
-void clip_all(std::vector<PlanarPoint>& part, const ClippingSide& side) {
+void clip_all(std::vector<PlanarPoint>& part, const ClippingSide& side, std::vector<PlanarPoint>& kept) {
   if (std::ranges::all_of(part, [&](const PlanarPoint& at) { return side.is_left(side.left(at)); })) return;
-  std::vector<PlanarPoint> kept;
+  kept.clear();
   const auto keep = [&kept](const PlanarPoint& place) { kept.push_back(place); };
   // A segment has one side, a point none.
   const std::size_t n_sides = part.size() > 2 ? part.size() : part.size() - 1;
@@ -90,98 +106,93 @@ void clip_all(std::vector<PlanarPoint>& part, const ClippingSide& side) {
     const PlanarPoint& next = part[(k + 1) % part.size()];
     side.cross(part[k], at, next, side.left(next), keep);
   }
-  part = std::move(kept);
+  part.swap(kept);
 }
-
-// A polygon of many corners, some after the other in a box: sides of which a box is to the left are not asked for its
-// corners, so that a polygon clips another in a time that grows with little more than the number of their corners.
-class BoxedPolygon {
- public:
-  static constexpr std::size_t kMany = 64;
-
-  explicit BoxedPolygon(const std::vector<PlanarPoint>& corners) : size_(corners.size()) {
-    for (std::size_t k = 0; k < corners.size(); k += kOfBox) {
-      const std::size_t end = std::min(k + kOfBox, corners.size());
-      boxes_.push_back(
-          Box({corners.begin() + static_cast<std::ptrdiff_t>(k), corners.begin() + static_cast<std::ptrdiff_t>(end)}));
-    }
-  }
-
-  std::size_t size() const { return size_; }
-  std::vector<PlanarPoint> corners() const {
-    std::vector<PlanarPoint> all;
-    for (const Box& box : boxes_) all.insert(all.end(), box.corners.begin(), box.corners.end());
-    return all;
-  }
-
-  void clip(const ClippingSide& side) {
-    const std::size_t n = boxes_.size();
-    const PlanarPoint first = boxes_.front().corners.front();
-    bool is_any_empty = false;
-    for (std::size_t k = 0; k < n; ++k) {
-      Box& box = boxes_[k];
-      const PlanarPoint last_next = k + 1 < n ? boxes_[k + 1].corners.front() : first;
-      if (box.is_left_of(side) && side.is_left(side.left(last_next))) continue;
-      std::vector<PlanarPoint> kept;
-      const auto keep = [&kept](const PlanarPoint& place) { kept.push_back(place); };
-      for (std::size_t i = 0; i < box.corners.size(); ++i) {
-        const double at = side.left(box.corners[i]);
-        if (side.is_left(at)) keep(box.corners[i]);
-        const PlanarPoint& next = i + 1 < box.corners.size() ? box.corners[i + 1] : last_next;
-        side.cross(box.corners[i], at, next, side.left(next), keep);
-      }
-      size_ = size_ - box.corners.size() + kept.size();
-      is_any_empty = is_any_empty || kept.empty();
-      box = Box(std::move(kept));
-    }
-    if (is_any_empty) std::erase_if(boxes_, [](const Box& box) { return box.corners.empty(); });
-  }
-
- private:
-  static constexpr std::size_t kOfBox = 24;
-
-  struct Box {
-    std::vector<PlanarPoint> corners;
-    PlanarPoint least{HUGE_VAL, HUGE_VAL}, most{-HUGE_VAL, -HUGE_VAL};
-
-    explicit Box(std::vector<PlanarPoint> of) : corners(std::move(of)) {
-      for (const PlanarPoint& p : corners) {
-        least = {std::min(least.x, p.x), std::min(least.y, p.y)};
-        most = {std::max(most.x, p.x), std::max(most.y, p.y)};
-      }
-    }
-    // All of it, whatever is rounded; where that is not clear its corners are asked.
-    bool is_left_of(const ClippingSide& side) const {
-      const PlanarPoint& along = side.along;
-      const PlanarPoint rightmost{along.y > 0.0 ? most.x : least.x, along.x > 0.0 ? least.y : most.y};
-      const PlanarPoint off = rightmost - side.from;
-      const double rounding = 0x1p-48 * (std::fabs(along.x * off.y) + std::fabs(along.y * off.x));
-      return turn(along, off) - rounding >= -side.resolution * side.long_as;
-    }
-  };
-
-  std::vector<Box> boxes_;
-  std::size_t size_;
-};
 
 }  // namespace
 
-std::vector<PlanarPoint> clipped(const std::vector<PlanarPoint>& subject, const std::vector<PlanarPoint>& clip,
-                                 double resolution) {
-  std::vector<ClippingSide> sides;
+void BoxedPolygon::take(const std::vector<PlanarPoint>& corners) {
+  size_ = corners.size();
+  n_boxes_ = (size_ + kOfBox - 1) / kOfBox;
+  if (boxes_.size() < n_boxes_) boxes_.resize(n_boxes_);
+  for (std::size_t k = 0; k < n_boxes_; ++k) {
+    const auto at = [&](std::size_t i) { return corners.begin() + static_cast<std::ptrdiff_t>(i); };
+    boxes_[k].corners.assign(at(k * kOfBox), at(std::min((k + 1) * kOfBox, size_)));
+    boxes_[k].bound();
+  }
+}
+
+void BoxedPolygon::corners(std::vector<PlanarPoint>& all) const {
+  all.clear();
+  for (std::size_t k = 0; k < n_boxes_; ++k) {
+    all.insert(all.end(), boxes_[k].corners.begin(), boxes_[k].corners.end());
+  }
+}
+
+void BoxedPolygon::clip(const ClippingSide& side) {
+  const std::size_t n = n_boxes_;
+  const PlanarPoint first = boxes_.front().corners.front();
+  bool is_any_empty = false;
+  for (std::size_t k = 0; k < n; ++k) {
+    Box& box = boxes_[k];
+    const PlanarPoint last_next = k + 1 < n ? boxes_[k + 1].corners.front() : first;
+    if (box.is_left_of(side) && side.is_left(side.left(last_next))) continue;
+    kept_.clear();
+    const auto keep = [this](const PlanarPoint& place) { kept_.push_back(place); };
+    for (std::size_t i = 0; i < box.corners.size(); ++i) {
+      const double at = side.left(box.corners[i]);
+      if (side.is_left(at)) keep(box.corners[i]);
+      const PlanarPoint& next = i + 1 < box.corners.size() ? box.corners[i + 1] : last_next;
+      side.cross(box.corners[i], at, next, side.left(next), keep);
+    }
+    size_ = size_ - box.corners.size() + kept_.size();
+    is_any_empty = is_any_empty || kept_.empty();
+    box.corners.swap(kept_);
+    box.bound();
+  }
+  if (!is_any_empty) return;
+  // Empty ones go behind the others, with their memory.
+  n_boxes_ = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (boxes_[k].corners.empty()) continue;
+    if (k != n_boxes_) std::swap(boxes_[k], boxes_[n_boxes_]);
+    ++n_boxes_;
+  }
+}
+
+void BoxedPolygon::Box::bound() {
+  least = {HUGE_VAL, HUGE_VAL};
+  most = {-HUGE_VAL, -HUGE_VAL};
+  for (const PlanarPoint& p : corners) {
+    least = {std::min(least.x, p.x), std::min(least.y, p.y)};
+    most = {std::max(most.x, p.x), std::max(most.y, p.y)};
+  }
+}
+
+// All of it, whatever is rounded; where that is not clear its corners are asked.
+bool BoxedPolygon::Box::is_left_of(const ClippingSide& side) const {
+  const PlanarPoint& along = side.along;
+  const PlanarPoint rightmost{along.y > 0.0 ? most.x : least.x, along.x > 0.0 ? least.y : most.y};
+  const PlanarPoint off = rightmost - side.from;
+  const double rounding = 0x1p-48 * (std::fabs(along.x * off.y) + std::fabs(along.y * off.x));
+  return turn(along, off) - rounding >= -side.resolution * side.long_as;
+}
+
+void clipped(const std::vector<PlanarPoint>& subject, const std::vector<PlanarPoint>& clip, double resolution,
+             PlanarMemory& memory, std::vector<PlanarPoint>& part) {
+  memory.sides.clear();
   for (std::size_t k = 0; k < clip.size(); ++k) {
     const PlanarPoint along = clip[(k + 1) % clip.size()] - clip[k];
-    sides.push_back({clip[k], along, length(along), resolution});
+    memory.sides.push_back({clip[k], along, length(along), resolution});
   }
-  std::vector<PlanarPoint> part = subject;
-  auto side = sides.begin();
+  part = subject;
+  auto side = memory.sides.begin();
   if (part.size() >= BoxedPolygon::kMany) {
-    BoxedPolygon boxed(part);
-    for (; side != sides.end() && boxed.size() >= BoxedPolygon::kMany; ++side) boxed.clip(*side);
-    part = boxed.corners();
+    memory.boxed.take(part);
+    for (; side != memory.sides.end() && memory.boxed.size() >= BoxedPolygon::kMany; ++side) memory.boxed.clip(*side);
+    memory.boxed.corners(part);
   }
-  for (; side != sides.end() && !part.empty(); ++side) clip_all(part, *side);
-  return part;
+  for (; side != memory.sides.end() && !part.empty(); ++side) clip_all(part, *side, memory.merged);
 }
 
 double distance_to(const std::vector<PlanarPoint>& polygon, const PlanarPoint& point) {

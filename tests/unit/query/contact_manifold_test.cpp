@@ -183,6 +183,27 @@ TEST(ContactManifold, OfTiltedFacesIsAPolygonWithinTheFeatureAngleAndAnEdgeWitho
             2u);
 }
 
+// About any axis in the plane; and they are the same four as of the box that is not tilted.
+TEST(ContactManifold, OfABoxTiltedByAHundredthKeepsItsFourContactsWithinAMargin) {
+  const auto names_of = [](const ContactManifold& manifold) {
+    std::vector<std::pair<FeatureId, FeatureId>> names;
+    for (const auto& c : manifold.contacts) names.emplace_back(c.feature_a, c.feature_b);
+    std::ranges::sort(names);
+    return names;
+  };
+  const auto upright = names_of(contact_manifold(slab(), cube(), turned_about_z(0.0, {0.1, 0.2, 1.0})));
+  ASSERT_EQ(upright.size(), 4u);
+  for (int k = 0; k < 32; ++k) {
+    const Transformd yaw = turned_about_z(0.2 * k, {});
+    Transformd pose = product(yaw, product(turned_about_x(0.01, {}), inverse(yaw)));
+    const Vec3d lowest = pose(cube().support(-pose.direction_to_b({0.0, 0.0, 1.0})));
+    pose.translation = {0.1, 0.2, 0.5 - lowest.z - 1e-3};
+    const ContactManifold manifold = contact_manifold(slab(), cube(), pose, 0.02);
+    expect_is_sound(manifold, 1e-13);
+    EXPECT_EQ(names_of(manifold), upright) << k;
+  }
+}
+
 TEST(ContactManifold, OfAFaceTiltedBothWaysIsTheFaceOrAnEdgeOrACorner) {
   const Transformd about_y{{0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {}};  // a quarter turn about z
   const auto contacts = [&](double tilt_x, double tilt_y) {
@@ -250,10 +271,10 @@ TEST(ContactManifold, OfRoundedPolytopesIsThatOfTheirCoresLessTheRadii) {
   EXPECT_EQ(line.contacts.size(), 2u);
 }
 
-TEST(ContactManifold, OfCurvedBodiesIsTheSeparationsPoint) {
-  for (const char* name : {"sphere:1", "ellipsoid:1,2,1", "cylinder:1,0.5"}) {
-    const ContactManifold manifold =
-        contact_manifold(slab(), parse_shape(name).body, turned_about_z(0.0, {0.1, 0.2, 0.97}));
+TEST(ContactManifold, OfBodiesThatBendAwayIsTheSeparationsPoint) {
+  for (const char* name : {"sphere:1", "ellipsoid:1,2,1", "egg:1,2,1", "cone:2,0.5"}) {
+    const Transformd upside_down{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {0.1, 0.2, 1.47}};
+    const ContactManifold manifold = contact_manifold(slab(), parse_shape(name).body, upside_down);
     ASSERT_EQ(manifold.contacts.size(), 1u);
     EXPECT_NEAR(manifold.contacts[0].signed_distance, manifold.separation.signed_distance, 1e-14);
     EXPECT_NEAR(manifold.contacts[0].point_a.z, 0.5, 1e-12);
@@ -374,12 +395,17 @@ TEST(ContactManifold, HasNoTwoCornersInOnePlace) {
   }
 }
 
+std::vector<PlanarPoint> hull_of(const std::vector<PlanarPoint>& points) {
+  PlanarMemory memory;
+  std::vector<PlanarPoint> hull;
+  planar_hull(points, 1e-12, memory, hull);
+  return hull;
+}
+
 TEST(PlanarHull, OfPointsOnALineIsItsEndsAndOfOnePlaceAPoint) {
-  EXPECT_EQ(planar_hull({{0.0, 0.0}, {1.0, 1.0}, {0.5, 0.5}, {0.25, 0.25 + 1e-15}}, 1e-12).size(), 2u);
-  EXPECT_EQ(planar_hull({{1.0, 2.0}, {1.0, 2.0}, {1.0 + 1e-15, 2.0}}, 1e-12).size(), 1u);
-  EXPECT_EQ(
-      planar_hull({{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}, {0.5, 0.0}, {1.0, 1.0}, {0.5, 0.5}}, 1e-12).size(),
-      4u);
+  EXPECT_EQ(hull_of({{0.0, 0.0}, {1.0, 1.0}, {0.5, 0.5}, {0.25, 0.25 + 1e-15}}).size(), 2u);
+  EXPECT_EQ(hull_of({{1.0, 2.0}, {1.0, 2.0}, {1.0 + 1e-15, 2.0}}).size(), 1u);
+  EXPECT_EQ(hull_of({{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}, {0.5, 0.0}, {1.0, 1.0}, {0.5, 0.5}}).size(), 4u);
 }
 
 TEST(PlanarHull, HasEveryPointToTheLeftOfItsSides) {
@@ -391,7 +417,7 @@ TEST(PlanarHull, HasEveryPointToTheLeftOfItsSides) {
       // Also on a coarse grid, where many are the same or on a line.
       points.push_back(k % 2 == 0 ? PlanarPoint{p.x, p.y} : PlanarPoint{std::round(3.0 * p.x), std::round(3.0 * p.y)});
     }
-    const std::vector<PlanarPoint> hull = planar_hull(points, 1e-12);
+    const std::vector<PlanarPoint> hull = hull_of(points);
     for (std::size_t i = 0; i < hull.size() && hull.size() > 2; ++i) {
       const PlanarPoint &p = hull[i], &q = hull[(i + 1) % hull.size()];
       for (const PlanarPoint& x : points) EXPECT_GE(turn(q - p, x - p), -1e-11);

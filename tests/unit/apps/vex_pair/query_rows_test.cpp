@@ -54,7 +54,8 @@ Answer apart() {
 Answer deep() {
   Answer answer = with_points(Verdict::overlap(DecidedBy::gjk));
   answer.signed_distance = -0.1;
-  answer.contacts = {{{1, 2, 3}, {4, 5, 6}, -0.1}, {{0.1, 0.2, 0.3}, {0.4, 0.5, 0.6}, -0.05}};
+  answer.contacts = {{{1, 2, 3}, {4, 5, 6}, -0.1, feature_of_vertex(3), feature_of_face(1)},
+                     {{0.1, 0.2, 0.3}, {0.4, 0.5, 0.6}, -0.05, 9, 11}};
   return answer;
 }
 
@@ -140,11 +141,22 @@ TEST(QueryRows, KeysOfWhatMoves) {
 
 TEST(QueryRows, AManifoldListsItsContacts) {
   EXPECT_EQ(json_row(Query::manifold, apart()).at("contacts"), json::array());
-  EXPECT_EQ(json_row(Query::manifold, deep()).at("contacts"),
-            (json{{{"point_a", {1.0, 2.0, 3.0}}, {"point_b", {4.0, 5.0, 6.0}}, {"signed_distance", -0.1}},
-                  {{"point_a", {0.1, 0.2, 0.3}}, {"point_b", {0.4, 0.5, 0.6}}, {"signed_distance", -0.05}}}));
+  EXPECT_EQ(json_row(Query::manifold, deep()).at("contacts"), (json{{{"point_a", {1.0, 2.0, 3.0}},
+                                                                     {"point_b", {4.0, 5.0, 6.0}},
+                                                                     {"distance", -0.1},
+                                                                     {"signed_distance", -0.1},
+                                                                     {"feature_a", 3},
+                                                                     {"feature_b", (std::uint64_t{2} << 50) + 1}},
+                                                                    {{"point_a", {0.1, 0.2, 0.3}},
+                                                                     {"point_b", {0.4, 0.5, 0.6}},
+                                                                     {"distance", -0.05},
+                                                                     {"signed_distance", -0.05},
+                                                                     {"feature_a", 9},
+                                                                     {"feature_b", 11}}}));
   const std::string csv = row(Format::csv, Query::manifold, deep());
-  EXPECT_NE(csv.find(",2,1 2 3 4 5 6 -0.1;0.1 0.2 0.3 0.4 0.5 0.6 -0.05,7\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",2,1 2 3 4 5 6 -0.1 3 2251799813685249;0.1 0.2 0.3 0.4 0.5 0.6 -0.05 9 11,7\n"),
+            std::string::npos)
+      << csv;
   EXPECT_NE(row(Format::csv, Query::manifold, apart()).find(",0,,7\n"), std::string::npos);
 }
 
