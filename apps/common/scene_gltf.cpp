@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "apps/common/glb_file.h"
-#include "apps/common/quaternion_of.h"
 #include "engine/numeric/errors.h"
 #include "engine/numeric/number_text.h"
+#include "engine/numeric/pose_algebra.h"
 #include "meshes/body_mesh.h"
 
 namespace vex {

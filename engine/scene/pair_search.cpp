@@ -32,15 +32,6 @@ bool is_positive(const ImageOffset& image) { return image > ImageOffset{}; }
 
 }  // namespace
 
-Transformd relative_pose(const Transformd& a, const Transformd& b, const Vec3d& shift) {
-  const auto product = [&b](double x, double y, double z) -> Vec3d {
-    return {(x * b.row_x.x + y * b.row_y.x) + z * b.row_z.x, (x * b.row_x.y + y * b.row_y.y) + z * b.row_z.y,
-            (x * b.row_x.z + y * b.row_y.z) + z * b.row_z.z};
-  };
-  return {product(a.row_x.x, a.row_y.x, a.row_z.x), product(a.row_x.y, a.row_y.y, a.row_z.y),
-          product(a.row_x.z, a.row_y.z, a.row_z.z), a.direction_to_b((b.translation - a.translation) + shift)};
-}
-
 PairSearch::Kind::Kind(const PairQuestion& question, ShapeId shape_a, ShapeId shape_b)
     : pair(question.bodies->shapes()[shape_a], question.bodies->shapes()[shape_b], question.margin),
       quick(pair.narrow().a, pair.narrow().b, kRelativeRotationError),

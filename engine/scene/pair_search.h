@@ -5,15 +5,13 @@
 #include <unordered_map>
 #include <vector>
 
+#include "engine/numeric/pose_algebra.h"
 #include "engine/query/margin.h"
 #include "engine/scene/clusters.h"
 #include "engine/scene/scene_bodies.h"
 #include "engine/scene/shift_table.h"
 
 namespace vex {
-
-/// Scene::relative_pose, as the kernels have it: of b's copy, moved by `shift`, in a's frame.
-Transformd relative_pose(const Transformd& a, const Transformd& b, const Vec3d& shift);
 
 /// What the threads of a query share. Places are of the table of poses.
 struct PairQuestion {

@@ -15,10 +15,6 @@ namespace {
 // A ray longer than so many boxes is refused, and a query that would have to look at more copies of the box.
 constexpr double kMostBoxes = 1e6, kMostImagesOfAQuery = 1e7;
 
-Vec3d turned(const Transformd& pose, const Vec3d& v) {
-  return {dot(pose.row_x, v), dot(pose.row_y, v), dot(pose.row_z, v)};
-}
-
 // How many images on each side may hold what is within `reach` of a point of the box.
 std::array<int, 3> images_within(const std::optional<PeriodicBox>& box, double reach) {
   if (!box) return {};
@@ -241,7 +237,7 @@ SceneHit Scene::Impl::cast(const Vec3d& from, const Vec3d& dir, const Vec3d& hal
   // From the body's frame to the scene's.
   const Transformd pose = bodies_.pose(best.body);
   const Vec3d shift = box ? box->shift(best.image) : Vec3d{};
-  best.contact.normal = turned(pose, best.contact.normal);
+  best.contact.normal = direction_to_a(pose, best.contact.normal);
   best.contact.point_a = pose(best.contact.point_a) + shift;
   best.contact.point_b = pose(best.contact.point_b) + shift;
   return best;

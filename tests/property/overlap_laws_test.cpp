@@ -1,10 +1,10 @@
 // Laws of the overlap query that need no referee, for every pair of bodies of the list.
 #include <gtest/gtest.h>
 
+#include "engine/numeric/pose_algebra.h"
 #include "engine/query/overlap.h"
 #include "shapes/any_shape.h"
 #include "tests/referees/bodies.h"
-#include "tests/referees/inverse_pose.h"
 #include "tests/referees/polytopes.h"
 
 namespace vex {

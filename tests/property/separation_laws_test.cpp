@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/numeric/pose_algebra.h"
 #include "engine/query/separation.h"
-#include "tests/referees/inverse_pose.h"
 #include "tests/referees/separation_kinds.h"
 #include "tests/referees/separation_tally.h"
 

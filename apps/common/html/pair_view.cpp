@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "apps/common/numbers.h"
-#include "apps/common/quaternion_of.h"
 #include "engine/numeric/errors.h"
+#include "engine/numeric/pose_algebra.h"
 #include "engine/numeric/quaternion.h"
 #include "engine/sampling/points/sobol.h"
 #include "meshes/difference_mesh.h"

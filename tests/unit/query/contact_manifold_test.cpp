@@ -7,11 +7,11 @@
 #include <numbers>
 #include <random>
 
+#include "engine/numeric/pose_algebra.h"
 #include "engine/query/search/planar_polygon.h"
 #include "shapes/any_shape.h"
 #include "shapes/box.h"
 #include "tests/referees/bodies.h"
-#include "tests/referees/inverse_pose.h"
 #include "tests/referees/random_poses.h"
 
 namespace vex {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <random>
 
+#include "engine/numeric/pose_algebra.h"
 #include "engine/numeric/rounding.h"
 #include "engine/query/overlap.h"
 #include "engine/query/separation.h"
@@ -17,7 +18,6 @@
 #include "shapes/ellipsoid.h"
 #include "shapes/sphere.h"
 #include "tests/referees/bodies.h"
-#include "tests/referees/inverse_pose.h"
 #include "tests/referees/random_poses.h"
 
 namespace vex {
