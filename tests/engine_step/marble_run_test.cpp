@@ -14,7 +14,7 @@ namespace vex {
 namespace {
 
 constexpr double kHalf = 1.0, kWall = 0.01, kRadius = 0.03;
-constexpr int kMarbles = 20, kRods = 6, kSteps = 600;
+constexpr int kMarbles = 20, kRods = 6, kMarbleSteps = 600;
 
 Transformd tilted(double angle, const Vec3d& at) {
   return {{std::cos(angle), 0.0, std::sin(angle)}, {0.0, 1.0, 0.0}, {-std::sin(angle), 0.0, std::cos(angle)}, at};
@@ -66,7 +66,7 @@ Outcomes run_marbles(bool finds_impacts) {
   Outcomes found;
   std::vector<bool> is_out(engine.size(), false);
   ScenePairs pairs;
-  for (int step = 0; step < kSteps; ++step) {
+  for (int step = 0; step < kMarbleSteps; ++step) {
     for (BodyId id = first; id < engine.size(); ++id) {
       found.fastest = std::max(found.fastest, norm(engine.body(id).velocity) / 120.0 / kWall);
     }

@@ -36,10 +36,10 @@ class SmallEngine {
   using Settings = SmallEngineSettings;
   struct Body {
     double inverse_mass = 0.0;
-    Vec3d inverse_inertia;  // about the axes of the body's frame, whose origin is the centre of mass
-    Vec3d position;
+    Vec3d inverse_inertia{};  // about the axes of the body's frame, whose origin is the centre of mass
+    Vec3d position{};
     std::array<double, 4> turn{1.0, 0.0, 0.0, 0.0};  // w, x, y, z: world from body
-    Vec3d velocity, angular_velocity;
+    Vec3d velocity{}, angular_velocity{};
     bool is_fast = false;
   };
   /// What a step saw.
@@ -66,8 +66,8 @@ class SmallEngine {
   struct Constraint {
     BodyId a, b;
     FeatureId feature_a, feature_b;
-    Vec3d normal, arm_a, arm_b;
-    std::array<Vec3d, 2> across;
+    Vec3d normal{}, arm_a{}, arm_b{};
+    std::array<Vec3d, 2> across{};
     double mass = 0.0, target = 0.0;  // along the normal; the velocity there is to be the target at least
     std::array<double, 2> mass_across{};
     double impulse = 0.0;  // so far

@@ -120,6 +120,14 @@ def test_manifolds():
     one = vex.contact_manifold(CUBE, "sphere:0.5", [0, 0, 1.01, 1, 0, 0, 0], margin=0.1)
     assert len(one.contacts) == 1
     assert len(vex.contact_manifold(CUBE, "sphere:0.5", [0, 0, 1.01, 1, 0, 0, 0]).contacts) == 0
+    names = {(int(c["feature_a"]), int(c["feature_b"])) for c in manifold.contacts}
+    assert len(names) == 4 and max(max(name) for name in names) < 2**53
+    [nearby] = vex.contact_manifold(CUBE, CUBE, [[0.101, 0.2, 0.99, 1, 0, 0, 0]])
+    assert {(int(c["feature_a"]), int(c["feature_b"])) for c in nearby.contacts} == names
+    standing = vex.contact_manifold("box:4,4,1", "cylinder:1,0.5", [0, 0, 0.999, 1, 0, 0, 0])
+    assert len(standing.contacts) == 16
+    four = vex.contact_manifold("box:4,4,1", "cylinder:1,0.5", [0, 0, 0.999, 1, 0, 0, 0], four_at_most=True)
+    assert len(four.contacts) == 4 and four.contacts["distance"] == pytest.approx(-0.001, abs=1e-9)
     (_, proof) = vex.contact_manifold(CUBE, CUBE, [[0.1, 0.2, 0.99, 1, 0, 0, 0]], certify=True)
     assert proof.is_proven.all(), proof.faults
 

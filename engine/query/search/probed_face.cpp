@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "engine/numeric/directions.h"
 
@@ -70,10 +71,11 @@ Vec3d area_of(const Ring& points, std::size_t every = 1) {
 }
 
 // Two of them that are about as far from each other as any.
-std::array<Vec3d, 2> far_ends(const Ring& points) {
+std::array<Vec3d, 2> far_ends(const Ring& points, std::size_t every) {
   Vec3d from = points[0], to = points[0];
   for (int round = 0; round < 2; ++round) {
-    for (const Vec3d& p : points) {
+    for (std::size_t k = 0; k < kCornersOfFace; k += every) {
+      const Vec3d& p = points[k];
       if (dot(p - from, p - from) > dot(to - from, to - from)) to = p;
     }
     std::swap(from, to);
@@ -81,16 +83,21 @@ std::array<Vec3d, 2> far_ends(const Ring& points) {
   return {from, to};
 }
 
-// The normal of a face that is there; zero where there is none.
-Vec3d face_normal(const Probe& probe, const Vec3d& unit_dir, const Ring& ring, double length, double slope) {
-  const Vec3d area = area_of(ring);
+enum class ProbedKind : std::uint8_t { face, no_face, point };
+
+// What the points at eight of the sixteen directions are of, and if they are a face's, its normal.
+ProbedKind kind_of(const Probe& probe, const Vec3d& unit_dir, const Ring& ring, double length, double slope,
+                   Vec3d& normal) {
+  const Vec3d area = area_of(ring, 2);
   const double size = norm(area);
-  if (!(size > kLeast * length * length)) return {};
-  const Vec3d normal = (1.0 / size) * area;
-  if (!(norm(cross(normal, unit_dir)) <= slope + kLeast && dot(normal, unit_dir) > 0.0)) return {};
-  // Eight corners of a disc's sixteen have .92 of their area.
-  const Vec3d narrower = area_of(probe.ring(normal, kNarrower * slope, 2), 2);
-  return norm(narrower) >= kAreaStays * size ? normal : Vec3d{};
+  if (!(size > kLeast * length * length)) return ProbedKind::no_face;
+  normal = (1.0 / size) * area;
+  if (!(norm(cross(normal, unit_dir)) <= slope + kLeast && dot(normal, unit_dir) > 0.0)) return ProbedKind::no_face;
+  // What bends away in all directions is known by four of them, and most bodies do.
+  const auto [from, to] = far_ends(probe.ring(normal, kNarrower * slope, 4), 4);
+  if (!(norm(to - from) >= kStays * length)) return ProbedKind::point;
+  return norm(area_of(probe.ring(normal, kNarrower * slope, 2), 2)) >= kAreaStays * size ? ProbedKind::face
+                                                                                         : ProbedKind::no_face;
 }
 
 struct Edge {
@@ -114,12 +121,14 @@ void probe_face(const ConvexBody& body, const Vec3d& unit_dir, const Vec3d& near
   // Below 2^-20 a direction is not known better; and a wider angle than a radian would be no face's.
   const double slope = std::tan(std::clamp(feature_angle, kLeast, 1.0));
   const Probe probe(body, nearest);
-  const Ring ring = probe.ring(unit_dir, slope);
-  const auto [first, second] = far_ends(ring);
+  const Ring ring = probe.ring(unit_dir, slope, 2);
+  const auto [first, second] = far_ends(ring, 2);
   const double length = norm(second - first);
   if (!(length > kLeast)) return;
-  const Vec3d normal = face_normal(probe, unit_dir, ring, length, slope);
-  if (norm_1(normal) > 0.0) {
+  Vec3d normal;
+  const ProbedKind kind = kind_of(probe, unit_dir, ring, length, slope, normal);
+  if (kind == ProbedKind::point) return;
+  if (kind == ProbedKind::face) {
     const Ring rim = probe.ring(normal, slope);
     for (std::uint32_t k = 0; k < kCornersOfFace; ++k) {
       const bool is_known =

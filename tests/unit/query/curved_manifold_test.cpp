@@ -18,22 +18,22 @@
 namespace vex {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 // Of a disc of radius 1 what the polygon of sixteen corners has.
-const double kAreaOfCorners = 8.0 * std::sin(kPi / 8.0);
+const double kAreaOfCorners = 8.0 * std::sin(kHalfTurn / 8.0);
 
 ConvexBody body_of(const char* text) { return parse_shape(text).body; }
-const ConvexBody& slab() {
-  static const ConvexBody kSlab = Box(6.0, 6.0, 1.0);
-  return kSlab;
+const ConvexBody& wide_table() {
+  static const ConvexBody kWideTable = Box(6.0, 6.0, 1.0);
+  return kWideTable;
 }
 
-Transformd turned(double about_x, double about_z, const Vec3d& translation) {
+Transformd turned_by(double about_x, double about_z, const Vec3d& translation) {
   const double c = std::cos(about_x), s = std::sin(about_x), k = std::cos(about_z), l = std::sin(about_z);
   return {{k, -l * c, l * s}, {l, k * c, -k * s}, {0.0, s, c}, translation};
 }
 // At this height above the slab, negative in it, however it is turned.
-Transformd above_slab(const ConvexBody& body, Transformd pose, double gap) {
+Transformd above_table(const ConvexBody& body, Transformd pose, double gap) {
   const Vec3d lowest = pose(body.support(pose.direction_to_b({0.0, 0.0, -1.0})));
   pose.translation.z += 0.5 + gap - lowest.z;
   return pose;
@@ -46,7 +46,7 @@ ContactManifold four_of(const ConvexBody& a, const ConvexBody& b, const Pose& po
   return manifold;
 }
 
-double area_of(const ContactManifold& manifold) {
+double patch_area(const ContactManifold& manifold) {
   Vec3d sum;
   const auto& contacts = manifold.contacts;
   for (std::size_t k = 1; k + 1 < contacts.size(); ++k) {
@@ -123,21 +123,21 @@ TEST(CurvedManifold, OfACylinderOnItsCapIsThePolygonOfSixteenCorners) {
   const ConvexBody can = Cylinder(1.0, 0.5);
   for (const double gap : {-1e-3, 0.0, 1e-3}) {
     for (const double yaw : {0.0, 0.3, 2.0}) {
-      const Transformd pose = above_slab(can, turned(0.0, yaw, {0.3, -0.2, 0.0}), gap);
-      const ContactManifold found = contact_manifold(slab(), can, pose, 0.01);
-      expect_is_sound(slab(), can, pose, found, 0.01, "cap");
+      const Transformd pose = above_table(can, turned_by(0.0, yaw, {0.3, -0.2, 0.0}), gap);
+      const ContactManifold found = contact_manifold(wide_table(), can, pose, 0.01);
+      expect_is_sound(wide_table(), can, pose, found, 0.01, "cap");
       ASSERT_EQ(found.contacts.size(), 16u);
-      EXPECT_NEAR(area_of(found), 0.25 * kAreaOfCorners, 1e-9);
-      EXPECT_GT(area_of(found), 0.974 * kPi * 0.25);
+      EXPECT_NEAR(patch_area(found), 0.25 * kAreaOfCorners, 1e-9);
+      EXPECT_GT(patch_area(found), 0.974 * kHalfTurn * 0.25);
       for (const auto& c : found.contacts) {
         EXPECT_NEAR(c.signed_distance, gap, 1e-9);
         EXPECT_NEAR(std::hypot(c.point_b.x - 0.3, c.point_b.y + 0.2), 0.5, 1e-12) << "on the rim";
         EXPECT_EQ(kind_of(c.feature_b), FeatureKind::vertex);
         EXPECT_EQ(kind_of(c.feature_a), FeatureKind::face);
       }
-      const ContactManifold four = four_of(slab(), can, pose, 0.01);
+      const ContactManifold four = four_of(wide_table(), can, pose, 0.01);
       ASSERT_EQ(four.contacts.size(), 4u);
-      EXPECT_NEAR(area_of(four), 0.5, 1e-9) << "a square in the disc";
+      EXPECT_NEAR(patch_area(four), 0.5, 1e-9) << "a square in the disc";
     }
   }
 }
@@ -145,16 +145,16 @@ TEST(CurvedManifold, OfACylinderOnItsCapIsThePolygonOfSixteenCorners) {
 TEST(CurvedManifold, OfACylinderOnItsSideIsTheLineOnWhichItLies) {
   const ConvexBody can = Cylinder(1.0, 0.5);
   for (const double yaw : {0.0, 0.3, 2.0}) {
-    const Transformd pose = above_slab(can, turned(0.5 * kPi, yaw, {0.3, -0.2, 0.0}), -1e-3);
-    const ContactManifold found = contact_manifold(slab(), can, pose);
-    expect_is_sound(slab(), can, pose, found, 0.0, "side");
+    const Transformd pose = above_table(can, turned_by(0.5 * kHalfTurn, yaw, {0.3, -0.2, 0.0}), -1e-3);
+    const ContactManifold found = contact_manifold(wide_table(), can, pose);
+    expect_is_sound(wide_table(), can, pose, found, 0.0, "side");
     ASSERT_EQ(found.contacts.size(), 2u);
     EXPECT_NEAR(norm(found.contacts[0].point_b - found.contacts[1].point_b), 1.0, 1e-9);
     for (const auto& c : found.contacts) EXPECT_NEAR(c.signed_distance, -1e-3, 1e-9);
   }
   // Half of it over the rim of the slab: the line ends there.
-  const Transformd over = above_slab(can, turned(0.5 * kPi, 0.0, {0.0, 3.0, 0.0}), -1e-3);
-  const ContactManifold half = contact_manifold(slab(), can, over);
+  const Transformd over = above_table(can, turned_by(0.5 * kHalfTurn, 0.0, {0.0, 3.0, 0.0}), -1e-3);
+  const ContactManifold half = contact_manifold(wide_table(), can, over);
   ASSERT_EQ(half.contacts.size(), 2u);
   EXPECT_NEAR(norm(half.contacts[0].point_a - half.contacts[1].point_a), 0.5, 1e-8);
 }
@@ -164,9 +164,9 @@ TEST(CurvedManifold, OfATiltedCylinderHasTheSamePointsOfTheBody) {
   const ConvexBody can = Cylinder(1.0, 0.5);
   std::vector<Vec3d> upright(16);
   for (const double tilt : {0.0, 1e-9, 1e-6, 1e-3, 0.005, 0.0099}) {
-    const Transformd pose = above_slab(can, turned(tilt, 0.7, {0.3, -0.2, 0.0}), -1e-4);
-    const ContactManifold found = contact_manifold(slab(), can, pose, 0.02);
-    expect_is_sound(slab(), can, pose, found, 0.02, "tilted cap");
+    const Transformd pose = above_table(can, turned_by(tilt, 0.7, {0.3, -0.2, 0.0}), -1e-4);
+    const ContactManifold found = contact_manifold(wide_table(), can, pose, 0.02);
+    expect_is_sound(wide_table(), can, pose, found, 0.02, "tilted cap");
     ASSERT_GE(found.contacts.size(), 16u);
     const Transformd back = inverse(pose);
     std::size_t n_corners = 0;
@@ -181,23 +181,23 @@ TEST(CurvedManifold, OfATiltedCylinderHasTheSamePointsOfTheBody) {
     EXPECT_GE(n_corners, 14u);
   }
   // Beyond the feature angle it stands on its rim.
-  const Transformd pose = above_slab(can, turned(0.02, 0.7, {0.3, -0.2, 0.0}), -1e-4);
-  EXPECT_EQ(contact_manifold(slab(), can, pose, 0.05).contacts.size(), 1u);
+  const Transformd pose = above_table(can, turned_by(0.02, 0.7, {0.3, -0.2, 0.0}), -1e-4);
+  EXPECT_EQ(contact_manifold(wide_table(), can, pose, 0.05).contacts.size(), 1u);
 }
 
 TEST(CurvedManifold, OfTwoCapsIsAboutTheirCommonPart) {
   const ConvexBody can = Cylinder(1.0, 0.5);
   for (const double shift : {0.0, 0.1, 0.5, 0.9, 0.99}) {
-    const Transformd pose = turned(0.0, 0.4, {shift, 0.0, 0.999});
+    const Transformd pose = turned_by(0.0, 0.4, {shift, 0.0, 0.999});
     const ContactManifold found = contact_manifold(can, can, pose, 0.01);
     expect_is_sound(can, can, pose, found, 0.01, "two caps");
     const double half = std::acos(shift);
     const double lens = 2.0 * 0.25 * (half - shift * std::sqrt(1.0 - shift * shift));
-    EXPECT_LE(area_of(found), lens + 1e-9);
-    EXPECT_GE(area_of(found), (shift < 0.6 ? 0.93 : 0.0) * lens) << shift;
+    EXPECT_LE(patch_area(found), lens + 1e-9);
+    EXPECT_GE(patch_area(found), (shift < 0.6 ? 0.93 : 0.0) * lens) << shift;
   }
   // A thin lens: the polygons of sixteen corners hardly meet, and the deepest point is there all the same.
-  const Transformd apart = turned(0.0, 0.0, {0.9999, 0.0, 0.99999});
+  const Transformd apart = turned_by(0.0, 0.0, {0.9999, 0.0, 0.99999});
   const ContactManifold thin = contact_manifold(can, can, apart);
   expect_is_sound(can, can, apart, thin, 0.0, "a thin lens");
 }
@@ -208,16 +208,16 @@ TEST(CurvedManifold, OfBodiesThatLieOrStandHasEnoughPointsToBeStable) {
     double about_x;
     std::size_t least, most;
   };
-  const double lying = 0.5 * kPi;
+  const double lying = 0.5 * kHalfTurn;
   const Row rows[] = {{"cylinder:1,0.5", 0.0, 16, 16},
                       {"cylinder:1,0.5", lying, 2, 2},
                       {"cone:1,0.5", 0.0, 16, 16},
                       {"cone:1,0.5", lying + std::atan(0.5), 2, 2},
                       {"frustum:1,0.5,0.25", 0.0, 16, 16},
-                      {"frustum:1,0.5,0.25", kPi, 16, 16},
+                      {"frustum:1,0.5,0.25", kHalfTurn, 16, 16},
                       {"frustum:1,0.5,0.25", lying + std::atan(0.25), 2, 2},
                       {"hemisphere:0.5", 0.0, 16, 16},
-                      {"hemisphere:0.5", kPi, 1, 1},
+                      {"hemisphere:0.5", kHalfTurn, 1, 1},
                       {"disc:0.5", 0.0, 16, 16},
                       {"disc:0.5", lying, 1, 1},
                       {"capsule:1,0.25", lying, 2, 2},
@@ -231,15 +231,15 @@ TEST(CurvedManifold, OfBodiesThatLieOrStandHasEnoughPointsToBeStable) {
                       {"ellipsoid:0.5,0.6,0.7", 0.3, 1, 1}};
   for (const Row& row : rows) {
     const ConvexBody body = body_of(row.body);
-    const Transformd pose = above_slab(body, turned(row.about_x, 0.4, {0.1, 0.2, 0.0}), -1e-4);
-    const ContactManifold found = contact_manifold(slab(), body, pose, 0.02);
-    expect_is_sound(slab(), body, pose, found, 0.02, row.body);
+    const Transformd pose = above_table(body, turned_by(row.about_x, 0.4, {0.1, 0.2, 0.0}), -1e-4);
+    const ContactManifold found = contact_manifold(wide_table(), body, pose, 0.02);
+    expect_is_sound(wide_table(), body, pose, found, 0.02, row.body);
     EXPECT_GE(found.contacts.size(), row.least) << row.body << " " << row.about_x;
     EXPECT_LE(found.contacts.size(), row.most) << row.body << " " << row.about_x;
     // Seen from the other body.
     const Transformd back = inverse(pose);
-    const ContactManifold other = contact_manifold(body, slab(), back, 0.02);
-    expect_is_sound(body, slab(), back, other, 0.02, row.body);
+    const ContactManifold other = contact_manifold(body, wide_table(), back, 0.02);
+    expect_is_sound(body, wide_table(), back, other, 0.02, row.body);
     EXPECT_EQ(other.contacts.size(), found.contacts.size()) << row.body << " from the other side";
   }
 }
@@ -258,11 +258,11 @@ class OwnBox {
 
 TEST(CurvedManifold, OfABodyOfOnesOwnIsFoundByItsSupportMappingAlone) {
   const ConvexBody own{OwnBox()}, box = Box(1.0, 1.0, 1.0);
-  for (const double tilt : {0.0, 0.004, 0.25 * kPi}) {
-    const Transformd pose = above_slab(box, turned(tilt, 0.4, {0.1, 0.2, 0.0}), -1e-4);
-    const ContactManifold found = contact_manifold(slab(), own, pose, 0.02);
-    const ContactManifold truth = contact_manifold(slab(), box, pose, 0.02);
-    expect_is_sound(slab(), own, pose, found, 0.02, "own");
+  for (const double tilt : {0.0, 0.004, 0.25 * kHalfTurn}) {
+    const Transformd pose = above_table(box, turned_by(tilt, 0.4, {0.1, 0.2, 0.0}), -1e-4);
+    const ContactManifold found = contact_manifold(wide_table(), own, pose, 0.02);
+    const ContactManifold truth = contact_manifold(wide_table(), box, pose, 0.02);
+    expect_is_sound(wide_table(), own, pose, found, 0.02, "own");
     ASSERT_EQ(found.contacts.size(), truth.contacts.size()) << tilt;
     for (const auto& c : truth.contacts) {
       EXPECT_TRUE(
@@ -295,7 +295,7 @@ TEST(CurvedManifold, OfAnyTwoBodiesIsSound) {
       ASSERT_LE(four.contacts.size(), 4u);
       EXPECT_NEAR(least_distance(four), manifold.separation.signed_distance, 1e-4 * far);
       if (manifold.contacts.size() > 2) {
-        EXPECT_GE(area_of(four), 0.318 * area_of(manifold) - 1e-12) << pair.a << " " << pair.b;
+        EXPECT_GE(patch_area(four), 0.318 * patch_area(manifold) - 1e-12) << pair.a << " " << pair.b;
       }
     }
   }
