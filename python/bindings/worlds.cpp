@@ -38,9 +38,9 @@ PartRow row_of(const Separation& found, std::uint32_t part) {
   put_nan(row.point_a);
   put_nan(row.point_b);
   if (found.has_witnesses) {
-    put(row.normal, found.normal);
-    put(row.point_a, found.point_a);
-    put(row.point_b, found.point_b);
+    python::put(row.normal, found.normal);
+    python::put(row.point_a, found.point_a);
+    python::put(row.point_b, found.point_b);
   }
   return row;
 }
@@ -84,9 +84,9 @@ py::tuple overlaps_of_compound(const PyCompound& a, const PyBody& b, const Float
   return py::make_tuple(verdicts, parts);
 }
 
-py::array_t<PartRow> distances_of_compound(const PyCompound& a, const PyBody& b, const Floats& rows,
-                                           const std::optional<Floats>& translations, double relative_gap,
-                                           double max_distance, int threads) {
+py::object distances_of_compound(const PyCompound& a, const PyBody& b, const Floats& rows,
+                                 const std::optional<Floats>& translations, double relative_gap, double max_distance,
+                                 int threads) {
   const PoseRows poses(rows, translations);
   py::array_t<PartRow> result(static_cast<py::ssize_t>(poses.size()));
   PartRow* const to = result.mutable_data();
@@ -101,8 +101,8 @@ py::array_t<PartRow> distances_of_compound(const PyCompound& a, const PyBody& b,
   return result;
 }
 
-py::array_t<PartRow> distances_of_half_space(const HalfSpace& a, const PyBody& b, const Floats& rows,
-                                             const std::optional<Floats>& translations, int threads) {
+py::object distances_of_half_space(const HalfSpace& a, const PyBody& b, const Floats& rows,
+                                   const std::optional<Floats>& translations, int threads) {
   const PoseRows poses(rows, translations);
   py::array_t<PartRow> result(static_cast<py::ssize_t>(poses.size()));
   PartRow* const to = result.mutable_data();
@@ -112,8 +112,8 @@ py::array_t<PartRow> distances_of_half_space(const HalfSpace& a, const PyBody& b
   return result;
 }
 
-py::array_t<PlaneContactRow> contacts_with_half_space(const HalfSpace& a, const PyBody& b, const Floats& rows,
-                                                      const std::optional<Floats>& translations, double margin) {
+py::object contacts_with_half_space(const HalfSpace& a, const PyBody& b, const Floats& rows,
+                                    const std::optional<Floats>& translations, double margin) {
   const PoseRows poses(rows, translations);
   if (poses.size() != 1) throw UsageError("not one pose - give one");
   std::vector<PlaneContact> found;
@@ -121,8 +121,8 @@ py::array_t<PlaneContactRow> contacts_with_half_space(const HalfSpace& a, const 
   py::array_t<PlaneContactRow> result(static_cast<py::ssize_t>(found.size()));
   PlaneContactRow* to = result.mutable_data();
   for (const PlaneContact& contact : found) {
-    put(to->point_a, contact.point_a);
-    put(to->point_b, contact.point_b);
+    python::put(to->point_a, contact.point_a);
+    python::put(to->point_b, contact.point_b);
     to->distance = contact.signed_distance;
     to->feature = contact.feature;
     ++to;
@@ -147,11 +147,11 @@ void bind_worlds(py::module_& module) {
       .def("contacts", &contacts_with_half_space, body, poses, translations, py::arg("margin"));
   py::class_<PyCompound>(module, "Compound")
       .def(py::init(&compound_of_parts), py::arg("bodies"), poses, translations)
-      .def(py::init(&compound_of_corners), py::arg("corners"))
       .def("__len__", [](const PyCompound& self) { return self.compound.size(); })
       .def("overlap", &overlaps_of_compound, body, poses, translations, threads)
       .def("distance", &distances_of_compound, body, poses, translations, py::arg("relative_gap"),
            py::arg("max_distance"), threads);
+  module.def("compound_of_corners", &compound_of_corners, py::arg("corners"));
 }
 
 }  // namespace vex::python

@@ -71,7 +71,7 @@ class Compound:
         if corners.ndim != 3 or corners.shape[1:] != (3, 3):
             raise _vex.UsageError(f"triangles: an array of shape {corners.shape} - give one of shape (N, 3, 3)")
         made = cls.__new__(cls)
-        made._core = _vex.Compound(corners.reshape(-1, 3))
+        made._core = _vex.compound_of_corners(corners.reshape(-1, 3))
         return made
 
     def __len__(self) -> int:

@@ -31,7 +31,7 @@ def test_a_compound_answers_as_the_nearest_of_its_parts():
     places = np.array([[0, 0, 0, 1, 0, 0, 0], [2, 0, 0, 1, 0, 0, 0], [0, 2, 0, 1, 0, 0, 0]], dtype=float)
     compound = vex.Compound(bodies, places)
     assert len(compound) == 3
-    poses = random_poses(400, 4.0)
+    poses = random_poses(400, 2.2)
     parts = []
     for body, place in zip(bodies, places):
         seen = poses.copy()

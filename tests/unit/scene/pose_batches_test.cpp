@@ -40,7 +40,7 @@ std::vector<Pose> poses_of(const ConvexBody& a, const ConvexBody& b, std::mt1993
   for (int k = 0; k < n; ++k) {
     Transformd pose = random_rotation(random);
     const Vec3d dir = random_direction(random);
-    double at = (a.reach() + b.reach()) * (0.4 + 0.6 * random_in_unit_interval(random));
+    double at = (a.reach() + b.reach()) * (0.5 + 0.5 * random_in_unit_interval(random));
     if (k % 8 == 0) {
       at = contact_along(a, b, pose, dir);
       for (int step = 0; step < k / 8 % 3; ++step) at = std::nextafter(at, k % 16 == 0 ? HUGE_VAL : 0.0);
