@@ -1,6 +1,9 @@
 // Boxes of what compounds are asked of, wide enough whichever frame the parts are seen from (internal).
 #pragma once
 
+#include <cmath>
+#include <limits>
+
 #include "engine/numeric/pose_algebra.h"
 #include "engine/scene/aabb.h"
 #include "engine/support/convex_body.h"
@@ -16,7 +19,11 @@ inline Aabb box_seen(const ConvexBody& body, const Pose& frame_from_body) {
   const Aabb box = bounding_box(body, frame_from_body);
   const double more = kSeenOtherwise * body.reach() +
                       0x1p-46 * (norm_1(frame_from_body.a_from_b().translation) + body.reach()) + 0x1p-500;
-  return {box.lower - Vec3d{more, more, more}, box.upper + Vec3d{more, more, more}};
+  const Aabb wide{box.lower - Vec3d{more, more, more}, box.upper + Vec3d{more, more, more}};
+  const auto is_ordered = [](const Vec3d& p, const Vec3d& q) { return p.x <= q.x && p.y <= q.y && p.z <= q.z; };
+  // A support mapping that breaks its promises may give a box of NaNs, which meets nothing: every part is asked then.
+  constexpr double far = std::numeric_limits<double>::infinity();
+  return is_ordered(wide.lower, wide.upper) ? wide : Aabb{{-far, -far, -far}, {far, far, far}};
 }
 
 /// A box of another frame, as this one sees it.

@@ -21,6 +21,7 @@ void bind_queries(py::module_& module);
 void bind_scenes(py::module_& module);
 void bind_percolation(py::module_& module);
 void bind_virial(py::module_& module);
+void bind_worlds(py::module_& module);
 
 /// Whether this thread is in a support function of somebody's own.
 bool is_in_support_function();

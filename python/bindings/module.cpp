@@ -64,4 +64,5 @@ PYBIND11_MODULE(_vex, module) {
   vex::python::bind_scenes(module);
   vex::python::bind_percolation(module);
   vex::python::bind_virial(module);
+  vex::python::bind_worlds(module);
 }

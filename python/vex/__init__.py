@@ -27,9 +27,10 @@ from .shapes import (antiprism, box, capsule, cone, cuboctahedron, cut_sphere, c
                      truncated_dodecahedron, truncated_icosahedron, truncated_icosidodecahedron, truncated_octahedron,
                      truncated_tetrahedron)
 from .virial import VirialCoefficient, VirialCoefficients, virial_coefficients
+from .worlds import Compound, HalfSpace
 
 __all__ = [
-    "Body", "BodyLike", "Clusters", "Error", "ExcludedVolume", "Hit", "InputError", "Interrupted", "Manifold",
+    "Body", "BodyLike", "Clusters", "Compound", "Error", "ExcludedVolume", "HalfSpace", "Hit", "InputError", "Interrupted", "Manifold",
     "Neighbour", "OrientationLaw", "Percolation", "Proof", "Reference", "Scene", "UndecidedWarning", "UsageError",
     "VirialCoefficient", "VirialCoefficients", "__version__", "antiprism", "box", "capsule", "cone", "contact_manifold", "cuboctahedron", "cut_sphere",
     "cylinder", "depth", "disc", "distance", "dodecahedron", "egg", "ellipsoid", "estimators", "excluded_volume",

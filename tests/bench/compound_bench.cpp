@@ -10,6 +10,7 @@
 #include "engine/query/half_space.h"
 #include "engine/query/world_queries.h"
 #include "engine/scene/compound.h"
+#include "engine/scene/pose_batches.h"
 #include "shapes/any_shape.h"
 #include "tests/bench/bench_report.h"
 #include "tests/bench/compound_cases.h"
@@ -158,6 +159,60 @@ void single_queries(int n_rounds) {
   std::printf("\n%s", table.text().c_str());
 }
 
+// Random poses of a body with itself, its centre anywhere in the ball in which half of them overlap.
+std::vector<Pose> half_overlapping(const ConvexBody& body, std::size_t n, std::mt19937_64& random) {
+  std::vector<Pose> poses;
+  double radius = 2.5 * body.reach();
+  for (std::size_t n_overlaps = 0; n_overlaps * 2 < n; radius *= 0.97) {
+    poses.clear();
+    n_overlaps = 0;
+    while (poses.size() < n) {
+      Transformd pose = random_rotation(random);
+      const Vec3d dir = random_direction(random);
+      pose.translation = (radius * std::cbrt(random_in_unit_interval(random)) / norm(dir)) * dir;
+      poses.emplace_back(pose);
+      n_overlaps += overlap(body, body, poses.back()).outcome == Outcome::overlap ? 1u : 0u;
+    }
+  }
+  return poses;
+}
+
+// A loop of single queries, and the batch of one thread.
+void batches(int n_rounds, std::size_t n_poses) {
+  MarkdownTable table({"pair", "overlap", "distance, loop", "batch", "depth, loop", "batch", "cast, loop", "batch"});
+  std::mt19937_64 random(403);
+  for (const char* name : {"box:1,1,1", "capsule:1,0.25", "cylinder:1,0.5", "ellipsoid:2,0.5,0.5", "icosahedron:0.7"}) {
+    const ConvexBody body = parse_shape(name).body;
+    const std::vector<Pose> poses = half_overlapping(body, n_poses, random);
+    std::vector<Vec3d> motions;
+    for (std::size_t k = 0; k < n_poses; ++k) motions.push_back(random_direction(random));
+    std::vector<Separation> found(n_poses);
+    std::vector<FirstContact> met(n_poses);
+    const auto loop = [&](auto& out, auto ask) {
+      return [&, ask] {
+        for (std::size_t k = 0; k < n_poses; ++k) out[k] = ask(k);
+      };
+    };
+    const std::vector<Contender> contenders = {
+        {"distance", n_poses, loop(found, [&](std::size_t k) { return distance(body, body, poses[k]); })},
+        {"distances", n_poses, [&] { distance(body, body, poses, found); }},
+        {"depth", n_poses, loop(found, [&](std::size_t k) { return penetration_depth(body, body, poses[k]); })},
+        {"depths", n_poses, [&] { penetration_depth(body, body, poses, found); }},
+        {"cast", n_poses, loop(met, [&](std::size_t k) { return linear_cast(body, body, poses[k], motions[k]); })},
+        {"casts", n_poses, [&] { linear_cast(body, body, poses, motions, met); }}};
+    const std::vector<Timing> timings = take_turns(contenders, n_rounds, 0.0);
+    std::size_t n_overlaps = 0;
+    for (const Pose& pose : poses) n_overlaps += overlap(body, body, pose).outcome == Outcome::overlap ? 1u : 0u;
+    std::vector<std::string> cells = {name, percent(static_cast<double>(n_overlaps) / static_cast<double>(n_poses))};
+    for (std::size_t k = 0; k < timings.size(); k += 2) {
+      cells.push_back(cell(timings[k].median()));
+      cells.push_back(cell(timings[k + 1].median()) + " (" + three_digits(ratio(timings[k + 1], timings[k])) + ")");
+    }
+    table.add(cells);
+  }
+  std::printf("\n%s", table.text().c_str());
+}
+
 }  // namespace
 
 #ifndef VEX_BENCH_HAS_FCL
@@ -180,5 +235,6 @@ int main(int argc, char** argv) {
   }
   std::printf("%s", table.text().c_str());
   vex::single_queries(n_rounds);
+  vex::batches(n_rounds, is_quick ? 20 : 4000);
   return 0;
 }

@@ -383,6 +383,25 @@ TEST(Compound, WhatIsNoneIsRefused) {
   EXPECT_THROW(overlap(Compound({{box, stretched}}), box, stretched), InputError);
 }
 
+// What breaks the promises of a support mapping.
+struct NoNumber {
+  Vec3d support(const Vec3d& /*dir*/) const { return {std::nan(""), 0.0, 0.0}; }
+  double support_error() const { return 0.0; }
+  Vec3d centre() const { return {}; }
+  double circumradius() const { return 1.0; }
+  double inradius() const { return 0.0; }
+};
+
+TEST(Compound, ABodyThatIsNoneIsNotSaidToBeApart) {
+  const Compound mesh = compound_of_triangles(bowl(2));
+  const ConvexBody none = NoNumber{};
+  EXPECT_EQ(overlap(mesh, none, Pose()).verdict.outcome, Outcome::undecided);
+  EXPECT_EQ(distance(mesh, none, Pose()).separation.verdict.outcome, Outcome::undecided);
+  EXPECT_EQ(linear_cast(mesh, none, Pose(), {0.0, 0.0, 1.0}).contact.verdict.outcome, Outcome::undecided);
+  EXPECT_EQ(overlap(HalfSpace({0.0, 0.0, 1.0}, 0.0), none, Pose()).outcome, Outcome::undecided);
+  EXPECT_THROW(Compound({{none, Pose()}}), InputError);
+}
+
 TEST(TriangleBody, IsItsThreeVertices) {
   std::mt19937_64 random(317);
   const Triangle corners = {Vec3d{1.0, 0.0, 0.0}, Vec3d{0.0, 1.0, 0.0}, Vec3d{0.0, 0.0, 1.0}};

@@ -1,0 +1,31 @@
+// One pair of bodies in many poses: distances, depths and casts into a caller's buffer, in threads.
+#pragma once
+
+#include <span>
+
+#include "engine/numeric/pose.h"
+#include "engine/query/first_contact.h"
+#include "engine/query/separation.h"
+#include "engine/support/convex_body.h"
+
+namespace vex {
+
+// out[k] is what the query of one pose with the same name answers of a_from_b[k], bit for bit but for `n_support_calls`
+// and the stage in `verdict.by`, whatever the number of threads. `distance` and `penetration_depth` first ask the
+// packets that decide overlaps (overlap_backend.h), and search no further where these prove that there is no distance,
+// or no depth. Nothing is kept from one pose to the next: a warm start would change last digits. Spans of one length
+// and at least one thread, or UsageError.
+
+void signed_distance(const ConvexBody& a, const ConvexBody& b, std::span<const Pose> a_from_b,
+                     std::span<Separation> out, const SeparationSettings& settings = {}, int n_threads = 1);
+void distance(const ConvexBody& a, const ConvexBody& b, std::span<const Pose> a_from_b, std::span<Separation> out,
+              const SeparationSettings& settings = {}, int n_threads = 1);
+void penetration_depth(const ConvexBody& a, const ConvexBody& b, std::span<const Pose> a_from_b,
+                       std::span<Separation> out, const SeparationSettings& settings = {}, int n_threads = 1);
+
+/// Motions of B, one for each pose.
+void linear_cast(const ConvexBody& a, const ConvexBody& b, std::span<const Pose> a_from_b,
+                 std::span<const Vec3d> motions, std::span<FirstContact> out, double until = HUGE_VAL,
+                 int n_threads = 1);
+
+}  // namespace vex

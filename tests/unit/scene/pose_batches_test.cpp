@@ -1,0 +1,104 @@
+#include "engine/scene/pose_batches.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <random>
+
+#include "engine/numeric/errors.h"
+#include "shapes/any_shape.h"
+#include "tests/referees/bodies.h"
+#include "tests/referees/exact_truth.h"
+#include "tests/referees/random_poses.h"
+
+namespace vex {
+namespace {
+
+std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x); }
+void expect_same(const Vec3d& a, const Vec3d& b) {
+  EXPECT_EQ(bits(a.x), bits(b.x));
+  EXPECT_EQ(bits(a.y), bits(b.y));
+  EXPECT_EQ(bits(a.z), bits(b.z));
+}
+void expect_same(const Separation& a, const Separation& b) {
+  EXPECT_EQ(a.verdict.outcome, b.verdict.outcome);
+  EXPECT_EQ(a.verdict.reason, b.verdict.reason);
+  EXPECT_EQ(bits(a.signed_distance), bits(b.signed_distance));
+  EXPECT_EQ(bits(a.lower), bits(b.lower));
+  EXPECT_EQ(bits(a.upper), bits(b.upper));
+  EXPECT_EQ(a.is_rough, b.is_rough);
+  EXPECT_EQ(a.has_witnesses, b.has_witnesses);
+  expect_same(a.normal, b.normal);
+  expect_same(a.point_a, b.point_a);
+  expect_same(a.point_b, b.point_b);
+  expect_same(a.point_b_in_b, b.point_b_in_b);
+}
+
+// Half of them at contact, to the last places.
+std::vector<Pose> poses_of(const ConvexBody& a, const ConvexBody& b, std::mt19937_64& random, int n) {
+  std::vector<Pose> poses;
+  for (int k = 0; k < n; ++k) {
+    Transformd pose = random_rotation(random);
+    const Vec3d dir = random_direction(random);
+    double at = (a.reach() + b.reach()) * (0.5 + 0.5 * random_in_unit_interval(random));
+    if (k % 8 == 0) {
+      at = contact_along(a, b, pose, dir);
+      for (int step = 0; step < k / 8 % 3; ++step) at = std::nextafter(at, k % 16 == 0 ? HUGE_VAL : 0.0);
+    }
+    pose.translation = at * dir;
+    poses.emplace_back(pose);
+  }
+  return poses;
+}
+
+TEST(PoseBatches, AnswerAsOneByOneBitForBit) {
+  std::mt19937_64 random(331);
+  int n_overlaps = 0, n = 0;
+  std::vector<BodyPair> pairs = {{"box:1,1,1", "box:0.2,1,3"},       {"capsule:1,0.25", "box:1,1,1"},
+                                 {"cylinder:1,0.5", "cone:1,0.5"},   {"ellipsoid:1,2,3", "sphere:0.6"},
+                                 {"snub-cube:0.5", "tetrahedron:1"}, {"lens:0.9,0.7", "box:1,1,1"}};
+  for (const BodyPair& pair : pairs) {
+    SCOPED_TRACE(test_name(pair));
+    const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
+    const std::vector<Pose> poses = poses_of(a, b, random, 300);
+    std::vector<Separation> apart(poses.size()), deep(poses.size()), either(poses.size());
+    std::vector<FirstContact> casts(poses.size());
+    std::vector<Vec3d> motions;
+    for (std::size_t k = 0; k < poses.size(); ++k) motions.push_back(random_direction(random));
+    for (const int n_threads : {1, 2}) {
+      distance(a, b, poses, apart, {}, n_threads);
+      penetration_depth(a, b, poses, deep, {}, n_threads);
+      signed_distance(a, b, poses, either, {.relative_gap = 1e-3}, n_threads);
+      linear_cast(a, b, poses, motions, casts, 3.0, n_threads);
+    }
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      expect_same(apart[k], distance(a, b, poses[k]));
+      expect_same(deep[k], penetration_depth(a, b, poses[k]));
+      expect_same(either[k], signed_distance(a, b, poses[k], {.relative_gap = 1e-3}));
+      const FirstContact cast = linear_cast(a, b, poses[k], motions[k], 3.0);
+      EXPECT_EQ(casts[k].verdict, cast.verdict);
+      EXPECT_EQ(bits(casts[k].time), bits(cast.time));
+      expect_same(casts[k].point_a, cast.point_a);
+      n_overlaps += apart[k].verdict.outcome == Outcome::overlap ? 1 : 0;
+      ++n;
+    }
+  }
+  EXPECT_GT(n_overlaps, n * 3 / 10);
+  EXPECT_LT(n_overlaps, n * 7 / 10);
+}
+
+TEST(PoseBatches, RefuseWhatTheQueriesRefuse) {
+  const ConvexBody box = parse_shape("box:1,1,1").body;
+  const std::vector<Pose> poses(3);
+  std::vector<Separation> out(3), few(2);
+  EXPECT_THROW(distance(box, box, poses, few), UsageError);
+  EXPECT_THROW(signed_distance(box, box, poses, out, {}, 0), UsageError);
+  EXPECT_THROW(distance(box, box, poses, out, {.max_distance = -1.0}), UsageError);
+  EXPECT_THROW(penetration_depth(box, box, poses, out, {.relative_gap = -1.0}), UsageError);
+  std::vector<FirstContact> casts(3);
+  const std::vector<Vec3d> motions(2, Vec3d{1.0, 0.0, 0.0});
+  EXPECT_THROW(linear_cast(box, box, poses, motions, casts), UsageError);
+}
+
+}  // namespace
+}  // namespace vex
