@@ -23,6 +23,7 @@ constexpr const char* kProgram = "vex_mesh";
 
 int run_vex_mesh(const CommandLine& words, const std::string& command, ProgramRanks* ranks) {
   const Options options = interpret(words);
+  const bool leads = ranks == nullptr || ranks->leads();
 
   std::vector<std::string> bodies = {options.a, options.b};
   bodies.insert(bodies.end(), options.control_variate.begin(), options.control_variate.end());
@@ -35,13 +36,13 @@ int run_vex_mesh(const CommandLine& words, const std::string& command, ProgramRa
   const std::optional<OutputFile> page = files.output("--report", options.report);
   std::optional<Checkpoint> checkpoint;
   if (const std::optional<OutputFile> file = files.output("--checkpoint", options.checkpoint.checkpoint)) {
-    checkpoint.emplace(*file, kProgram, options.checkpoint.seconds_between);
+    // Ranks that do not lead save nothing.
+    if (leads) checkpoint.emplace(*file, kProgram, options.checkpoint);
   }
   if (!options.quiet) files.print_report();
 
   MeshRun run = prepare_run(options, load_two_bodies(options.a, options.b, options.bodies), command);
   ExcludedVolumeSettings& settings = run.options.settings;
-  const bool leads = ranks == nullptr || ranks->leads();
   if (ranks != nullptr) {
     settings.ranks = ranks;
     std::string identity;

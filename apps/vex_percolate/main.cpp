@@ -38,7 +38,7 @@ Outputs output_files(const PercolateOptions& options) {
   outputs.gltf = files.output("--gltf", options.gltf, ".glb");
   outputs.report = files.output("--report", options.report);
   if (const std::optional<OutputFile> file = files.output("--checkpoint", parts.checkpoint)) {
-    outputs.checkpoint.emplace(*file, kProgram, parts.seconds_between);
+    outputs.checkpoint.emplace(*file, kProgram, parts);
   }
   if (!options.quiet) files.print_report();
   outputs.own_standard_output = files.own_standard_output();
