@@ -1,5 +1,4 @@
 // vex_mesh A [B]: the orientation-averaged excluded volume of two convex bodies, by Monte Carlo and by the formula.
-#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -86,10 +85,6 @@ int main(int argc, char** argv) {
       "vex_mesh");
   vex::CommandLine words;
   vex::declare_options(options, words);
-  const std::function<int()> action = [&] {
-    return vex::run_vex_mesh(words, vex::command_line(argc, argv), ranks.get());
-  };
-  const int code = vex::run_program(
-      options, argc, argv, [&] { return ranks == nullptr ? action() : ranks->run(action); }, ranks != nullptr);
-  return ranks == nullptr ? code : ranks->leave(code);
+  return vex::run_on_ranks(ranks.get(), options, argc, argv,
+                           [&] { return vex::run_vex_mesh(words, vex::command_line(argc, argv), ranks.get()); });
 }

@@ -124,6 +124,26 @@ TEST_F(Percolate, GoesOnFromNothingElse) {
   broken(changed, "not five whole numbers");
 }
 
+// Bodies of equal V, S, M and radii that only turn or mirror, and another version.
+TEST_F(Percolate, AStateTellsBodiesAndVersionsApart) {
+  const Words rest = {"--sizes", "3", "--realisations", "5", "--quiet"};
+  for (const auto& [body, other] :
+       {std::pair{"superellipsoid:1,2,3,2,1.5", "superellipsoid:2,1,3,2,1.5"}, std::pair{"egg:1,0.5,1", "egg:1,1,0.5"},
+        std::pair{"box:1,2,3", "box:2,1,3"}, std::pair{"rounded:0.1,box:1,2,3", "rounded:0.1,box:1,3,2"}}) {
+    succeed(with({body}, with(rest, {"--csv", "s"})));
+    expect_refused(with({other}, with(rest, {"--resume", "s"})), 3, "s, line 2: of another system");
+    succeed(with({body}, with(rest, {"--resume", "s"})));
+  }
+  std::string text = read_file("s");
+  EXPECT_NE(text.find("\n# body: rounded"), std::string::npos);
+  EXPECT_NE(text.find(", geometry "), std::string::npos);
+  const std::string version = "# vex_percolate 0.1.0: realisations, stream ";
+  ASSERT_TRUE(text.starts_with(version)) << text.substr(0, 80);
+  text.replace(0, version.size(), "# vex_percolate 0.1.1: realisations, stream ");
+  write_file("s", text);
+  expect_refused(with({"rounded:0.1,box:1,2,3"}, with(rest, {"--resume", "s"})), 3, "s, line 1: of another system");
+}
+
 TEST_F(Percolate, AnInterruptedRunReportsWhatWasDone) {
   const Finished finished = run_and_signal({"box:1,1,1", "--sizes", "3,5", "--realisations", "1e7", "--json", "r.json",
                                             "--checkpoint", "state.csv", "--threads", "3"},

@@ -44,9 +44,9 @@ class ClusterWeights {
   /// Clusters are drawn in rounds of as many each, the first of them trees, the others chains: as many rounds of trees
   /// as the weights count with. Few rounds for small orders, of which clusters with common neighbours are too much
   /// alike.
-  int n_rounds() const { return order_ > 5 ? 8 : 4; }
+  static int n_rounds(int order) { return order > 5 ? 8 : 4; }
   int n_rounds_of_trees() const { return order_ > 5 ? 1 : 0; }
-  double share_of_trees() const { return static_cast<double>(n_rounds_of_trees()) / n_rounds(); }
+  double share_of_trees() const { return static_cast<double>(n_rounds_of_trees()) / n_rounds(order_); }
 
   /// In units of B2^(n-1).
   double weight(const OverlapGraph& graph) const;
