@@ -34,16 +34,6 @@ Words with(Words words, const Words& more) {
   return words;
 }
 
-// Nothing of this program is for many ranks, and that is not silent.
-TEST_F(Percolate, CopiesOfALauncherAreToldThatEachDoesAllOfTheWork) {
-  const std::string words = "\"$VEX\" box:1,1,1 --sizes 2,3 --realisations 2 --quiet";
-  const Finished first = shell("OMPI_COMM_WORLD_SIZE=3 OMPI_COMM_WORLD_RANK=0 " + words);
-  EXPECT_EQ(first.exit_code, 0);
-  EXPECT_NE(first.err.find("3 copies were started together"), std::string::npos) << first.err;
-  EXPECT_EQ(shell("OMPI_COMM_WORLD_SIZE=3 OMPI_COMM_WORLD_RANK=1 " + words).err, "");
-  EXPECT_EQ(shell("OMPI_COMM_WORLD_SIZE=1 OMPI_COMM_WORLD_RANK=0 " + words).err, "");
-}
-
 TEST_F(Percolate, TellsTheThresholdInEveryUnit) {
   const json found = json_of(kSmall);
   for (const char* key : {"bodies", "eta_c", "phi_c", "number_density_c", "b_c", "excluded_volume", "sizes", "pairs",

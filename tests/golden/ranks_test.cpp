@@ -51,7 +51,9 @@ void RanksTest::expect_what_one_process_says(const std::vector<std::string>& run
 TEST_F(RanksTest, AnyNumberOfThemSaysWhatOneProcessSays) {
   expect_what_one_process_says({"box:1,1,2 capsule:1,0.3 --estimator hit-or-miss --trials 3e6",
                                 "box:1,1,2 capsule:1,0.3 --estimator hit-or-miss-fitted --rel-error 1e-3",
-                                "box:1,1,2 --rel-error 3e-5"});
+                                "box:1,1,2 --rel-error 3e-5",
+                                // Read by a confined process, which gives up what ranks share.
+                                VEX_SOURCE_DIR "/meshes/data/icosahedron.gltf --estimator hit-or-miss --trials 1e5"});
 }
 
 class VirialRanks : public RanksTest {
@@ -112,6 +114,21 @@ TEST_F(RanksTest, WhereOneIsLostTheCheckpointIsUsable) {
   EXPECT_EQ(json_of({"box:1,1,2", "--estimator", "hit-or-miss", "--trials", n_trials, "--resume",
                      "c.state"})["estimate"]["hits"],
             n_hits);
+}
+
+// A program of which nothing is for many ranks says so.
+class CopiesOfALauncher : public ProgramTest {
+ protected:
+  CopiesOfALauncher() : ProgramTest(VEX_PAIR_PROGRAM) {}
+};
+
+TEST_F(CopiesOfALauncher, AreToldThatEachDoesAllOfTheWork) {
+  const std::string words = "\"$VEX\" box:1,1,1 sphere:1 --rotation 1,0,0,0 --translation 0,0,0 --quiet";
+  const Finished first = shell("OMPI_COMM_WORLD_SIZE=3 OMPI_COMM_WORLD_RANK=0 " + words);
+  EXPECT_EQ(first.exit_code, 0);
+  EXPECT_NE(first.err.find("3 copies were started together"), std::string::npos) << first.err;
+  EXPECT_EQ(shell("OMPI_COMM_WORLD_SIZE=3 OMPI_COMM_WORLD_RANK=1 " + words).err, "");
+  EXPECT_EQ(shell("OMPI_COMM_WORLD_SIZE=1 OMPI_COMM_WORLD_RANK=0 " + words).err, "");
 }
 
 }  // namespace

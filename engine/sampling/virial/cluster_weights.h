@@ -58,6 +58,9 @@ class ClusterWeights {
   std::span<const BodyPair> pairs() const { return pairs_; }
   /// By the answers to all of them: bit k is set where pair k overlaps.
   double weight_of_chain(std::uint32_t answers) const;
+  /// The same as `weight`, to the last bit: bodies in the order of a path through them are a chain, and the weight
+  /// hangs on no order. Of a graph without such a path it is computed.
+  double weight_by_chain(const OverlapGraph& graph) const;
   /// Whether a weight is possible, the first n_asked pairs being answered. Where not, it is not; of chains that are
   /// still to be asked many pairs it may say so although there is none.
   bool may_count(int n_asked, std::uint32_t answers) const;

@@ -232,7 +232,7 @@ void VirialIntegrand::draw_clusters(std::uint64_t seed, std::uint64_t first) {
 
 double VirialIntegrand::weight(const Cluster& cluster) const {
   if (!cluster.may_count) return 0.0;
-  return cluster.is_tree ? weights_->weight(cluster.graph) : weights_->weight_of_chain(cluster.answers);
+  return cluster.is_tree ? weights_->weight_by_chain(cluster.graph) : weights_->weight_of_chain(cluster.answers);
 }
 
 double VirialIntegrand::bunch(std::uint64_t seed, std::uint64_t first, Outcome undecided, std::uint64_t& n_undecided) {
