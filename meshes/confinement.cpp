@@ -15,6 +15,7 @@
 #include <initializer_list>
 
 #include "meshes/machine_memory.h"
+#include "meshes/shared_memory.h"
 
 #ifdef VEX_HAS_SECCOMP
 #include <seccomp.h>
@@ -143,15 +144,17 @@ std::string Barriers::problem() const {
   if (limits != 0) return std::string("its limits are refused: ") + std::strerror(limits);
   if (filter == kNotBuilt) return "this vex was built without libseccomp, which filters system calls";
   if (filter != 0) return std::string("a filter of system calls is refused: ") + std::strerror(filter);
+  if (memory != 0) return std::string("memory that others share cannot be given up: ") + std::strerror(memory);
   return "";
 }
 
 Barriers confine_this_process(const ProcessLimits& limits, int kept) {
   const std::uint64_t own_bytes = own_address_space();
+  Barriers barriers;
+  barriers.memory = give_up_shared_memory();
   close_all_but(kept);
   const bool gains_nothing = ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0;
   const int refused = gains_nothing ? 0 : errno;
-  Barriers barriers;
   barriers.landlock = gains_nothing ? shut_files_and_ports() : refused;
   give_up_capabilities();
   barriers.limits = set_limits(limits, own_bytes);

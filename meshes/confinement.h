@@ -27,17 +27,19 @@ struct Barriers {
 
   std::int32_t limits = 0;    // hard limits on time, memory, open files (none further), files written, processes
   std::int32_t filter = 0;    // of system calls; with no_new_privs
+  std::int32_t memory = 0;    // none that is shared with other processes
   std::int32_t landlock = 0;  // no way to any file or port; kernels from 5.13 have it where it is switched on
 
   /// The filter alone already lets nothing be opened, connected, started or raised; Landlock is a second lock.
-  bool is_confined() const { return limits == 0 && filter == 0; }
+  bool is_confined() const { return limits == 0 && filter == 0 && memory == 0; }
   /// Why it is not; empty where it is.
   std::string problem() const;
 };
 
-/// For a process of one thread that was just forked: closes every descriptor but `kept`, which must be at least 3 and
-/// becomes kConfinedDescriptor, puts /dev/null in the place of the standard streams, gives up all capabilities, and
-/// raises the barriers. What follows may take memory, and write to kConfinedDescriptor; any other system call fails.
+/// For a process of one thread that was just forked: unmaps what it shares with others, closes every descriptor but
+/// `kept`, which must be at least 3 and becomes kConfinedDescriptor, puts /dev/null in the place of the standard
+/// streams, gives up all capabilities, and raises the barriers. What follows may take memory, and write to
+/// kConfinedDescriptor; any other system call fails.
 Barriers confine_this_process(const ProcessLimits& limits, int kept);
 
 inline constexpr int kConfinedDescriptor = 3;

@@ -1,8 +1,9 @@
 #include "apps/common/checkpoint.h"
 
+#include <cerrno>
 #include <filesystem>
 #include <iostream>
-#include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "apps/common/checksum.h"
@@ -15,8 +16,10 @@ namespace vex {
 
 void declare_checkpoint(OptionParser& options, CheckpointWords& words, const std::string& group) {
   options
-      .add_option("--checkpoint", words.checkpoint,
-                  "Save the run's state in this file, every few seconds, when interrupted, and at the end")
+      .add_option(
+          "--checkpoint", words.checkpoint,
+          "Save the run's state in this file, every few seconds, when interrupted, and at the end; refused where "
+          "the file holds something that the run does not go on from, or another run saves itself there")
       .type_name("FILE")
       .group(group);
   options
@@ -52,19 +55,32 @@ CheckpointOptions interpret_checkpoint(const CheckpointWords& words) {
 bool has_run_to_resume(const CheckpointOptions& options, const std::string& program, bool quiet) {
   if (options.resume.empty()) return false;
   std::error_code error;
-  if (!options.is_own_file() ||
-      std::filesystem::status(options.resume, error).type() != std::filesystem::file_type::not_found) {
-    return true;
-  }
+  // Empty it is where a run was killed before it saved itself.
+  const bool is_there = std::filesystem::exists(options.resume, error) || error;
+  if (!options.is_own_file() || (is_there && std::filesystem::file_size(options.resume, error) > 0)) return true;
   if (!quiet) std::cerr << program << ": no run to go on from yet (" << printable(options.resume) << "): it begins\n";
   return false;
 }
 
-Checkpoint::Checkpoint(OutputFile file, std::string program, double seconds_between)
-    : file_(std::move(file)), program_(std::move(program)), between_(seconds_between) {
-  if (file_.may_wait_for_a_reader()) {
-    throw UsageError("a state replaces the one before it, and a device or a pipe cannot be replaced (" + file_.path() +
+Checkpoint::Checkpoint(const OutputFile& file, std::string program, const CheckpointOptions& options)
+    : path_(file.path()), program_(std::move(program)), between_(options.seconds_between) {
+  if (file.may_wait_for_a_reader()) {
+    throw UsageError("a state replaces the one before it, and a device or a pipe cannot be replaced (" + path_ +
                      " for --checkpoint) - name a file");
+  }
+  try {
+    file_ = std::make_unique<LockedFile>(file);
+  } catch (const std::system_error& error) {
+    throw UsageError("the file of --checkpoint cannot be written (" + path_ + ": " + error.code().message() +
+                     ") - name another one");
+  }
+  if (!file_->was_empty() && !options.is_own_file()) {
+    throw UsageError("the file of --checkpoint holds something already (" + path_ + ") - go on from it with --resume " +
+                     path_ + ", name another file, or remove it");
+  }
+  if (!file_->has_lock()) {
+    std::cerr << program_ << ": this file system has no locks (" << printable(path_)
+              << "): see that no other run saves itself there\n";
   }
 }
 
@@ -77,14 +93,16 @@ bool Checkpoint::is_due() const {
 void Checkpoint::save(std::string_view text, const std::function<void()>& before_message) {
   const Clock::time_point start = Clock::now();
   try {
-    file_.write(text);
-  } catch (const std::runtime_error& error) {
+    file_->replace(text);
+  } catch (const std::system_error& error) {
     if (!has_said_) {
       has_said_ = true;
       before_message();
-      const std::string problem = error.what();
-      std::cerr << program_ << ": no state was saved: " << problem.substr(0, problem.rfind(" - "))
-                << " - the run goes on, and tries again in a while\n";
+      const bool is_anothers = error.code().value() == EBUSY;
+      std::cerr << program_ << ": no state was saved: "
+                << (is_anothers ? "another file has taken the name of this run's (" : "the file cannot be written (")
+                << printable(path_) << (is_anothers ? "" : ": " + error.code().message())
+                << ") - the run goes on, and tries again in a while\n";
     }
   }
   saved_ = Clock::now();

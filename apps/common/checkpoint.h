@@ -3,11 +3,13 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "apps/common/locked_file.h"
 #include "apps/common/option_parser.h"
 #include "apps/common/output_file.h"
 
@@ -32,14 +34,16 @@ void declare_checkpoint(OptionParser& options, CheckpointWords& words, const std
 CheckpointOptions interpret_checkpoint(const CheckpointWords& words);
 
 /// Whether there is a run to go on from. Of a job that is started again and again with the same --checkpoint and
-/// --resume, the first time there is none: that is said, unless `quiet`, and the run begins.
+/// --resume, the first time there is none, or an empty file: that is said, unless `quiet`, and the run begins.
 bool has_run_to_resume(const CheckpointOptions& options, const std::string& program, bool quiet);
 
-/// The file that a run saves itself in.
+/// The file that a run saves itself in, which is its own for as long as it lives.
 class Checkpoint {
  public:
-  /// Throws UsageError where the file is a device or a pipe, which cannot be replaced.
-  Checkpoint(OutputFile file, std::string program, double seconds_between);
+  /// Throws UsageError where the file is a device or a pipe, which cannot be replaced; where another run that lives has
+  /// it; and where something stands in it that this run does not go on from, whatever it is: the state of a run that
+  /// took days may be all that is left of it.
+  Checkpoint(const OutputFile& file, std::string program, const CheckpointOptions& options);
 
   /// Whether it is time: `seconds_between` after the last one, but so that no more than a fiftieth of the time is
   /// spent on it.
@@ -51,7 +55,8 @@ class Checkpoint {
 
  private:
   using Clock = std::chrono::steady_clock;
-  OutputFile file_;
+  std::string path_;
+  std::unique_ptr<LockedFile> file_;
   std::string program_;
   std::chrono::duration<double> between_, cost_{0.0};
   Clock::time_point saved_ = Clock::now();

@@ -23,6 +23,11 @@ class Descriptor {
 
   int number() const { return number_; }
 
+  /// From now on it is the caller's to close.
+  int release() { return std::exchange(number_, -1); }
+  /// Closes it, and takes another one.
+  void take(int number) { const Descriptor before(std::exchange(number_, number)); }
+
   /// Some disks tell only now that they are full. Throws std::system_error.
   void close() {
     const int number = std::exchange(number_, -1);

@@ -68,6 +68,10 @@ Json tally_json(const std::vector<std::string>& of, const ExcludedVolume& result
   state.domain = result.domain.kind;
   state.domain_volume = result.domain.volume;
   state.seconds = result.record.seconds;
+  return tally_json(of, state);
+}
+
+Json tally_json(const std::vector<std::string>& of, const RunState& state) {
   Json lines = Json::array();
   const std::string text = run_state_text(state);
   for (std::string_view rest = text; !rest.empty(); rest.remove_prefix(rest.find('\n') + 1)) {

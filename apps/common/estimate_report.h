@@ -24,6 +24,7 @@ void set_comparison(nlohmann::ordered_json& document, const ExcludedVolume& resu
 /// `tally`: which trials these are of which run (`of`), and all that they brought, in full (run_state_text.h): what
 /// vex_merge adds.
 nlohmann::ordered_json tally_json(const std::vector<std::string>& of, const ExcludedVolume& result);
+nlohmann::ordered_json tally_json(const std::vector<std::string>& of, const RunState& state);
 
 /// `names`: of the run's backend, then of those it was checked against.
 nlohmann::ordered_json disagreements_json(const RunRecord& record, const std::vector<std::string>& names);

@@ -41,6 +41,8 @@ class OutputFile {
 
   bool is_standard_output() const { return path_ == "-"; }
   const std::string& path() const { return path_; }
+  /// What it stands for, through links.
+  const std::filesystem::path& target() const { return target_; }
   /// Before it is written.
   const std::optional<FileIdentity>& identity() const { return identity_; }
 
@@ -54,7 +56,7 @@ class OutputFile {
 
  private:
   std::string path_;
-  std::filesystem::path target_;  // what the path stands for, through links: replaced, so that a link stays a link
+  std::filesystem::path target_;  // which is replaced, so that a link stays a link
   std::optional<FileIdentity> identity_;
 };
 

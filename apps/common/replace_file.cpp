@@ -1,12 +1,15 @@
 #include "apps/common/replace_file.h"
 
+#include <dirent.h>
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <memory>
 #include <random>
 #include <string>
 #include <system_error>
@@ -53,18 +56,23 @@ class SignalsHeldBack {
   struct sigaction at_limit_ = {};
 };
 
-// Hidden, named after the file that it will be, and with an end that nobody can foresee.
-std::string unforeseeable_name(int folder, const std::string& name) {
-  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
-  constexpr std::size_t kUsual = 255,
-                        kAround = 12;  // bytes of a name: the system's most, and what stands around it here
-  std::random_device random;
-  std::uniform_int_distribution<std::size_t> letter(0, kLetters.size() - 1);
-  std::string end;
-  for (int k = 0; k < 10; ++k) end += kLetters[letter(random)];
+// A new file's own name: hidden, named after the file that it will be, and with an end that nobody can foresee.
+constexpr std::string_view kEndLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
+constexpr std::size_t kEndLength = 10;
+
+std::string begin_of_new_name(int folder, const std::string& name) {
+  constexpr std::size_t kUsual = 255, kAround = kEndLength + 2;  // bytes: the system's most, and what is no name here
   const long most = fpathconf(folder, _PC_NAME_MAX);
   const std::size_t longest = most > 0 ? static_cast<std::size_t>(most) : kUsual;
-  return "." + std::string(first_bytes(name, longest - std::min(longest, kAround))) + "." + end;
+  return "." + std::string(first_bytes(name, longest - std::min(longest, kAround))) + ".";
+}
+
+std::string unforeseeable_name(int folder, const std::string& name) {
+  std::random_device random;
+  std::uniform_int_distribution<std::size_t> letter(0, kEndLetters.size() - 1);
+  std::string all = begin_of_new_name(folder, name);
+  for (std::size_t k = 0; k < kEndLength; ++k) all += kEndLetters[letter(random)];
+  return all;
 }
 
 // A new file in the folder, gone again unless it was put in place.
@@ -75,6 +83,8 @@ class NewFile {
       : folder_(folder),
         name_(unforeseeable_name(folder, name)),
         file_(opened(make(old != nullptr ? S_IRUSR | S_IWUSR : kForAll))) {
+    // Whoever removes what killed processes left behind knows by this that it is none of it.
+    static_cast<void>(flock(file_.number(), LOCK_EX | LOCK_NB));
     if (old != nullptr) keep_owner_and_permissions(*old);
   }
   ~NewFile() {
@@ -91,8 +101,9 @@ class NewFile {
     }
     // Before the new name: a machine that loses its power must not find the name of a file whose bytes never came.
     if (fsync(file_.number()) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS) fail_with(errno);
-    file_.close();
   }
+  void close() { file_.close(); }
+  int release() { return file_.release(); }
 
   void put_in_place(const std::string& name) {
     if (renameat(folder_, name_.c_str(), folder_, name.c_str()) != 0) fail_with(errno);
@@ -122,18 +133,69 @@ class NewFile {
   bool is_in_place_ = false;
 };
 
+// Where a target is.
+struct Place {
+  explicit Place(const fs::path& target)
+      : folder(opened(open((target.has_parent_path() ? target.parent_path() : fs::path(".")).c_str(),
+                           O_PATH | O_DIRECTORY | O_CLOEXEC))),
+        name(target.filename().string()) {
+    exists = fstatat(folder.number(), name.c_str(), &old, AT_SYMLINK_NOFOLLOW) == 0 && S_ISREG(old.st_mode);
+  }
+  Descriptor folder;
+  std::string name;
+  struct stat old = {};
+  bool exists = false;
+};
+
 }  // namespace
 
 void replace_file(const fs::path& target, std::string_view text) {
-  const fs::path folder_path = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  const std::string name = target.filename().string();
   const SignalsHeldBack held;
-  const Descriptor folder(opened(open(folder_path.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC)));
-  struct stat old = {};
-  const bool exists = fstatat(folder.number(), name.c_str(), &old, AT_SYMLINK_NOFOLLOW) == 0 && S_ISREG(old.st_mode);
-  NewFile file(folder.number(), name, exists ? &old : nullptr);
+  const Place place(target);
+  NewFile file(place.folder.number(), place.name, place.exists ? &place.old : nullptr);
   file.write(text);
-  file.put_in_place(name);
+  file.close();
+  file.put_in_place(place.name);
+}
+
+int replace_locked_file(const fs::path& target, std::string_view text, const FileNumber& expected) {
+  const SignalsHeldBack held;
+  const Place place(target);
+  NewFile file(place.folder.number(), place.name, place.exists ? &place.old : nullptr);
+  file.write(text);
+  // As late as can be: whoever removed the file that was there, and put another one in its place, meant to.
+  const Place now(target);
+  if (now.exists && !(expected == FileNumber{now.old.st_dev, now.old.st_ino})) fail_with(EBUSY);
+  file.put_in_place(place.name);
+  return file.release();
+}
+
+void remove_leftovers(const fs::path& target) {
+  const Place place(target);
+  const std::string begin = begin_of_new_name(place.folder.number(), place.name);
+  const int folder = openat(place.folder.number(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) return;  // a folder that may be written and not read
+  struct Close {
+    void operator()(DIR* open_folder) const { closedir(open_folder); }
+  };
+  const std::unique_ptr<DIR, Close> all(fdopendir(folder));
+  if (all == nullptr) {
+    ::close(folder);
+    return;
+  }
+  while (const dirent* const entry = readdir(all.get())) {
+    const std::string_view name = entry->d_name;
+    if (name.size() != begin.size() + kEndLength || !name.starts_with(begin) ||
+        name.find_first_not_of(kEndLetters, begin.size()) != std::string_view::npos) {
+      continue;
+    }
+    const Descriptor file(openat(folder, entry->d_name, O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    struct stat found = {};
+    if (file.number() >= 0 && fstat(file.number(), &found) == 0 && S_ISREG(found.st_mode) &&
+        flock(file.number(), LOCK_EX | LOCK_NB) == 0) {
+      unlinkat(folder, entry->d_name, 0);
+    }
+  }
 }
 
 }  // namespace vex

@@ -17,7 +17,6 @@
 
 #include "apps/ranks/program_ranks.h"
 #include "engine/numeric/errors.h"
-#include "engine/sampling/run_state_text.h"
 
 namespace vex {
 namespace {
@@ -28,12 +27,15 @@ using Clock = std::chrono::steady_clock;
 enum Letter : char {
   kHello = 'H',   // to the leader: what this rank works on
   kAsk = 'A',     // to the leader: for a block of up to so many trials
-  kRecord = 'R',  // to the leader: a block's state
+  kRecord = 'R',  // to the leader: what a block brought
   kFailed = 'F',  // to the leader: why this rank cannot go on
   kBye = 'B',     // to the leader: the last one
   kBlock = 'G',   // from the leader: begin and end
-  kEnd = 'E',     // from the leader: the last one
+  kEnd = 'E',     // from the leader: the last one of a run
+  kQuit = 'Q',    // from the leader: the last one of all
 };
+// Questions, records, blocks and ends begin with the number of their run and a blank: of a run that is over they are
+// not looked at.
 
 struct Message {
   int rank;
@@ -80,6 +82,8 @@ class MpiRanks final : public ProgramRanks {
   bool leads() const override { return rank_ == kLeader; }
   int n_ranks() const override { return n_ranks_; }
 
+  void begin() override { ++run_; }
+
   void introduce(const std::string& identity) override {
     identity_ = identity;
     if (!leads()) send(kLeader, kHello, identity);
@@ -108,43 +112,55 @@ class MpiRanks final : public ProgramRanks {
                              " has other bodies or another version of vex - give all ranks the same files");
           }
           break;
-        case kAsk: asked_[message->rank] = std::stoull(message->text); break;
-        case kRecord: desk.take(read_run_state(message->text)); break;
+        case kAsk:
+          if (const auto most = of_this_run(message->text))
+            asked_[message->rank] = {run_, std::stoull(std::string(*most))};
+          break;
+        case kRecord:
+          if (const auto done = of_this_run(message->text)) desk.take(*done);
+          break;
         case kFailed: throw InputError("rank " + std::to_string(message->rank) + ": " + message->text);
         default: note_bye(*message);
       }
     }
     for (auto asked = asked_.begin(); asked != asked_.end();) {
-      const std::optional<Block> block = desk.give(asked->second);
+      if (asked->second.run != run_) {
+        asked = asked_.erase(asked);
+        continue;
+      }
+      const std::optional<Block> block = desk.give(asked->second.most);
       if (!block) break;
-      send(asked->first, kBlock, std::to_string(block->begin) + " " + std::to_string(block->end));
+      send(asked->first, kBlock, this_run() + std::to_string(block->begin) + " " + std::to_string(block->end));
       asked = asked_.erase(asked);
     }
   }
 
   void end() override {
-    if (has_ended_) return;
-    has_ended_ = true;
-    for (int rank = 1; rank < n_ranks_; ++rank) send(rank, kEnd);
+    for (int rank = 1; rank < n_ranks_; ++rank) send(rank, kEnd, this_run());
   }
 
-  void ask(std::uint64_t most) override { send(kLeader, kAsk, std::to_string(most)); }
-  void hand_in(const RunState& done) override { send(kLeader, kRecord, run_state_text(done)); }
+  void ask(std::uint64_t most) override { send(kLeader, kAsk, this_run() + std::to_string(most)); }
+  void hand_in(const std::string& done) override { send(kLeader, kRecord, this_run() + done); }
 
   Arrived receive() override {
+    if (has_ended_) return {true, std::nullopt};
     const std::optional<Message> message = receive_message();
     if (!message) return {};
-    if (message->letter == kEnd) {
+    if (message->letter == kQuit) {
       has_ended_ = true;
       return {true, std::nullopt};
     }
-    const std::size_t blank = message->text.find(' ');
-    return {false, Block{std::stoull(message->text.substr(0, blank)), std::stoull(message->text.substr(blank + 1))}};
+    const std::optional<std::string_view> text = of_this_run(message->text);
+    if (!text) return {};
+    if (message->letter == kEnd) return {true, std::nullopt};
+    const std::string block(*text);
+    const std::size_t blank = block.find(' ');
+    return {false, Block{std::stoull(block.substr(0, blank)), std::stoull(block.substr(blank + 1))}};
   }
 
   int leave(int code) override {
     if (leads()) {
-      end();
+      for (int rank = 1; rank < n_ranks_; ++rank) send(rank, kQuit);
       // Where a rank was lost its farewell never comes; the launcher ends the job, and what is written is written.
       constexpr std::chrono::seconds kLongest{10};
       const Clock::time_point start = Clock::now();
@@ -172,9 +188,20 @@ class MpiRanks final : public ProgramRanks {
  private:
   void note_bye(const Message& message) { n_gone_ += message.letter == kBye ? 1 : 0; }
 
+  std::string this_run() const { return std::to_string(run_) + " "; }
+  std::optional<std::string_view> of_this_run(std::string_view text) const {
+    const std::string begin = this_run();
+    if (!text.starts_with(begin)) return std::nullopt;
+    return text.substr(begin.size());
+  }
+
   int rank_ = 0, n_ranks_ = 1;
   std::string identity_;
-  std::map<int, std::uint64_t> asked_;  // of the leader: who waits for a block, of how many trials at most
+  std::uint64_t run_ = 0;  // the number of the run that goes on
+  struct Question {
+    std::uint64_t run, most;
+  };
+  std::map<int, Question> asked_;  // of the leader: who waits for a block, of how many trials at most
   int n_gone_ = 0;
   bool has_ended_ = false;
 };

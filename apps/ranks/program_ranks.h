@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "apps/common/option_parser.h"
 #include "engine/sampling/ranks.h"
 
 namespace vex {
@@ -23,5 +24,8 @@ class ProgramRanks : public Ranks {
 /// Null where no launcher of MPI started this process with others, or this build is without MPI. From now on a rank
 /// that does not lead prints nothing. The first thing of main.
 std::unique_ptr<ProgramRanks> join_ranks();
+
+/// `run_program` (run_program.h) on this rank of all; without ranks that alone. Returns the exit code of the process.
+int run_on_ranks(ProgramRanks* ranks, OptionParser& options, int argc, char** argv, const std::function<int()>& action);
 
 }  // namespace vex

@@ -16,17 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kAdvice = "give what vex_mesh wrote with --json";
-
-[[noreturn]] void refuse(const std::string& problem, const std::string& file, const std::string& advice) {
-  throw InputError(problem + " (" + printable(file) + ") - " + advice);
-}
-
-struct Range {
-  std::string file;
-  RunState state;
-};
-
 std::string content_of(const std::string& path) {
   constexpr std::size_t kMost = std::size_t{1} << 28;
   errno = 0;
@@ -36,24 +25,13 @@ std::string content_of(const std::string& path) {
   for (std::string piece(1 << 20, '\0');
        file.read(piece.data(), static_cast<std::streamsize>(piece.size())) || file.gcount() > 0;) {
     text.append(piece, 0, static_cast<std::size_t>(file.gcount()));
-    if (text.size() > kMost) refuse("a file is too large for a document", path, kAdvice);
+    if (text.size() > kMost) refuse_document("a file is too large for a document", path, kDocumentAdvice);
   }
   if (!file.is_open() || file.bad() || text.empty()) {
-    refuse("a document cannot be read", path + ": " + (errno != 0 ? std::strerror(errno) : "it is empty"), kAdvice);
+    refuse_document("a document cannot be read", path + ": " + (errno != 0 ? std::strerror(errno) : "it is empty"),
+                    kDocumentAdvice);
   }
   return text;
-}
-
-Json document_of(const std::string& path) {
-  Json document = Json::parse(content_of(path), nullptr, false);
-  if (document.is_discarded()) refuse("a document is no JSON, or cut off", path, kAdvice);
-  if (!document.is_object() || !document.contains("estimate") || !document["estimate"].is_object()) {
-    refuse("a document is not of vex_mesh", path, kAdvice);
-  }
-  if (!document.contains("tally")) {
-    refuse("a document has no tally: nothing was sampled, or by a version of vex before --first-trial", path, kAdvice);
-  }
-  return document;
 }
 
 RunState state_of(const Json& tally, const std::string& path) {
@@ -67,40 +45,9 @@ RunState state_of(const Json& tally, const std::string& path) {
   }
   if (state.done.tally.n_trials == 0 || tally.at("first_trial") != state.first_trial ||
       tally.at("trials") != state.done.tally.n_trials) {
-    refuse("a document's tally has other trials than it says", path, "it is damaged");
+    refuse_document("a document's tally has other trials than it says", path, "it is damaged");
   }
   return state;
-}
-
-// Trials of a run that an error or a time ended are no range: one run would have ended elsewhere.
-void require_ended_by_trials(const Json& document, const RunState& state, const std::string& path) {
-  const std::string stopped_by = document.at("estimate").at("stopped_by").get<std::string>();
-  if (document.at("estimate").at("trials") != state.done.tally.n_trials) {
-    refuse("a document's estimate is of other trials than its tally", path, "it is damaged");
-  }
-  if (stopped_by == "trials" && document.at("complete") == true) return;
-  refuse("a document of a run that was ended by \"" + printable(stopped_by) + "\" before trial " +
-             std::to_string(state.end()),
-         path, "only ranges that --trials ended are added: finish an interrupted one with --resume");
-}
-
-// Of a document's entries those that all ranges have in common, besides what `of` says in more detail.
-void require_same_run(const MergedTrials& first, const Json& document, const std::string& path_of_first,
-                      const std::string& path) {
-  const std::vector<std::string> of = document.at("tally").at("of").get<std::vector<std::string>>();
-  for (std::size_t k = 0; k < std::max(of.size(), first.of.size()); ++k) {
-    const std::string mine = k < of.size() ? of[k] : "nothing more",
-                      its = k < first.of.size() ? first.of[k] : "nothing more";
-    if (mine != its) {
-      throw InputError("documents of unlike runs (" + printable(path) + " has \"" + printable(mine) + "\", and " +
-                       printable(path_of_first) + " \"" + printable(its) + "\") - give those of one run");
-    }
-  }
-  for (const char* const key : {"estimator", "sequence", "backend", "orientations", "domain", "quick_verdicts"}) {
-    if (document.at("estimate").at(key) == first.first.at("estimate").at(key)) continue;
-    throw InputError("documents of unlike runs (" + printable(path) + " has another " + key + " than " +
-                     printable(path_of_first) + ") - give those of one run");
-  }
 }
 
 std::string trials_text(std::uint64_t begin, std::uint64_t end) {
@@ -108,63 +55,114 @@ std::string trials_text(std::uint64_t begin, std::uint64_t end) {
                           : "trials " + std::to_string(begin) + " ... " + std::to_string(end - 1);
 }
 
-void require_every_trial_once(const std::vector<Range>& ranges, const MergeOptions& options) {
+}  // namespace
+
+void refuse_document(const std::string& problem, const std::string& file, const std::string& advice) {
+  throw InputError(problem + " (" + printable(file) + ") - " + advice);
+}
+
+std::string_view program_of(DocumentKind kind) {
+  switch (kind) {
+    case DocumentKind::estimate: return "vex_mesh";
+    case DocumentKind::virial: return "vex_virial";
+    case DocumentKind::percolation: return "vex_percolate";
+  }
+  return "";
+}
+
+Document read_document(const std::string& path) {
+  Document document{path, DocumentKind::estimate, Json::parse(content_of(path), nullptr, false)};
+  const Json& json = document.json;
+  if (json.is_discarded()) refuse_document("a document is no JSON, or cut off", path, kDocumentAdvice);
+  const auto has = [&json](const char* key) { return json.is_object() && json.contains(key); };
+  if (has("estimate") && json["estimate"].is_object()) {
+    if (!has("tally")) {
+      refuse_document("a document has no tally: nothing was sampled, or by a version of vex before --first-trial", path,
+                      kDocumentAdvice);
+    }
+  } else if (has("coefficients") || has("mixture")) {
+    document.kind = DocumentKind::virial;
+  } else if (has("eta_c")) {
+    document.kind = DocumentKind::percolation;
+    if (!has("tally")) {
+      refuse_document("a document of vex_percolate without its realisations", path,
+                      "run it with --first-realisation, 0 for the first part");
+    }
+  } else {
+    refuse_document("a document is not of vex_mesh, vex_virial or vex_percolate", path, kDocumentAdvice);
+  }
+  return document;
+}
+
+void require_every_trial_once(std::vector<TrialRange> ranges, const MergeOptions& options, const std::string& of) {
+  std::ranges::sort(ranges, {}, &TrialRange::begin);
   std::string missing;
-  const auto miss = [&missing](std::uint64_t begin, std::uint64_t end) {
+  const auto miss = [&](std::uint64_t begin, std::uint64_t end) {
     missing += (missing.empty() ? "" : ", ") + trials_text(begin, end);
   };
-  std::uint64_t end = options.is_part ? ranges.front().state.first_trial : 0;
+  const std::uint64_t begin = options.is_part ? ranges.front().begin : 0;
+  std::uint64_t end = begin;
   for (std::size_t k = 0; k < ranges.size(); ++k) {
-    const RunState& state = ranges[k].state;
-    if (state.first_trial < end) {
-      throw InputError(trials_text(state.first_trial, std::min(end, state.end())) + " are in two documents (" +
-                       printable(ranges[k - 1].file) + " and " + printable(ranges[k].file) +
-                       ") - give each trial once");
+    const TrialRange& range = ranges[k];
+    if (range.begin < end) {
+      throw InputError(trials_text(range.begin, std::min(end, range.end)) + of + " are in two documents (" +
+                       printable(ranges[k - 1].file) + " and " + printable(range.file) + ") - give each trial once");
     }
-    if (state.first_trial > end) miss(end, state.first_trial);
-    end = state.end();
+    if (range.begin > end) miss(end, range.begin);
+    end = range.end;
   }
-  const std::uint64_t begin = options.is_part ? ranges.front().state.first_trial : 0;
   if (options.trials && end - begin < *options.trials) miss(end, begin + *options.trials);
   if (!missing.empty()) {
-    throw InputError("trials are in no document (" + missing + ") - " +
-                     (missing.find(',') == std::string::npos && ranges.front().state.first_trial > 0 && !options.trials
+    throw InputError("trials" + of + " are in no document (" + missing + ") - " +
+                     (missing.find(',') == std::string::npos && ranges.front().begin > 0 && !options.trials
                           ? "add their documents, or give --part for a result that begins behind trial 0"
                           : "add their documents"));
   }
   if (options.trials && end - begin > *options.trials) {
-    throw InputError("more trials than asked for (" + std::to_string(end - begin) + ", and --trials " +
+    throw InputError("more trials" + of + " than asked for (" + std::to_string(end - begin) + ", and --trials " +
                      std::to_string(*options.trials) + ") - leave out the others' documents");
   }
 }
 
-}  // namespace
-
-MergedTrials merge_documents(const MergeOptions& options) {
-  MergedTrials merged;
-  std::vector<Range> ranges;
-  for (const std::string& path : options.files) {
-    try {
-      Json document = document_of(path);
-      ranges.push_back({path, state_of(document.at("tally"), path)});
-      const RunState& state = ranges.back().state;
-      require_ended_by_trials(document, state, path);
-      if (ranges.size() == 1) {
-        merged.of = document.at("tally").at("of").get<std::vector<std::string>>();
-      } else {
-        require_same_run(merged, document, ranges.front().file, path);
-      }
-      if (ranges.size() == 1 || state.first_trial < merged.first.at("tally").at("first_trial").get<std::uint64_t>()) {
-        merged.first = std::move(document);
-      }
-    } catch (const Json::exception& error) {
-      refuse("a document lacks what vex_mesh writes", path + ": " + error.what(), kAdvice);
-    }
+void require_same_run(const std::vector<std::string>& of_first, const std::string& file_of_first,
+                      const std::vector<std::string>& of, const std::string& file) {
+  for (std::size_t k = 0; k < std::max(of.size(), of_first.size()); ++k) {
+    const std::string mine = k < of.size() ? of[k] : "nothing more",
+                      its = k < of_first.size() ? of_first[k] : "nothing more";
+    if (mine == its) continue;
+    throw InputError("documents of unlike runs (" + printable(file) + " has \"" + printable(mine) + "\", and " +
+                     printable(file_of_first) + " \"" + printable(its) + "\") - give those of one run");
   }
-  std::ranges::sort(ranges, {}, [](const Range& range) { return range.state.first_trial; });
-  require_every_trial_once(ranges, options);
-  merged.state = std::move(ranges.front().state);
-  for (std::size_t k = 1; k < ranges.size(); ++k) merged.state.append(std::move(ranges[k].state));
+}
+
+void require_ended_by_trials(bool complete, const std::string& stopped_by, std::uint64_t end, const std::string& file) {
+  if (stopped_by == "trials" && complete) return;
+  refuse_document(
+      "a document of a run that was ended by \"" + printable(stopped_by) + "\" before trial " + std::to_string(end),
+      file, "only ranges that --trials ended are added: finish an interrupted one with --resume");
+}
+
+MergedTally merge_tallies(const std::vector<TallyOfFile>& tallies, const MergeOptions& options,
+                          const std::string& name) {
+  struct Part {
+    std::size_t number;
+    RunState state;
+  };
+  std::vector<Part> parts;
+  std::vector<TrialRange> ranges;
+  MergedTally merged;
+  for (const auto& [file, tally] : tallies) {
+    const std::vector<std::string> of = tally->at("of").get<std::vector<std::string>>();
+    parts.push_back({parts.size(), state_of(*tally, file)});
+    ranges.push_back({file, parts.back().state.first_trial, parts.back().state.end()});
+    if (parts.size() == 1) merged.of = of;
+    require_same_run(merged.of, tallies.front().first, of, file);
+  }
+  require_every_trial_once(ranges, options, name);
+  std::ranges::sort(parts, {}, [](const Part& part) { return part.state.first_trial; });
+  merged.first = parts.front().number;
+  merged.state = std::move(parts.front().state);
+  for (std::size_t k = 1; k < parts.size(); ++k) merged.state.append(std::move(parts[k].state));
   return merged;
 }
 

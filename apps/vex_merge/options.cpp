@@ -6,15 +6,15 @@ namespace vex {
 
 void declare_options(OptionParser& options, MergeCommandLine& words) {
   options
-      .add_option(
-          "FILES", words.files,
-          "JSON documents of vex_mesh --first-trial FIRST --trials N, in any order; what vex_merge --part wrote "
-          "is one, too")
+      .add_option("FILES", words.files,
+                  "JSON documents of vex_mesh or vex_virial --first-trial FIRST --trials N, or of vex_percolate "
+                  "--first-realisation FIRST --realisations N, in any order; what vex_merge --part wrote is one, too")
       .type_name("")
       .required();
   const std::string what = "What must be there";
   options
-      .add_option("--trials", words.trials, "Refuse another number of trials in all: the last document may be missing")
+      .add_option("--trials", words.trials,
+                  "Refuse another number of trials, or realisations, in all: the last document may be missing")
       .type_name("N")
       .group(what);
   options.add_flag("--part", words.part, "The trials may begin behind trial 0: their result is itself a part")

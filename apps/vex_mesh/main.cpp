@@ -1,5 +1,4 @@
 // vex_mesh A [B]: the orientation-averaged excluded volume of two convex bodies, by Monte Carlo and by the formula.
-#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -23,6 +22,7 @@ constexpr const char* kProgram = "vex_mesh";
 
 int run_vex_mesh(const CommandLine& words, const std::string& command, ProgramRanks* ranks) {
   const Options options = interpret(words);
+  const bool leads = ranks == nullptr || ranks->leads();
 
   std::vector<std::string> bodies = {options.a, options.b};
   bodies.insert(bodies.end(), options.control_variate.begin(), options.control_variate.end());
@@ -35,13 +35,13 @@ int run_vex_mesh(const CommandLine& words, const std::string& command, ProgramRa
   const std::optional<OutputFile> page = files.output("--report", options.report);
   std::optional<Checkpoint> checkpoint;
   if (const std::optional<OutputFile> file = files.output("--checkpoint", options.checkpoint.checkpoint)) {
-    checkpoint.emplace(*file, kProgram, options.checkpoint.seconds_between);
+    // Ranks that do not lead save nothing.
+    if (leads) checkpoint.emplace(*file, kProgram, options.checkpoint);
   }
   if (!options.quiet) files.print_report();
 
   MeshRun run = prepare_run(options, load_two_bodies(options.a, options.b, options.bodies), command);
   ExcludedVolumeSettings& settings = run.options.settings;
-  const bool leads = ranks == nullptr || ranks->leads();
   if (ranks != nullptr) {
     settings.ranks = ranks;
     std::string identity;
@@ -85,10 +85,6 @@ int main(int argc, char** argv) {
       "vex_mesh");
   vex::CommandLine words;
   vex::declare_options(options, words);
-  const std::function<int()> action = [&] {
-    return vex::run_vex_mesh(words, vex::command_line(argc, argv), ranks.get());
-  };
-  const int code = vex::run_program(
-      options, argc, argv, [&] { return ranks == nullptr ? action() : ranks->run(action); }, ranks != nullptr);
-  return ranks == nullptr ? code : ranks->leave(code);
+  return vex::run_on_ranks(ranks.get(), options, argc, argv,
+                           [&] { return vex::run_vex_mesh(words, vex::command_line(argc, argv), ranks.get()); });
 }

@@ -85,7 +85,7 @@ void add_curves(HtmlPage& page, const PercolateRun& run) {
     const auto [from, to] = plotted_range(run);
     for (const SizeRun& size : run.sizes) {
       if (size.found.empty()) continue;
-      PlotSeries curve{"cube’s edge " + short_number(size.system.edge, 5), {}, true, false, false};
+      PlotSeries curve{"cube’s edge " + short_number(size.edge, 5), {}, true, false, false};
       for (int k = 0; k <= kPoints; ++k) {
         const double eta = from + (to - from) * k / kPoints, lambda = eta / run.eta_unit() * size.volume();
         if (lambda > 0.0) curve.points.push_back({eta, wrapping_probability(size.found, WrappingCriterion::x, lambda)});
@@ -130,8 +130,7 @@ void add_sizes(HtmlPage& page, const PercolateRun& run) {
   table.caption = "Sizes in units of " + short_number(run.extent) + ", the largest body’s extent.";
   table.columns = {"size", "cube’s edge", "realisations"};
   for (const SizeRun& size : run.sizes) {
-    table.rows.push_back(
-        {short_number(size.size), short_number(size.system.edge, 6), std::to_string(size.found.size())});
+    table.rows.push_back({short_number(size.size), short_number(size.edge, 6), std::to_string(size.found.size())});
   }
   page.begin_section("The cubes", false);
   page.table(table);

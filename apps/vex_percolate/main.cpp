@@ -1,5 +1,6 @@
 // vex_percolate BODY...: the percolation threshold of overlapping convex bodies.
 #include <iostream>
+#include <memory>
 #include <string_view>
 
 #include "apps/common/command_files.h"
@@ -8,6 +9,7 @@
 #include "apps/common/results.h"
 #include "apps/common/run_program.h"
 #include "apps/common/status_line.h"
+#include "apps/ranks/program_ranks.h"
 #include "apps/vex_percolate/realisations_file.h"
 #include "apps/vex_percolate/report.h"
 #include "engine/numeric/errors.h"
@@ -23,7 +25,7 @@ struct Outputs {
   bool own_standard_output = false;  // one of them
 };
 
-Outputs output_files(const PercolateOptions& options) {
+Outputs output_files(const PercolateOptions& options, bool leads) {
   std::vector<std::string> bodies;
   for (const BodyFraction& body : options.bodies) bodies.push_back(body.text);
   std::vector<std::string> inputs = files_of_bodies(bodies, options.body_options);
@@ -38,7 +40,8 @@ Outputs output_files(const PercolateOptions& options) {
   outputs.gltf = files.output("--gltf", options.gltf, ".glb");
   outputs.report = files.output("--report", options.report);
   if (const std::optional<OutputFile> file = files.output("--checkpoint", parts.checkpoint)) {
-    outputs.checkpoint.emplace(*file, kProgram, parts.seconds_between);
+    // Ranks that do not lead save nothing.
+    if (leads) outputs.checkpoint.emplace(*file, kProgram, parts);
   }
   if (!options.quiet) files.print_report();
   outputs.own_standard_output = files.own_standard_output();
@@ -54,11 +57,18 @@ std::string status_of(const PercolateRun& run) {
   return text;
 }
 
-int run_vex_percolate(const PercolateCommandLine& words, const std::string& command) {
+int run_vex_percolate(const PercolateCommandLine& words, const std::string& command, ProgramRanks* ranks) {
+  const bool leads = ranks == nullptr || ranks->leads();
   const PercolateOptions options = interpret(words);
-  Outputs outputs = output_files(options);
+  Outputs outputs = output_files(options, leads);
   PercolateRun run = prepare(options, command);
-  if (has_run_to_resume(options.checkpoint, kProgram, options.quiet)) resume_from(options.checkpoint.resume, run);
+  if (ranks != nullptr) {
+    std::string identity;
+    for (const std::string& line : system_lines(run)) identity += line + "\n";
+    ranks->introduce(identity);
+  }
+  if (leads && has_run_to_resume(options.checkpoint, kProgram, options.quiet))
+    resume_from(options.checkpoint.resume, run);
   catch_interrupts();
 
   StatusLine status(!options.quiet);
@@ -67,8 +77,10 @@ int run_vex_percolate(const PercolateCommandLine& words, const std::string& comm
       [&] {
         if (!outputs.checkpoint || !outputs.checkpoint->is_due()) return;
         outputs.checkpoint->save(realisations_text(run), [&status] { status.erase(); });
-      });
+      },
+      ranks);
   status.erase();
+  if (!leads) return kSuccess;
 
   const int signal = interrupting_signal().load();
   run.complete = signal == 0;
@@ -89,12 +101,13 @@ int run_vex_percolate(const PercolateCommandLine& words, const std::string& comm
 }  // namespace vex
 
 int main(int argc, char** argv) {
+  const std::unique_ptr<vex::ProgramRanks> ranks = vex::join_ranks();
   // The parser would take it for an option.
   for (int k = 1; k < argc; ++k) {
     if (std::string_view(argv[k]).starts_with("-:")) {
       std::cerr << "vex_percolate: standard input has no fraction as - (" << argv[k]
                 << ") - write /dev/stdin:FRACTION, and its --format\n";
-      return vex::kWrongUsage;
+      return ranks == nullptr ? vex::kWrongUsage : ranks->leave(vex::kWrongUsage);
     }
   }
   vex::OptionParser options(
@@ -103,6 +116,6 @@ int main(int argc, char** argv) {
       "vex_percolate");
   vex::PercolateCommandLine words;
   vex::declare_options(options, words);
-  return vex::run_program(options, argc, argv,
-                          [&] { return vex::run_vex_percolate(words, vex::command_line(argc, argv)); });
+  return vex::run_on_ranks(ranks.get(), options, argc, argv,
+                           [&] { return vex::run_vex_percolate(words, vex::command_line(argc, argv), ranks.get()); });
 }

@@ -145,7 +145,14 @@ void declare_outputs(OptionParser& options, PercolateCommandLine& words) {
       .type_name("FILE.html")
       .group(output);
   // A saved state is the same as --csv writes, which --resume takes as well.
-  declare_checkpoint(options, words, "A run in parts");
+  const std::string parts = "A run in parts";
+  declare_checkpoint(options, words, parts);
+  options
+      .add_option("--first-realisation", words.first_realisation,
+                  "Begin with this realisation of each size, and make --realisations of them: a part of a run, whose "
+                  "--json has them all, and which vex_merge puts together with others")
+      .type_name("N")
+      .group(parts);
 }
 
 }  // namespace
@@ -207,6 +214,19 @@ PercolateOptions interpret(const PercolateCommandLine& words) {
   }
   if (!words.std_error.empty()) options.std_error = parse_positive_number(words.std_error, "--std-error");
   if (!words.seconds.empty()) options.seconds = parse_positive_number(words.seconds, "--seconds");
+  if (!words.first_realisation.empty()) {
+    const std::uint64_t first = parse_count(words.first_realisation, "--first-realisation");
+    if (!options.realisations || options.std_error || options.seconds) {
+      throw UsageError("a part of a run ends by its number of realisations alone (--first-realisation " +
+                       words.first_realisation + ") - give --realisations, and no other rule");
+    }
+    if (first > kMostRealisations - *options.realisations) {
+      throw UsageError("out of range (" + words.first_realisation + " for --first-realisation) - there are " +
+                       std::to_string(kMostRealisations));
+    }
+    options.first_realisation = static_cast<std::uint32_t>(first);
+    options.is_part = true;
+  }
   if (!options.realisations && !options.std_error && !options.seconds) options.realisations = 2000;
   options.law = words.orientations.empty() ? "isotropic" : words.orientations;
   if (options.law == kUniformAngle) {

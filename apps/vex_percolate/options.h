@@ -16,7 +16,7 @@ namespace vex {
 /// The words of the command line, as they stand.
 struct PercolateCommandLine : CommonWords, BodyWords, CheckpointWords {
   std::vector<std::string> bodies;
-  std::string sizes, realisations, std_error, seconds, orientations, shell, backend, isa;
+  std::string sizes, realisations, first_realisation, std_error, seconds, orientations, shell, backend, isa;
   std::string plot, csv, gltf, report;
 };
 
@@ -43,6 +43,8 @@ struct PercolateOptions : CommonOptions {
   BodyOptions body_options;
   std::vector<double> sizes;  // ascending, in units of the largest body's extent
   std::optional<std::uint64_t> realisations;
+  std::uint32_t first_realisation = 0;
+  bool is_part = false;  // whether the document has the realisations, for vex_merge
   std::optional<double> std_error, seconds;
   BodyOrientations orientations;
   std::string law;

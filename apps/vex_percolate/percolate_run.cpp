@@ -11,6 +11,7 @@
 #include "apps/common/text.h"
 #include "engine/numeric/errors.h"
 #include "engine/sampling/percolation/isotropy.h"
+#include "engine/sampling/ranks.h"
 #include "shapes/estimators/exact_average.h"
 #include "shapes/estimators/excluded_volume.h"
 #include "shapes/formula.h"
@@ -141,7 +142,7 @@ void make_systems(PercolateRun& run) {
     PercolationSystem system{placements, edge, static_cast<std::uint32_t>(k), options.instruction_set, options.backend};
     system.most_bodies = static_cast<std::uint32_t>(std::fmin(1e9, 1000.0 + kLargestB * a_b));
     system.usual_bodies = static_cast<std::uint32_t>(kUsualB * a_b);
-    run.sizes.push_back({options.sizes[k], std::move(system), {}, {}});
+    run.sizes.push_back({options.sizes[k], edge, std::move(system), {}, {}});
   }
 }
 
@@ -154,33 +155,6 @@ void find_crossing_of(PercolateRun& run) {
   } catch (const UsageError& error) {
     run.no_threshold_reason = error.what();
   }
-}
-
-void find_thresholds(PercolateRun& run) {
-  run.thresholds.clear();
-  run.threshold.reset();
-  run.crossing.reset();
-  run.no_threshold_reason.clear();
-  std::size_t fewest = kMostRealisations;
-  for (const SizeRun& size : run.sizes) fewest = std::min(fewest, size.found.size());
-  if (fewest < kFewestRealisations) {
-    run.no_threshold_reason = "it takes " + std::to_string(kFewestRealisations) +
-                              " realisations of each size or more, and of one there are " + std::to_string(fewest);
-  }
-  if (!run.is_isotropic) {
-    if (fewest >= kFewestRealisations) find_crossing_of(run);
-    return;
-  }
-  for (const SizeRun& size : run.sizes) {
-    if (size.found.size() < kFewestRealisations) return;
-    run.thresholds.push_back(sized_threshold(size_threshold(size.found), size.size, size.volume()));
-    for (std::size_t c = 0; c < kNWrappingCriteria; ++c) {
-      if (run.thresholds.back().covariance[c][c] > 0.0) continue;
-      run.no_threshold_reason = "realisations of a size do not scatter, and their errors are unknown";
-      return;
-    }
-  }
-  run.threshold = extrapolate(run.thresholds);
 }
 
 // The number of realisations of each size at which the n-th round after it ends: the same in a run that goes on from
@@ -212,6 +186,33 @@ bool is_exact_enough(PercolateRun& run) {
 
 }  // namespace
 
+void find_thresholds(PercolateRun& run) {
+  run.thresholds.clear();
+  run.threshold.reset();
+  run.crossing.reset();
+  run.no_threshold_reason.clear();
+  std::size_t fewest = kMostRealisations;
+  for (const SizeRun& size : run.sizes) fewest = std::min(fewest, size.found.size());
+  if (fewest < kFewestRealisations) {
+    run.no_threshold_reason = "it takes " + std::to_string(kFewestRealisations) +
+                              " realisations of each size or more, and of one there are " + std::to_string(fewest);
+  }
+  if (!run.is_isotropic) {
+    if (fewest >= kFewestRealisations) find_crossing_of(run);
+    return;
+  }
+  for (const SizeRun& size : run.sizes) {
+    if (size.found.size() < kFewestRealisations) return;
+    run.thresholds.push_back(sized_threshold(size_threshold(size.found), size.size, size.volume()));
+    for (std::size_t c = 0; c < kNWrappingCriteria; ++c) {
+      if (run.thresholds.back().covariance[c][c] > 0.0) continue;
+      run.no_threshold_reason = "realisations of a size do not scatter, and their errors are unknown";
+      return;
+    }
+  }
+  run.threshold = extrapolate(run.thresholds);
+}
+
 PercolationCounts PercolateRun::counts() const {
   PercolationCounts sum;
   for (const SizeRun& size : sizes) sum += size.counts;
@@ -240,7 +241,17 @@ PercolateRun prepare(const PercolateOptions& options, const std::string& command
   return run;
 }
 
-void percolate(PercolateRun& run, const std::function<void()>& on_round, const std::function<void()>& on_realisations) {
+void percolate(PercolateRun& run, const std::function<void()>& on_round, const std::function<void()>& on_realisations,
+               Ranks* ranks) {
+  if (ranks != nullptr) {
+    if (!ranks->leads()) {
+      std::vector<const PercolationSystem*> systems;
+      for (const SizeRun& size : run.sizes) systems.push_back(&*size.system);
+      make_realisations_for_leader(systems, run.options.n_threads, *ranks);
+      return;
+    }
+    ranks->begin();
+  }
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   const PercolateOptions& options = run.options;
@@ -268,7 +279,7 @@ void percolate(PercolateRun& run, const std::function<void()>& on_round, const s
     const std::uint64_t goal = std::min(most, end_of_round(fewest));
     for (SizeRun& size : run.sizes) {
       if (size.found.size() >= goal) continue;
-      const std::uint32_t first = static_cast<std::uint32_t>(size.found.size());
+      const std::uint32_t n_found = static_cast<std::uint32_t>(size.found.size());
       const OnRealisations take = [&](std::span<const WrappingNumbers> finished, const PercolationCounts& counts) {
         size.found.insert(size.found.end(), finished.begin(), finished.end());
         size.counts += counts;
@@ -276,12 +287,14 @@ void percolate(PercolateRun& run, const std::function<void()>& on_round, const s
         run.seconds = seconds();
         on_realisations();
       };
-      run_realisations(size.system, first, static_cast<std::uint32_t>(goal) - first, options.n_threads, take, stop);
+      run_realisations(*size.system, run.first_realisation() + n_found, static_cast<std::uint32_t>(goal) - n_found,
+                       options.n_threads, take, stop, ranks);
     }
     find_thresholds(run);
     run.seconds = seconds();
     on_round();
   }
+  if (ranks != nullptr) ranks->end();
   run.complete = interrupting_signal().load() == 0;
   run.seconds = seconds();
 }

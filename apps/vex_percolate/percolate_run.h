@@ -13,12 +13,14 @@ namespace vex {
 
 /// One size of the periodic cube.
 struct SizeRun {
-  double size;  // in extents of the largest body
-  PercolationSystem system;
-  std::vector<WrappingNumbers> found;
+  double size;                              // in extents of the largest body
+  double edge = 0.0;                        // of the cube
+  std::optional<PercolationSystem> system;  // none of a run that was put together from documents
+  std::vector<WrappingNumbers> found;       // of realisations PercolateRun::first_realisation(), ...
   PercolationCounts counts;
 
-  double volume() const { return system.edge * system.edge * system.edge; }
+  std::uint32_t most_bodies() const { return system ? system->most_bodies : 1u << 30; }
+  double volume() const { return edge * edge * edge; }
 };
 
 /// A value with its standard error.
@@ -54,6 +56,7 @@ struct PercolateRun {
   std::optional<Extrapolation> threshold;  // of all
   std::string no_threshold_reason;
 
+  std::uint32_t first_realisation() const { return options.first_realisation; }
   bool is_flat() const { return mean_volume == 0.0; }
   /// eta, or of flat bodies the number density itself.
   double eta_unit() const { return is_flat() ? 1.0 : mean_volume; }
@@ -63,9 +66,14 @@ struct PercolateRun {
 /// Loads the bodies, and makes the systems of all sizes. Throws UsageError or InputError.
 PercolateRun prepare(const PercolateOptions& options, const std::string& command);
 
+/// What follows from the realisations: thresholds, once there are enough.
+void find_thresholds(PercolateRun& run);
+
 /// Finds the mean excluded volume, then makes realisations until a stop rule or an interrupt ends the run. `on_round`
 /// is called after each round, with the thresholds known so far; `on_realisations` after each realisation, by any
-/// thread, one at a time: the realisations and the time are those so far.
-void percolate(PercolateRun& run, const std::function<void()>& on_round, const std::function<void()>& on_realisations);
+/// thread, one at a time: the realisations and the time are those so far. With
+/// `ranks` other processes take part; on one that does not lead nothing is found.
+void percolate(PercolateRun& run, const std::function<void()>& on_round, const std::function<void()>& on_realisations,
+               Ranks* ranks = nullptr);
 
 }  // namespace vex

@@ -57,8 +57,7 @@ void draw_legend(Svg& svg, const PercolateRun& run) {
   for (std::size_t k = 0; k < run.sizes.size(); ++k) {
     at += 24.0;
     svg.line({left, at}, {left + 30.0, at}, "stroke=\"" + colour_of_curve(k) + "\" stroke-width=\"2.4\"");
-    svg.label({left + 38.0, at}, short_number(run.sizes[k].system.edge, 5),
-              anchored("start", text_style(14, kPlotInk)));
+    svg.label({left + 38.0, at}, short_number(run.sizes[k].edge, 5), anchored("start", text_style(14, kPlotInk)));
   }
   at += 40.0;
   svg.label({left, at}, "wraps along", anchored("start", text_style(14, kPlotGrey)));

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <utility>
 
 #include "apps/common/body_identity.h"
 #include "apps/common/checksum.h"
@@ -19,22 +21,8 @@ namespace {
 
 constexpr std::string_view kHeader = "size,realisation,x,y,z";
 
-std::vector<std::string> system_lines(const PercolateRun& run) {
-  const PercolateOptions& options = run.options;
-  std::vector<std::string> lines = {"# vex_percolate " + version() + ": realisations, stream " +
-                                    std::to_string(kStreamVersion)};
-  for (std::size_t k = 0; k < run.bodies.size(); ++k) {
-    lines.push_back("# body: " + body_identity(run.bodies[k].shape) + ", fraction " +
-                    shortest_number(options.bodies[k].fraction));
-  }
-  lines.push_back("# orientations: " + options.law);
-  lines.push_back("# shell: " + shortest_number(options.shell));
-  lines.push_back("# backend: " + options.backend_name);
-  lines.push_back("# seed: " + std::to_string(options.seed));
-  std::string sizes = "# sizes:";
-  for (const SizeRun& size : run.sizes) sizes += " " + shortest_number(size.size);
-  lines.push_back(sizes);
-  return lines;
+std::string first_line(const PercolateRun& run) {
+  return "# first realisation: " + std::to_string(run.first_realisation());
 }
 
 std::string counts_line(const SizeRun& size) {
@@ -62,12 +50,16 @@ bool read_numbers(std::string_view text, char mark, std::span<std::uint64_t> num
 // As bodies are placed, and of pairs.
 constexpr std::uint64_t kLargestBatch = 512, kMostCounted = std::uint64_t{1} << 60;
 
-class ResumedFile {
+class Realisations {
  public:
-  ResumedFile(const std::string& path, PercolateRun& run) : lines_(path, "realisations"), run_(run) {}
+  using NextLine = std::function<bool(std::string_view& line)>;
+  Realisations(std::string name, NextLine next_line, std::span<const std::string> of, PercolateRun& run)
+      : name_(std::move(name)), next_line_(std::move(next_line)), of_(of.begin(), of.end()), run_(run) {
+    if (run.first_realisation() > 0) of_.push_back(first_line(run));
+  }
 
   void read() {
-    for (const std::string& wanted : system_lines(run_)) {
+    for (const std::string& wanted : of_) {
       if (next() != wanted) {
         refuse("of another system (it has \"" + printable(line_) + "\", and this run \"" + printable(wanted) +
                "\") - resume with the command that wrote it");
@@ -85,17 +77,21 @@ class ResumedFile {
       refuse("the checksum \"" + printable(line_) + "\" is not that of the lines before it, \"" +
              end_line(last_before_) + "\" - the file is damaged");
     }
-    if (lines_.next(line_)) refuse("something stands behind the end - the file is damaged");
+    if (next_line_(line_)) refuse("something stands behind the end - the file is damaged");
     for (const SizeRun& size : run_.sizes) check_counts(size);
   }
 
  private:
   [[noreturn]] void refuse(const std::string& problem) const {
-    throw InputError(lines_.name() + ", line " + std::to_string(lines_.number()) + ": " + problem);
+    throw InputError(name_ + ", line " + std::to_string(number_) + ": " + problem);
   }
   std::string_view next() {
     last_before_ = sum_;
-    if (!lines_.next(line_)) line_ = {};
+    if (next_line_(line_)) {
+      ++number_;
+    } else {
+      line_ = {};
+    }
     sum_.add(line_);
     sum_.add("\n");
     return line_;
@@ -117,6 +113,10 @@ class ResumedFile {
   void read_seconds() {
     constexpr std::string_view kKey = "# seconds: ";
     next();
+    if (line_.starts_with("# first realisation: ")) {
+      refuse("of another part of the run (it has \"" + printable(line_) + "\", and this run \"" + first_line(run_) +
+             "\") - resume with the command that wrote it");
+    }
     double seconds = -1.0;
     if (line_.starts_with(kKey)) {
       const std::string_view number = line_.substr(kKey.size());
@@ -148,14 +148,15 @@ class ResumedFile {
     if (!read_numbers(line_, ',', row)) refuse("not five whole numbers - the file is damaged");
     if (row[0] >= run_.sizes.size()) refuse("size " + std::to_string(row[0]) + " is none - the file is damaged");
     SizeRun& size = run_.sizes[row[0]];
-    if (row[1] != size.found.size()) {
-      refuse("realisation " + std::to_string(row[1]) + " where " + std::to_string(size.found.size()) +
+    const std::uint64_t due = std::uint64_t{run_.first_realisation()} + size.found.size();
+    if (row[1] != due) {
+      refuse("realisation " + std::to_string(row[1]) + " where " + std::to_string(due) +
              " is due - the file is damaged");
     }
     if (size.found.size() >= kMostRealisations) refuse("too many realisations - the file is damaged");
     WrappingNumbers numbers;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (row[2 + axis] == 0 || row[2 + axis] > std::uint64_t{size.system.most_bodies} + kLargestBatch) {
+      if (row[2 + axis] == 0 || row[2 + axis] > std::uint64_t{size.most_bodies()} + kLargestBatch) {
         refuse(std::to_string(row[2 + axis]) + " bodies are none that a cluster wraps with - the file is damaged");
       }
       numbers.along[axis] = static_cast<std::uint32_t>(row[2 + axis]);
@@ -163,24 +164,48 @@ class ResumedFile {
     size.found.push_back(numbers);
   }
 
-  LineReader lines_;
+  std::string name_;
+  NextLine next_line_;
+  std::vector<std::string> of_;
   PercolateRun& run_;
+  std::uint64_t number_ = 0;  // of the line
   std::string_view line_;
   Checksum sum_, last_before_;  // of all lines, and of those before the last one
 };
 
 }  // namespace
 
-std::string realisations_text(const PercolateRun& run) {
+std::vector<std::string> system_lines(const PercolateRun& run) {
+  const PercolateOptions& options = run.options;
+  std::vector<std::string> lines = {"# vex_percolate " + version() + ": realisations, stream " +
+                                    std::to_string(kStreamVersion)};
+  for (std::size_t k = 0; k < run.bodies.size(); ++k) {
+    lines.push_back("# body: " + body_identity(run.bodies[k].shape) + ", fraction " +
+                    shortest_number(options.bodies[k].fraction));
+  }
+  lines.push_back("# orientations: " + options.law);
+  lines.push_back("# shell: " + shortest_number(options.shell));
+  lines.push_back("# backend: " + options.backend_name);
+  lines.push_back("# seed: " + std::to_string(options.seed));
+  std::string sizes = "# sizes:";
+  for (const SizeRun& size : run.sizes) sizes += " " + shortest_number(size.size);
+  lines.push_back(sizes);
+  return lines;
+}
+
+std::string realisations_text(const PercolateRun& run) { return realisations_text(run, system_lines(run)); }
+
+std::string realisations_text(const PercolateRun& run, std::span<const std::string> of) {
   std::string text;
-  for (const std::string& line : system_lines(run)) text += line + "\n";
+  for (const std::string& line : of) text += line + "\n";
+  if (run.first_realisation() > 0) text += first_line(run) + "\n";
   text += "# seconds: " + shortest_number(run.seconds_before + run.seconds) + "\n";
   for (const SizeRun& size : run.sizes) text += counts_line(size) + "\n";
   text += std::string(kHeader) + "\n";
   for (std::size_t k = 0; k < run.sizes.size(); ++k) {
     const std::vector<WrappingNumbers>& found = run.sizes[k].found;
     for (std::size_t j = 0; j < found.size(); ++j) {
-      text += std::to_string(k) + "," + std::to_string(j);
+      text += std::to_string(k) + "," + std::to_string(run.first_realisation() + j);
       for (const std::uint32_t n : found[j].along) text += "," + std::to_string(n);
       text += "\n";
     }
@@ -190,6 +215,22 @@ std::string realisations_text(const PercolateRun& run) {
   return text + end_line(sum) + "\n";
 }
 
-void resume_from(const std::string& path, PercolateRun& run) { ResumedFile(path, run).read(); }
+void resume_from(const std::string& path, PercolateRun& run) {
+  LineReader lines(path, "realisations");
+  Realisations(
+      lines.name(), [&lines](std::string_view& line) { return lines.next(line); }, system_lines(run), run)
+      .read();
+}
+
+void read_realisations(const std::string& name, std::span<const std::string> lines, std::span<const std::string> of,
+                       PercolateRun& run) {
+  const auto next = [&lines](std::string_view& line) {
+    if (lines.empty()) return false;
+    line = lines.front();
+    lines = lines.subspan(1);
+    return true;
+  };
+  Realisations(name, next, of, run).read();
+}
 
 }  // namespace vex

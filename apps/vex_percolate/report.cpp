@@ -71,7 +71,7 @@ std::string sizes_text(const PercolateRun& run) {
   }
   for (std::size_t k = 0; k < run.sizes.size(); ++k) {
     const SizeRun& size = run.sizes[k];
-    std::vector<std::string> line = {short_number(size.size), short_number(size.system.edge, 6),
+    std::vector<std::string> line = {short_number(size.size), short_number(size.edge, 6),
                                      std::to_string(size.found.size())};
     for (std::string& column : size_columns(run, k)) line.push_back(std::move(column));
     line.resize(lines[0].size(), "-");
@@ -199,8 +199,8 @@ std::string sample_gltf(const PercolateRun& run) {
   if (smallest.found.empty())
     throw InputError("no realisation is there to be shown (--gltf) - let the run last longer");
   const std::uint32_t n = smallest.found.front().any();
-  Realisation sample(smallest.system);
-  sample.place_and_join(0, n);
+  Realisation sample(*smallest.system);
+  sample.place_and_join(run.first_realisation(), n);
   Clusters& clusters = sample.clusters();
   std::vector<std::uint8_t> colours(n, kPlain);
   for (BodyId body = 0; body < n; ++body) {

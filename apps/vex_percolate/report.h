@@ -1,8 +1,10 @@
 // What vex_percolate says of a run: on the screen, as a document, and as pictures.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "apps/vex_percolate/percolate_run.h"
 
@@ -18,6 +20,9 @@ std::optional<CriticalValues> critical_values(const PercolateRun& run);
 
 std::string report_text(const PercolateRun& run);
 
+/// Sets what follows from the realisations; of a part of a run (PercolateOptions::is_part) these as well, which are of
+/// what `of` says (system_lines).
+void set_found(nlohmann::ordered_json& document, const PercolateRun& run, const std::vector<std::string>& of);
 /// The document of --json.
 std::string report_json(const PercolateRun& run);
 

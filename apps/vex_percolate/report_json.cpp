@@ -1,8 +1,10 @@
 // The document of --json.
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "apps/common/body_report.h"
+#include "apps/vex_percolate/realisations_file.h"
 #include "apps/vex_percolate/report.h"
 
 namespace vex {
@@ -27,7 +29,7 @@ Json criterion_json(const PercolateRun& run, double probability, double density,
 
 Json size_json(const PercolateRun& run, std::size_t k) {
   const SizeRun& size = run.sizes[k];
-  Json json = {{"size", size.size}, {"box", size.system.edge}, {"realisations", size.found.size()}};
+  Json json = {{"size", size.size}, {"box", size.edge}, {"realisations", size.found.size()}};
   json["criteria"] = nullptr;
   if (run.crossing) {
     const Crossing::OfSize& of_size = run.crossing->sizes[k];
@@ -77,7 +79,40 @@ Json fit_json(const PercolateRun& run) {
   return json;
 }
 
+// All realisations, in full: what vex_merge adds.
+Json tally_of(const PercolateRun& run, const std::vector<std::string>& of) {
+  Json lines = Json::array();
+  const std::string text = realisations_text(run, of);
+  for (std::string_view rest = text; !rest.empty(); rest.remove_prefix(rest.find('\n') + 1)) {
+    lines.push_back(rest.substr(0, rest.find('\n')));
+  }
+  std::size_t fewest = run.sizes.front().found.size();
+  for (const SizeRun& size : run.sizes) fewest = std::min(fewest, size.found.size());
+  return {{"first_realisation", run.first_realisation()}, {"realisations", fewest}, {"of", of}, {"state", lines}};
+}
+
 }  // namespace
+
+void set_found(Json& json, const PercolateRun& run, const std::vector<std::string>& of) {
+  const std::optional<CriticalValues> values = critical_values(run);
+  json["eta_c"] = values ? estimated_json(values->eta) : Json(nullptr);
+  json["phi_c"] = values ? estimated_json(values->phi) : Json(nullptr);
+  json["number_density_c"] = values ? estimated_json(values->number_density) : Json(nullptr);
+  json["b_c"] = values ? estimated_json(values->b) : Json(nullptr);
+  json["sizes"] = Json::array();
+  for (std::size_t k = 0; k < run.sizes.size(); ++k) json["sizes"].push_back(size_json(run, k));
+  json["extrapolation"] = fit_json(run);
+  json.erase("no_threshold_reason");
+  if (!run.threshold) json["no_threshold_reason"] = run.no_threshold_reason;
+  const PercolationCounts counts = run.counts();
+  json["bodies_placed"] = counts.n_bodies;
+  // Pairs whose circumscribed balls may meet: seen = skipped + tested (PercolationCounts).
+  json["pairs"] = {{"seen", counts.n_seen()},
+                   {"skipped", counts.n_skipped()},
+                   {"tested", counts.n_tested()},
+                   {"undecided", counts.n_undecided}};
+  if (run.options.is_part) json["tally"] = tally_of(run, of);
+}
 
 std::string report_json(const PercolateRun& run) {
   const PercolateOptions& options = run.options;
@@ -92,11 +127,7 @@ std::string report_json(const PercolateRun& run) {
   json["shell"] = options.shell;
   json["backend"] = options.backend_name;
   json["isa"] = name_of(options.instruction_set);
-  const std::optional<CriticalValues> values = critical_values(run);
-  json["eta_c"] = values ? estimated_json(values->eta) : Json(nullptr);
-  json["phi_c"] = values ? estimated_json(values->phi) : Json(nullptr);
-  json["number_density_c"] = values ? estimated_json(values->number_density) : Json(nullptr);
-  json["b_c"] = values ? estimated_json(values->b) : Json(nullptr);
+  for (const char* const key : {"eta_c", "phi_c", "number_density_c", "b_c"}) json[key] = nullptr;
   json["excluded_volume"] = nullptr;
   json["excluded_volume_std_error"] = nullptr;
   if (run.excluded_volume.reason.empty()) {
@@ -107,20 +138,11 @@ std::string report_json(const PercolateRun& run) {
   }
   json["mean_volume"] = run.mean_volume;
   json["size_unit"] = run.extent;
-  json["sizes"] = Json::array();
-  for (std::size_t k = 0; k < run.sizes.size(); ++k) json["sizes"].push_back(size_json(run, k));
+  json["sizes"] = nullptr;
   json["isotropic"] = run.is_isotropic;
   json["threshold_by"] = run.is_isotropic ? "universal-probabilities" : "crossing";
-  json["extrapolation"] = fit_json(run);
-  if (!run.threshold) json["no_threshold_reason"] = run.no_threshold_reason;
+  set_found(json, run, system_lines(run));
   if (!run.stopped_because.empty()) json["stopped_because"] = run.stopped_because;
-  const PercolationCounts counts = run.counts();
-  json["bodies_placed"] = counts.n_bodies;
-  // Pairs whose circumscribed balls may meet: seen = skipped + tested (PercolationCounts).
-  json["pairs"] = {{"seen", counts.n_seen()},
-                   {"skipped", counts.n_skipped()},
-                   {"tested", counts.n_tested()},
-                   {"undecided", counts.n_undecided}};
   return document_text(json);
 }
 

@@ -1,15 +1,23 @@
 // vex_virial BODY: virial coefficients of hard convex bodies.
+#include <memory>
+#include <optional>
+#include <utility>
+
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
 #include "apps/common/progress_bar.h"
 #include "apps/common/results.h"
 #include "apps/common/run_program.h"
+#include "apps/ranks/program_ranks.h"
 #include "apps/vex_virial/report.h"
+#include "apps/vex_virial/run_identity.h"
 
 namespace vex {
 namespace {
 
-void measure(VirialRun& run) {
+constexpr const char* kProgram = "vex_virial";
+
+void measure(VirialRun& run, Checkpoint* checkpoint) {
   VirialSettings& settings = run.options.settings;
   settings.interrupt = &interrupting_signal();
   std::optional<ProgressBar> bar;
@@ -22,6 +30,13 @@ void measure(VirialRun& run) {
     }
     bar->show(progress);
   };
+  if (checkpoint != nullptr) {
+    settings.on_state = [&run, checkpoint, &bar](const std::vector<RunState>& states) {
+      checkpoint->save(checkpoint_text(run, states), [&bar] {
+        if (bar) bar->erase();
+      });
+    };
+  }
   if (!run.options.is_mixture()) {
     run.found = virial_coefficients(run.bodies[0].shape, settings);
     run.complete = run.found.complete;
@@ -35,25 +50,44 @@ void measure(VirialRun& run) {
   }
 }
 
-int run_vex_virial(const VirialCommandLine& words, const std::string& command) {
+int run_vex_virial(const VirialCommandLine& words, const std::string& command, ProgramRanks* ranks) {
+  const bool leads = ranks == nullptr || ranks->leads();
   VirialRun run;
   run.command = command;
   run.options = interpret(words);
   const VirialOptions& options = run.options;
   std::vector<std::string> texts = {options.a};
   if (options.is_mixture()) texts.push_back(options.b);
-  CommandFiles files(files_of_bodies(texts, options.body_options));
+  std::vector<std::string> inputs = files_of_bodies(texts, options.body_options);
+  const CheckpointOptions& parts = options.checkpoint;
+  if (!parts.resume.empty() && !parts.is_own_file()) inputs.push_back(parts.resume);
+  CommandFiles files(std::move(inputs));
   const std::optional<OutputFile> json = files.output("--json", options.json);
   const std::optional<OutputFile> plot = files.output("--plot", options.plot);
+  std::optional<Checkpoint> checkpoint;
+  if (const std::optional<OutputFile> file = files.output("--checkpoint", parts.checkpoint)) {
+    // Ranks that do not lead save nothing.
+    if (leads) checkpoint.emplace(*file, kProgram, parts);
+  }
   if (!options.quiet) files.print_report();
 
   for (const std::string& text : texts) run.bodies.push_back(load_body(text, options.body_options));
   require_one_unit(run.bodies, options.body_options);
   if (options.dump_vertices) require_vertices_to_list(run.bodies);
+  if (ranks != nullptr) {
+    run.options.settings.ranks = ranks;
+    std::string identity;
+    for (const std::string& line : run_identity(run)) identity += line + "\n";
+    ranks->introduce(identity);
+  }
+  if (leads && has_run_to_resume(parts, kProgram, options.quiet)) {
+    run.options.settings.resume = read_checkpoint(parts.resume, run);
+  }
   catch_interrupts();
-  measure(run);
+  measure(run, checkpoint ? &*checkpoint : nullptr);
+  if (!leads) return kSuccess;
 
-  Results results("vex_virial", files.own_standard_output());
+  Results results(kProgram, files.own_standard_output());
   if (!options.quiet && !files.own_standard_output()) results.print(report_text(run));
   results.write(json, Results::Kind::numbers, [&] { return report_json(run); });
   results.write(plot, Results::Kind::picture, [&] { return picture_of(run); });
@@ -65,12 +99,13 @@ int run_vex_virial(const VirialCommandLine& words, const std::string& command) {
 }  // namespace vex
 
 int main(int argc, char** argv) {
+  const std::unique_ptr<vex::ProgramRanks> ranks = vex::join_ranks();
   vex::OptionParser options(
       "Virial coefficients B3 to B8 of hard convex bodies, by Monte Carlo over clusters of overlapping bodies, with "
       "errors; and the compressibility factor of the series.",
       "vex_virial");
   vex::VirialCommandLine words;
   vex::declare_options(options, words);
-  return vex::run_program(options, argc, argv,
-                          [&] { return vex::run_vex_virial(words, vex::command_line(argc, argv)); });
+  return vex::run_on_ranks(ranks.get(), options, argc, argv,
+                           [&] { return vex::run_vex_virial(words, vex::command_line(argc, argv), ranks.get()); });
 }

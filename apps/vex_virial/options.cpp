@@ -41,6 +41,11 @@ void declare_run(OptionParser& options, VirialCommandLine& words) {
                   "bunches of clusters)")
       .type_name("N")
       .group(stop);
+  options
+      .add_option("--trials", words.trials,
+                  "The same in trials: bunches of 244 clusters, from the sixth coefficient on of 488")
+      .type_name("N")
+      .group(stop);
   const std::string system = "System";
   options.add_option("--order", words.order, "The last coefficient, 3 to 8 (default 4; of a mixture 3)")
       .type_name("N")
@@ -54,6 +59,17 @@ void declare_run(OptionParser& options, VirialCommandLine& words) {
   declare_seed_and_threads(options, words, system);
 }
 
+void declare_parts(OptionParser& options, VirialCommandLine& words) {
+  const std::string parts = "A run in parts";
+  declare_checkpoint(options, words, parts);
+  options
+      .add_option("--first-trial", words.first_trial,
+                  "Begin with this trial of each coefficient, and make --trials of them: a part of a run, which "
+                  "vex_merge puts together with others")
+      .type_name("N")
+      .group(parts);
+}
+
 }  // namespace
 
 void declare_options(OptionParser& options, VirialCommandLine& words) {
@@ -61,6 +77,7 @@ void declare_options(OptionParser& options, VirialCommandLine& words) {
   options.add_option("BODY_B", words.b,
                      "Another body: then the third coefficients B_AAA, B_AAB, B_ABB and B_BBB of mixtures");
   declare_run(options, words);
+  declare_parts(options, words);
   declare_body_options(options, words);
   declare_json_and_quiet(options, words, "Print no report");
   options
@@ -100,6 +117,14 @@ VirialOptions interpret(const VirialCommandLine& words) {
   if (!words.rel_error.empty()) settings.rel_error = parse_positive_number(words.rel_error, "--rel-error");
   if (!words.seconds.empty()) settings.seconds = parse_positive_number(words.seconds, "--seconds");
   if (!words.samples.empty()) settings.samples = parse_positive_count(words.samples, "--samples");
+  if (!words.trials.empty()) settings.trials = parse_positive_count(words.trials, "--trials");
+  if (!words.first_trial.empty()) settings.first_trial = parse_count(words.first_trial, "--first-trial");
+  if (settings.first_trial > 0 && (!settings.trials || settings.rel_error || settings.seconds || settings.samples)) {
+    throw UsageError("a range of trials ends by their number alone (--first-trial " + words.first_trial +
+                     ") - give --trials, and no other rule");
+  }
+  options.checkpoint = interpret_checkpoint(words);
+  settings.seconds_between_states = options.checkpoint.seconds_between;
   settings.law = law_of(words.orientations);
   settings.seed = options.seed;
   settings.threads = options.n_threads;

@@ -4,15 +4,16 @@
 #include <string>
 
 #include "apps/common/body_options.h"
+#include "apps/common/checkpoint.h"
 #include "apps/common/common_options.h"
 #include "shapes/estimators/virial_coefficients.h"
 
 namespace vex {
 
 /// The words of the command line, as they stand.
-struct VirialCommandLine : CommonWords, BodyWords {
+struct VirialCommandLine : CommonWords, BodyWords, CheckpointWords {
   std::string a, b;
-  std::string order, rel_error, seconds, samples, orientations, isa, plot;
+  std::string order, rel_error, seconds, samples, trials, first_trial, orientations, isa, plot;
 };
 
 /// Declares the options; parsing fills `words`, which must outlive `options`.
@@ -25,6 +26,7 @@ struct VirialOptions : CommonOptions {
   VirialSettings settings;
   bool dump_vertices = false;
   std::string plot;
+  CheckpointOptions checkpoint;
 
   bool is_mixture() const { return !b.empty(); }
 };

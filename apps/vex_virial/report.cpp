@@ -4,9 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/common/body_report.h"
+#include "apps/common/estimate_report.h"
 #include "apps/common/numbers.h"
 #include "apps/common/processor.h"
 #include "apps/common/text.h"
+#include "apps/vex_virial/run_identity.h"
 #include "shapes/equations_of_state.h"
 
 namespace vex {
@@ -80,7 +82,17 @@ std::string mixture_text(const VirialRun& run) {
   return table_text(lines);
 }
 
-Json coefficient_json(const VirialCoefficient& found) {
+RunState state_of(const RunRecord& record) {
+  RunState state;
+  state.first_trial = record.first_trial;
+  state.done = record;
+  state.seconds = record.seconds;
+  return state;
+}
+
+}  // namespace
+
+Json coefficient_json(const VirialCoefficient& found, const std::vector<std::string>& of) {
   const VirialPairs& pairs = found.pairs;
   return {{"n", found.n},
           {"reduced", number_or_null(found.reduced)},
@@ -98,21 +110,27 @@ Json coefficient_json(const VirialCoefficient& found) {
             {"searched", pairs.n_searched},
             {"skipped", pairs.n_skipped()},
             {"undecided", pairs.n_undecided}}},
-          {"seconds", found.record.seconds}};
+          {"seconds", found.record.seconds},
+          {"tally", tally_json(of, state_of(found.record))}};
 }
 
-Json mixed_json(const MixedVirial& mixed) {
+Json mixed_json(const MixedVirial& mixed, const std::vector<std::string>& of) {
   return {{"bodies", mixed.name},
           {"value", number_or_null(mixed.value)},
           {"std_error", number_or_null(mixed.std_error)},
           {"reduced", number_or_null(mixed.reduced)},
           {"reduced_std_error", number_or_null(mixed.reduced_std_error)},
+          {"b2_product", number_or_null(mixed.b2_product)},
+          {"b2_relative_error", number_or_null(mixed.b2_relative_error)},
           {"samples", mixed.samples},
           {"complete", mixed.record.complete},
           {"stopped_by", name_of(mixed.record.stopped_by)},
           {"undecided", mixed.record.tally.n_undecided},
-          {"seconds", mixed.record.seconds}};
+          {"seconds", mixed.record.seconds},
+          {"tally", tally_json(of, state_of(mixed.record))}};
 }
+
+namespace {
 
 Json compressibility_json(const VirialRun& run) {
   Json rows = Json::array();
@@ -170,9 +188,10 @@ std::string report_json(const VirialRun& run) {
   for (const LoadedBody& body : run.bodies) json["bodies"].push_back(body_json(body, options.dump_vertices));
   json["orientations"] = options.settings.law.name();
   json["isa"] = name_of(options.settings.instruction_set);
+  const std::vector<std::string> of = trials_identity(run);
   if (options.is_mixture()) {
     json["mixture"] = Json::array();
-    for (const MixedVirial& mixed : run.mixed) json["mixture"].push_back(mixed_json(mixed));
+    for (const MixedVirial& mixed : run.mixed) json["mixture"].push_back(mixed_json(mixed, of));
     return document_text(json);
   }
   json["b2"] = number_or_null(run.found.b2);
@@ -180,7 +199,7 @@ std::string report_json(const VirialRun& run) {
   json["b2_per_volume"] = number_or_null(run.found.b2_per_volume);
   if (!run.found.b2_reason.empty()) json["b2_reason"] = run.found.b2_reason;
   json["coefficients"] = Json::array();
-  for (const VirialCoefficient& found : run.found.higher) json["coefficients"].push_back(coefficient_json(found));
+  for (const VirialCoefficient& found : run.found.higher) json["coefficients"].push_back(coefficient_json(found, of));
   json["compressibility"] = compressibility_json(run);
   return document_text(json);
 }

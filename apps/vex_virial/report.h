@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,10 @@ struct EquationOfState {
 };
 /// None of flat bodies, or where bodies are not in random orientation.
 std::vector<EquationOfState> equations_of_state(const VirialRun& run);
+
+/// Of one coefficient: what follows from its record, and the record itself, of the run that `of` describes.
+nlohmann::ordered_json coefficient_json(const VirialCoefficient& found, const std::vector<std::string>& of);
+nlohmann::ordered_json mixed_json(const MixedVirial& mixed, const std::vector<std::string>& of);
 
 std::string report_text(const VirialRun& run);
 std::string report_json(const VirialRun& run);

@@ -22,7 +22,10 @@ class AveragingRunner final : public TrialRunner {
         points_(settings.seed, settings.sequence, integrand_->dimension(), {}, settings.instruction_set,
                 integrand_->n_independent_coordinates()),
         columns_(static_cast<std::size_t>(integrand_->dimension() + 1) * kStride),
-        reference_(reference) {}
+        reference_(reference) {
+    Tally before;  // the reference is no trial
+    integrand_->count(before.counted);
+  }
 
   BlockRecord run(std::uint64_t begin, std::uint64_t end) override {
     BlockRecord record;
@@ -38,6 +41,7 @@ class AveragingRunner final : public TrialRunner {
         add(trials.part(done, kBatch), record.tally, by_class.classes[k]);
       }
     }
+    integrand_->count(record.tally.counted);
     return record;
   }
 

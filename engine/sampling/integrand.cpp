@@ -4,4 +4,6 @@ namespace vex {
 
 Integrand::~Integrand() = default;
 
+void Integrand::count(std::span<std::uint64_t> /*counted*/) {}
+
 }  // namespace vex

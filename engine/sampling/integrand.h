@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -49,6 +50,10 @@ class Integrand {
   /// function of these coordinates alone, to the last bit. It hangs neither on the other points, nor on how often this
   /// or another instance was asked before: what is made on the way (tables, caches) changes no bit.
   virtual Doubts evaluate(std::span<const double> points, std::span<double> values) = 0;
+
+  /// Adds to `counted` (Tally::kNCounted places) what the values since the last call took, each a function of its point
+  /// alone: for integrands that count something.
+  virtual void count(std::span<std::uint64_t> counted);
 };
 
 using MakeIntegrand = std::function<std::unique_ptr<Integrand>()>;

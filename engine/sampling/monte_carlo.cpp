@@ -19,6 +19,7 @@
 #include "engine/sampling/poses/pose_map.h"
 #include "engine/sampling/rank_worker.h"
 #include "engine/sampling/run_ledger.h"
+#include "engine/sampling/run_state_text.h"
 #include "engine/sampling/runner_factory.h"
 #include "engine/sampling/trial_runner.h"
 #include "engine/scene/threads.h"
@@ -41,6 +42,7 @@ class Run {
         ledger_(settings, certain),
         seconds_before_(settings.resume != nullptr ? settings.resume->seconds : 0.0) {
     if (settings.resume != nullptr) require_state_of_this_run(*settings.resume);
+    if (settings.ranks != nullptr) settings.ranks->begin();
   }
 
   RunRecord go() {
@@ -108,7 +110,8 @@ class Run {
                               if (!block) return std::nullopt;
                               return Ranks::Block{block->begin, block->end};
                             },
-                            [this](RunState&& state) {
+                            [this](std::string_view done) {
+                              RunState state = read_run_state(done);
                               if (state.domain_volume != (settings_.integrand ? 0.0 : settings_.domain.volume)) {
                                 throw InputError(
                                     "another rank samples another domain - give all ranks the same bodies");

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-
-#include "engine/sampling/run_state.h"
+#include <string>
+#include <string_view>
 
 namespace vex {
 
@@ -20,10 +20,12 @@ class Ranks {
   /// What the leader does with what arrives.
   struct Desk {
     std::function<std::optional<Block>(std::uint64_t most)> give;  // nothing: there is none now
-    std::function<void(RunState&&)> take;
+    std::function<void(std::string_view done)> take;               // what a rank handed in
   };
 
   virtual ~Ranks() = default;
+  /// Of all, before the first trial of each run: what was asked or handed in of the one before is void from now on.
+  virtual void begin() = 0;
   virtual bool leads() const = 0;
   virtual int n_ranks() const = 0;
 
@@ -32,9 +34,9 @@ class Ranks {
   /// Of the leader: the run is over, and what others still bring is not wanted.
   virtual void end() = 0;
 
-  /// Of the others: asks for a block of up to so many trials; hands in the trials of one.
+  /// Of the others: asks for a block of up to so many trials; hands in what one brought, as text.
   virtual void ask(std::uint64_t most) = 0;
-  virtual void hand_in(const RunState& done) = 0;
+  virtual void hand_in(const std::string& done) = 0;
   /// Of the others: what has arrived, without waiting.
   struct Arrived {
     bool is_over = false;

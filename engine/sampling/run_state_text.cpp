@@ -79,6 +79,10 @@ void add_tally(std::string& text, const Tally& tally) {
   for (const std::uint64_t n : {tally.n_trials, tally.n_hits, tally.n_undecided}) add(text, n);
   text += "\ndecided-by";
   for (const std::uint64_t n : tally.n_decided_by) add(text, n);
+  if (tally.counted != Tally{}.counted) {
+    text += "\ncounted";
+    for (const std::uint64_t n : tally.counted) add(text, n);
+  }
   text += "\nshares";
   for (const ShareSums* const sums : {&tally.all, &tally.hits, &tally.undecided}) add(text, *sums);
   const ClassTally& by_class = tally.by_class;
@@ -145,6 +149,10 @@ void read_tally(Reader& from, std::uint64_t first_trial, Tally& tally) {
   for (std::uint64_t& n : tally.n_decided_by)
     n_decided += n = from.count(tally.n_trials - tally.n_undecided - n_decided);
   from.require(n_decided == tally.n_trials - tally.n_undecided, "decided and undecided trials are not all trials");
+  if (from.has_line("counted")) {
+    from.line("counted");
+    for (std::uint64_t& n : tally.counted) n = from.count();
+  }
   from.line("shares");
   tally.all = from.shares(tally.n_trials);
   tally.hits = from.shares(tally.n_hits);

@@ -47,6 +47,8 @@ class RunStateWords {
             "another word stands where it should begin otherwise");
     line_.remove_prefix(key.size());
   }
+  /// Whether the next line begins with this word.
+  bool has_line(std::string_view key) const { return rest_.starts_with(std::string(key) + ' '); }
   void end() const {
     require(line_.empty(), "more words than it has");
     require(rest_.empty(), "something stands behind its end");

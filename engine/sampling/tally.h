@@ -102,6 +102,10 @@ struct Tally {
   std::uint64_t n_undecided = 0;
   std::array<std::uint64_t, kNDecidedBy> n_decided_by{};  // by DecidedBy; undecided trials are in none of them
 
+  /// What an integrand counts besides its values (Integrand::count), by places of its own.
+  static constexpr std::size_t kNCounted = 5;
+  std::array<std::uint64_t, kNCounted> counted{};
+
   /// With a fitted domain only; a constant one's follow from the counts.
   ShareSums all, hits, undecided;
   ClassTally by_class;
@@ -158,6 +162,7 @@ struct Tally {
     n_hits += other.n_hits;
     n_undecided += other.n_undecided;
     for (std::size_t k = 0; k < n_decided_by.size(); ++k) n_decided_by[k] += other.n_decided_by[k];
+    for (std::size_t k = 0; k < counted.size(); ++k) counted[k] += other.counted[k];
     all += other.all;
     hits += other.hits;
     undecided += other.undecided;

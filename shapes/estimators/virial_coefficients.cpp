@@ -1,7 +1,6 @@
 #include "shapes/estimators/virial_coefficients.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -59,10 +58,16 @@ MonteCarloSettings driver_settings(const VirialSettings& settings) {
   driver.stop.relative_error = settings.rel_error;
   driver.stop.seconds = settings.seconds;
   driver.stop.max_trials = settings.max_trials;
-  if (settings.samples) {
-    if (*settings.samples == 0) throw UsageError("a run has no samples - give one at least");
+  driver.stop.trials = settings.trials;
+  driver.first_trial = settings.first_trial;
+  driver.seconds_between_states = settings.seconds_between_states;
+  driver.ranks = settings.ranks;
+  if (settings.samples && *settings.samples == 0) throw UsageError("a run has no samples - give one at least");
+  if (settings.samples && settings.first_trial > 0) {
+    throw UsageError("a range of trials with a number of clusters (first trial " +
+                     std::to_string(settings.first_trial) + ") - give trials alone, which are bunches of clusters");
   }
-  if (!settings.rel_error && !settings.seconds && !settings.samples) {
+  if (!settings.rel_error && !settings.seconds && !settings.samples && !settings.trials) {
     driver.stop.relative_error = 1e-3;
     driver.stop.seconds = 60.0;
   }
@@ -70,47 +75,70 @@ MonteCarloSettings driver_settings(const VirialSettings& settings) {
   return driver;
 }
 
-using MakeVirialIntegrand = std::function<std::unique_ptr<Integrand>(const std::shared_ptr<const ClusterWeights>&,
-                                                                     const std::shared_ptr<VirialCounts>&)>;
+// Of one coefficient: what all its integrands have in common is made by the call, each of them by what it returns.
+using PrepareIntegrand = std::function<MakeIntegrand(const std::shared_ptr<const ClusterWeights>&)>;
 
-// Of this order; what the driver calls the domain of hit or miss is not looked at.
-VirialCoefficient run(int n, const ConvexBody& a, const ConvexBody& b, MonteCarloSettings driver,
-                      const std::optional<std::uint64_t>& samples, const MakeVirialIntegrand& make) {
-  const auto weights = std::make_shared<const ClusterWeights>(n);
-  const auto counts = std::make_shared<VirialCounts>();
-  driver.integrand = [&] { return make(weights, counts); };
-  const std::uint64_t n_clusters = VirialIntegrand::n_clusters(*weights);
-  if (samples) driver.stop.trials = (*samples - 1) / n_clusters + 1;
-  VirialCoefficient found;
-  found.n = n;
-  found.record = run_monte_carlo(a, b, driver);
-  found.samples = found.record.tally.n_trials * n_clusters;
-  found.pairs = {counts->n_pairs, counts->n_by_balls, counts->n_searched, counts->n_undecided, counts->n_candidates};
-  found.reduced = kUnknown;
-  found.std_error = std::numeric_limits<double>::infinity();
-  if (found.record.tally.n_trials > 0) {
-    const VolumeEstimate estimate = volume_estimate(found.record.tally, driver.domain);
-    found.reduced = estimate.excluded_volume;
-    found.std_error = estimate.std_error;
-  }
-  return found;
-}
-
-// Tells each run of a few how long it may last.
-class Clock {
+// The runs of the driver, a coefficient each, one after another.
+class VirialRuns {
  public:
-  explicit Clock(const std::optional<double>& seconds) : left_(seconds) {}
+  VirialRuns(const VirialSettings& settings, std::size_t n_runs)
+      : settings_(settings), driver_(driver_settings(settings)), n_runs_(n_runs), states_(settings.resume) {
+    if (states_.size() > n_runs) {
+      throw InputError("the state to go on from has more coefficients than this run (" +
+                       std::to_string(states_.size()) + ", and " + std::to_string(n_runs) +
+                       ") - ask for as many or more");
+    }
+  }
 
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-  std::optional<double> next_part(int n_runs_left) const {
-    if (!left_) return std::nullopt;
-    return std::fmax(0.0, (*left_ - seconds()) / n_runs_left);
+  double seconds() const { return seconds_; }
+
+  // Of this order; what the driver calls the domain of hit or miss is not looked at.
+  RunRecord next(int n, const ConvexBody& a, const ConvexBody& b, const PrepareIntegrand& prepare) {
+    MonteCarloSettings driver = driver_;
+    driver.integrand = prepare(std::make_shared<const ClusterWeights>(n));
+    if (settings_.samples) {
+      const std::uint64_t n_bunches = (*settings_.samples - 1) / VirialIntegrand::n_clusters(n) + 1;
+      driver.stop.trials = std::min(driver.stop.trials.value_or(n_bunches), n_bunches);
+    }
+    // What is left of the time, for as many runs as are left.
+    if (driver.stop.seconds) {
+      driver.stop.seconds = std::fmax(0.0, (*driver.stop.seconds - seconds_) / static_cast<double>(n_runs_ - k_));
+    }
+    if (settings_.on_progress) {
+      driver.on_progress = [this, n](const Progress& progress) { settings_.on_progress(n, progress); };
+    }
+    if (k_ < settings_.resume.size()) driver.resume = &settings_.resume[k_];
+    if (settings_.on_state) {
+      driver.on_state = [this](const RunState& state) {
+        states_.resize(std::max(states_.size(), k_ + 1));
+        states_[k_] = state;
+        settings_.on_state(states_);
+      };
+    }
+    RunRecord record = run_monte_carlo(a, b, driver);
+    seconds_ += record.seconds;
+    ++k_;
+    return record;
   }
 
  private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::optional<double> left_;
+  const VirialSettings& settings_;
+  const MonteCarloSettings driver_;
+  const std::size_t n_runs_;
+  std::size_t k_ = 0;
+  double seconds_ = 0.0;  // of the runs that ended
+  std::vector<RunState> states_;
 };
+
+struct ReducedVirial {
+  double value = kUnknown, std_error = std::numeric_limits<double>::infinity();
+};
+
+ReducedVirial reduced_virial(const Tally& tally) {
+  if (tally.n_trials == 0) return {};
+  const VolumeEstimate estimate = volume_estimate(tally, {});
+  return {estimate.excluded_volume, estimate.std_error};
+}
 
 }  // namespace
 
@@ -128,14 +156,34 @@ double VirialCoefficients::compressibility_factor(double volume_fraction) const 
   return sum;
 }
 
+void VirialCoefficient::conclude(double b2_per_volume, double b2_relative_error) {
+  const ReducedVirial found = reduced_virial(record.tally);
+  reduced = found.value;
+  std_error = found.std_error;
+  samples = record.tally.n_trials * VirialIntegrand::n_clusters(n);
+  pairs = VirialPairs::of(record.tally);
+  const double power = std::pow(b2_per_volume, n - 1);
+  per_volume = reduced * power;
+  per_volume_std_error = std::hypot(std_error * power, (n - 1) * per_volume * b2_relative_error);
+}
+
+void MixedVirial::conclude() {
+  const ReducedVirial found = reduced_virial(record.tally);
+  reduced = found.value;
+  reduced_std_error = found.std_error;
+  samples = record.tally.n_trials * VirialIntegrand::n_clusters(3);
+  pairs = VirialPairs::of(record.tally);
+  value = reduced * b2_product;
+  std_error = std::hypot(reduced_std_error * b2_product, value * b2_relative_error);
+}
+
 VirialCoefficients virial_coefficients(const Body& body, const VirialSettings& settings) {
-  const MonteCarloSettings driver = driver_settings(settings);
   if (settings.order < ClusterWeights::kLeastOrder || settings.order > ClusterWeights::kMostOrder) {
     throw UsageError("no virial coefficients to this order (" + std::to_string(settings.order) + ") - give one from " +
                      std::to_string(ClusterWeights::kLeastOrder) + " to " + std::to_string(ClusterWeights::kMostOrder));
   }
+  VirialRuns runs(settings, static_cast<std::size_t>(settings.order - ClusterWeights::kLeastOrder + 1));
   require_factorising_law(settings.law);
-  const Clock clock(driver.stop.seconds);
   VirialCoefficients result;
   const B2 b2 = known_b2(body, body, settings.law);
   require_overlaps(b2, body, settings.law);
@@ -145,33 +193,34 @@ VirialCoefficients virial_coefficients(const Body& body, const VirialSettings& s
   const double volume = body.measures.volume;
   result.b2_per_volume = volume > 0.0 ? b2.value / volume : kUnknown;
   for (int n = ClusterWeights::kLeastOrder; n <= settings.order; ++n) {
-    MonteCarloSettings of_order = driver;
-    of_order.stop.seconds = clock.next_part(settings.order - n + 1);
-    if (settings.on_progress) {
-      of_order.on_progress = [&settings, n](const Progress& progress) { settings.on_progress(n, progress); };
-    }
-    VirialCoefficient found =
-        run(n, body, body, of_order, settings.samples, [&](const auto& weights, const auto& counts) {
-          return std::make_unique<VirialIntegrand>(body.body, settings.law, weights, counts, settings.instruction_set);
-        });
-    const double power = std::pow(result.b2_per_volume, n - 1);
-    found.per_volume = found.reduced * power;
-    found.per_volume_std_error =
-        std::hypot(found.std_error * power, (n - 1) * found.per_volume * (b2.value > 0.0 ? b2.error / b2.value : 0.0));
+    VirialCoefficient found;
+    found.n = n;
+    found.record = runs.next(n, body.body, body.body, [&](const auto& weights) -> MakeIntegrand {
+      const double excluded_volume = 2.0 * b2.value, error = result.b2_relative_error() + 0x1p-40;
+      // Of larger clusters next to nothing hangs on the distance of single neighbours.
+      constexpr int kLastControlled = 6;
+      const auto control = n > kLastControlled
+                               ? nullptr
+                               : VirialIntegrand::control_of(body.body, settings.law, weights, excluded_volume, error,
+                                                             settings.instruction_set);
+      return [&, weights, control] {
+        return std::make_unique<VirialIntegrand>(body.body, settings.law, weights, settings.instruction_set, control);
+      };
+    });
+    found.conclude(result.b2_per_volume, result.b2_relative_error());
     result.complete = result.complete && found.record.complete;
     const bool is_interrupted = found.record.stopped_by == StopReason::interrupted;
     result.higher.push_back(std::move(found));
     if (is_interrupted) break;
   }
-  result.seconds = clock.seconds();
+  result.seconds = runs.seconds();
   return result;
 }
 
 std::array<MixedVirial, 4> third_virials_of_mixture(const Body& a, const Body& b, const VirialSettings& settings) {
-  const MonteCarloSettings driver = driver_settings(settings);
-  require_factorising_law(settings.law);
-  const Clock clock(driver.stop.seconds);
   std::array<MixedVirial, 4> result;
+  VirialRuns runs(settings, result.size());
+  require_factorising_law(settings.law);
   for (std::size_t k = 0; k < result.size(); ++k) {
     MixedVirial& mixed = result[k];
     std::array<const Body*, 3> bodies{};
@@ -184,25 +233,16 @@ std::array<MixedVirial, 4> third_virials_of_mixture(const Body& a, const Body& b
     const B2 second = known_b2(*bodies[1], *bodies[2], settings.law);
     require_overlaps(first, *bodies[0], settings.law);
     require_overlaps(second, *bodies[1], settings.law);
-    MonteCarloSettings of_this = driver;
-    of_this.stop.seconds = clock.next_part(static_cast<int>(result.size() - k));
-    if (settings.on_progress) {
-      of_this.on_progress = [&settings](const Progress& progress) { settings.on_progress(3, progress); };
-    }
-    VirialCoefficient found =
-        run(3, *bodies[0], *bodies[2], of_this, settings.samples, [&](const auto& weights, const auto& counts) {
-          return std::make_unique<VirialIntegrand>(
-              std::array<ConvexBody, 3>{bodies[0]->body, bodies[1]->body, bodies[2]->body}, settings.law, weights,
-              counts, settings.instruction_set);
-        });
-    const double factor = first.value * second.value;
-    mixed.reduced = found.reduced;
-    mixed.reduced_std_error = found.std_error;
-    mixed.value = found.reduced * factor;
-    const double of_b2 = std::hypot(first.error / first.value, second.error / second.value);
-    mixed.std_error = std::hypot(found.std_error * factor, mixed.value * of_b2);
-    mixed.samples = found.samples;
-    mixed.record = std::move(found.record);
+    mixed.b2_product = first.value * second.value;
+    mixed.b2_relative_error = std::hypot(first.error / first.value, second.error / second.value);
+    mixed.record = runs.next(3, bodies[0]->body, bodies[2]->body, [&](const auto& weights) -> MakeIntegrand {
+      return [&, weights] {
+        return std::make_unique<VirialIntegrand>(
+            std::array<ConvexBody, 3>{bodies[0]->body, bodies[1]->body, bodies[2]->body}, settings.law, weights,
+            settings.instruction_set);
+      };
+    });
+    mixed.conclude();
   }
   return result;
 }

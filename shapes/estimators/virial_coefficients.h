@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/sampling/monte_carlo.h"
+#include "engine/sampling/virial/virial_pairs.h"
 #include "shapes/body.h"
 
 namespace vex {
@@ -25,7 +26,8 @@ struct VirialSettings {
   std::optional<double> rel_error{};       // std_error / |B_n|
   std::optional<double> seconds{};         // of all coefficients: what one leaves of its part is the next ones'
   std::optional<std::uint64_t> samples{};  // clusters of each; as many more as make whole bunches
-  std::uint64_t max_trials = StopRule{}.max_trials;  // bunches, which are what the driver counts
+  std::optional<std::uint64_t> trials{};   // the same in bunches of clusters, which are what the driver counts
+  std::uint64_t max_trials = StopRule{}.max_trials;  // bunches
 
   OrientationLaw law{};  // isotropic or aligned: of others a chain of bodies is no power of B2
   std::uint64_t seed = 1;
@@ -35,16 +37,17 @@ struct VirialSettings {
   const std::atomic<int>* interrupt = nullptr;
   /// Of the coefficient of order n.
   std::function<void(int n, const Progress&)> on_progress{};
-};
 
-/// Pairs of bodies that are no neighbours of their chain or tree: asked are those by balls and by a search.
-struct VirialPairs {
-  std::uint64_t n_all = 0, n_by_balls = 0, n_searched = 0;
-  std::uint64_t n_undecided = 0;   // neighbours among them
-  std::uint64_t n_candidates = 0;  // poses that neighbours were found among
-
-  /// Not asked, because the weight of the cluster was known to be 0.
-  std::uint64_t n_skipped() const { return n_all - n_by_balls - n_searched; }
+  /// Bunches first_trial, first_trial + 1, ... of each coefficient: with `trials` alone.
+  std::uint64_t first_trial = 0;
+  /// Of a run with the same body and settings, the states of the coefficients that it came to, in their order: it goes
+  /// on from there and ends as one run without a break does, the bits of every coefficient the same.
+  std::vector<RunState> resume{};
+  /// Given the same as far as the run came, every so many seconds, and at the end of each coefficient.
+  std::function<void(const std::vector<RunState>&)> on_state{};
+  double seconds_between_states = 5.0;
+  /// Other processes that take part (MonteCarloSettings::ranks). On one that does not lead nothing is found.
+  Ranks* ranks = nullptr;
 };
 
 struct VirialCoefficient {
@@ -56,6 +59,9 @@ struct VirialCoefficient {
   std::uint64_t samples = 0;  // clusters
   VirialPairs pairs;
   RunRecord record;  // of the driver, whose trials are bunches of clusters
+
+  /// Sets all but n from the record; B2 in units of V, its relative error.
+  void conclude(double b2_per_volume, double b2_relative_error);
 
   /// Whether B_n is known to be above, or below, 0: three standard errors away.
   bool sign_is_settled() const;
@@ -69,6 +75,8 @@ struct VirialCoefficients {
   std::vector<VirialCoefficient> higher;  // n = 3 ... order
   bool complete = true;                   // whether stop rules ended all runs
   double seconds = 0.0;
+
+  double b2_relative_error() const { return b2 > 0.0 ? b2_std_error / b2 : 0.0; }
 
   /// Z = p / (n k T) by the volume fraction, of the series to the last coefficient: no equation of state, but its
   /// beginning. NaN where per_volume is.
@@ -90,7 +98,13 @@ struct MixedVirial {
   double reduced = 0.0;  // divided by B_ij B_jk, i, j, k being the letters of the name
   double reduced_std_error = 0.0;
   std::uint64_t samples = 0;
+  VirialPairs pairs;
   RunRecord record;
+
+  double b2_product = 0.0, b2_relative_error = 0.0;  // B_ij B_jk, length^6
+
+  /// Sets all but the name and these two from the record.
+  void conclude();
 };
 
 /// B_ijk of two bodies, in random orientation, with the B_ij of the formula. The `order` of the settings is not looked

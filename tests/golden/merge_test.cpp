@@ -12,7 +12,11 @@ using nlohmann::json;
 
 class Merge : public ProgramTest {
  protected:
-  Merge() { setenv("MERGE", VEX_MERGE_PROGRAM, 1); }
+  Merge() {
+    setenv("MERGE", VEX_MERGE_PROGRAM, 1);
+    setenv("PERCOLATE", VEX_PERCOLATE_PROGRAM, 1);
+    setenv("VIRIAL", VEX_VIRIAL_PROGRAM, 1);
+  }
 
   void make_range(const Words& of, const std::string& name, std::uint64_t first, std::uint64_t n) const {
     Words words = of;
@@ -52,6 +56,90 @@ TEST_F(Merge, RangesInAnyOrderAreOneRun) {
     whole.insert(whole.end(), {"--trials", std::to_string(4 * kRange + kLast)});
     EXPECT_EQ(without_times(json::parse(read_file("all.json"))), without_times(json_of(whole))) << of.back();
   }
+}
+
+// Programs but vex_mesh that make parts of runs, as variables of the shell, and their words for them.
+struct Parted {
+  std::string run, first, number;
+};
+const std::string kVirial = "\"$VIRIAL\" --quiet ", kPercolate = "\"$PERCOLATE\" --quiet ";
+const std::vector<Parted> kParted = {
+    {kVirial + "box:1,1,2 --order 6", "--first-trial", "--trials"},
+    {kVirial + "ellipsoid:1,1,1.00001 --order 4", "--first-trial", "--trials"},
+    {kVirial + "sphere:0.5 box:1,1,1", "--first-trial", "--trials"},
+    {kVirial + "disc:1 --order 3", "--first-trial", "--trials"},
+    {kVirial + "box:1,1,1 --orientations aligned", "--first-trial", "--trials"},
+    {kPercolate + "box:1,1,1 --sizes 3,4", "--first-realisation", "--realisations"},
+    {kPercolate + "disc:1 box:1,1,1 --sizes 3,4 --orientations onsager:2", "--first-realisation", "--realisations"}};
+
+TEST_F(Merge, RangesOfOtherProgramsInAnyOrderAreOneRun) {
+  std::mt19937_64 random(26);
+  for (const Parted& one : kParted) {
+    const auto make = [&](std::uint64_t first, std::uint64_t n, const std::string& name) {
+      const Finished finished =
+          shell(one.run + " " + one.first + " " + std::to_string(first) + " " + one.number + " " + std::to_string(n) +
+                " --threads " + std::to_string(1 + first % 3) + " --json " + name);
+      EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    };
+    const std::vector<std::uint64_t> ends = {0, 30, 40, 75, 80};  // of which the first ones have no threshold
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+      names.push_back(std::to_string(k) + ".json");
+      make(ends[k], ends[k + 1] - ends[k], names.back());
+    }
+    make(0, ends.back(), "whole.json");
+    std::shuffle(names.begin(), names.end(), random);
+    std::string all;
+    for (const std::string& name : names) all += " " + name;
+    const Finished merged = merge("--json all.json --quiet --trials 80" + all);
+    ASSERT_EQ(merged.exit_code, 0) << merged.err;
+    const json whole = json::parse(read_file("whole.json"));
+    EXPECT_EQ(without_times(json::parse(read_file("all.json"))), without_times(whole)) << one.run;
+    // Parts of parts, and what is no whole.
+    ASSERT_EQ(merge("3.json 1.json 2.json --part --quiet --json high.json").exit_code, 0);
+    ASSERT_EQ(merge("high.json 0.json --quiet --json again.json").exit_code, 0);
+    EXPECT_EQ(without_times(json::parse(read_file("again.json"))), without_times(whole)) << one.run;
+    expect_refused("0.json 1.json 3.json", 3, "are in no document (trials 40 ... 74)");
+    expect_refused("1.json 2.json 3.json", 3, "are in no document (trials 0 ... 29)");
+    expect_refused("0.json 1.json --trials 41", 3, "(trial 40)");
+    expect_refused("0.json 1.json --trials 39", 3, "than asked for (40, and --trials 39)");
+    expect_refused("0.json whole.json", 3, "trials 0 ... 29");
+    const Finished other = shell(one.run + " --seed 2 " + one.first + " 30 " + one.number + " 10 --json other.json");
+    ASSERT_EQ(other.exit_code, 0) << other.err;
+    expect_refused("0.json other.json", 3, "documents of unlike runs (other.json has \"");
+    make_range({"box:1,1,1"}, "mesh.json", 0, 320);
+    expect_refused("0.json mesh.json", 3, "documents of unlike programs (0.json is of vex_");
+    // Damaged ones.
+    const std::string text = read_file("1.json");
+    const std::size_t tally = text.find("\"tally\"");
+    for (int k = 0; k < 4; ++k) {
+      std::string changed = text;
+      const std::size_t at = k % 2 == 0 ? random() % text.size() : tally + random() % (text.size() - tally);
+      changed[at] = "0123456789{}[],:\"x-"[random() % 19];
+      write_file("x.json", changed);
+      const Finished finished = merge("0.json x.json --quiet");
+      EXPECT_TRUE(finished.exit_code == 0 || finished.exit_code == 3) << at << ": " << finished.err;
+    }
+    for (const std::string& name : files()) std::filesystem::remove(path(name));
+  }
+}
+
+TEST_F(Merge, PartsEndByTheirNumberAlone) {
+  ASSERT_EQ(shell(kVirial + "box:1,1,1 --rel-error 1e-2 --json error.json").exit_code, 0);
+  expect_refused("error.json", 3, "ended by \"rel-error\"");
+  ASSERT_EQ(shell(kPercolate + "box:1,1,1 --sizes 3 --realisations 5 --json plain.json").exit_code, 0);
+  expect_refused("plain.json", 3, "without its realisations (plain.json) - run it with --first-realisation");
+  EXPECT_EQ(shell(kVirial + "box:1,1,1 --first-trial 5").exit_code, 2);
+  EXPECT_EQ(shell(kVirial + "box:1,1,1 --first-trial 5 --trials 5 --seconds 1").exit_code, 2);
+  EXPECT_EQ(shell(kPercolate + "box:1,1,1 --sizes 3 --first-realisation 5").exit_code, 2);
+  EXPECT_EQ(shell(kPercolate + "box:1,1,1 --sizes 3 --first-realisation 5 --realisations 5 --std-error 1").exit_code,
+            2);
+  // A part's state is of that part.
+  ASSERT_EQ(shell(kPercolate + "box:1,1,1 --sizes 3 --first-realisation 5 --realisations 5 --checkpoint s").exit_code,
+            0);
+  const Finished finished = shell(kPercolate + "box:1,1,1 --sizes 3 --realisations 9 --resume s");
+  EXPECT_EQ(finished.exit_code, 3);
+  EXPECT_NE(finished.err.find("of another part of the run"), std::string::npos) << finished.err;
 }
 
 TEST_F(Merge, PartsOfPartsAreAdded) {

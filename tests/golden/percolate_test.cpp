@@ -34,16 +34,6 @@ Words with(Words words, const Words& more) {
   return words;
 }
 
-// Nothing of this program is for many ranks, and that is not silent.
-TEST_F(Percolate, CopiesOfALauncherAreToldThatEachDoesAllOfTheWork) {
-  const std::string words = "\"$VEX\" box:1,1,1 --sizes 2,3 --realisations 2 --quiet";
-  const Finished first = shell("OMPI_COMM_WORLD_SIZE=3 OMPI_COMM_WORLD_RANK=0 " + words);
-  EXPECT_EQ(first.exit_code, 0);
-  EXPECT_NE(first.err.find("3 copies were started together"), std::string::npos) << first.err;
-  EXPECT_EQ(shell("OMPI_COMM_WORLD_SIZE=3 OMPI_COMM_WORLD_RANK=1 " + words).err, "");
-  EXPECT_EQ(shell("OMPI_COMM_WORLD_SIZE=1 OMPI_COMM_WORLD_RANK=0 " + words).err, "");
-}
-
 TEST_F(Percolate, TellsTheThresholdInEveryUnit) {
   const json found = json_of(kSmall);
   for (const char* key : {"bodies", "eta_c", "phi_c", "number_density_c", "b_c", "excluded_volume", "sizes", "pairs",
@@ -122,6 +112,26 @@ TEST_F(Percolate, GoesOnFromNothingElse) {
   changed = whole;
   changed.replace(changed.find("\n0,3,") + 5, 1, "x");
   broken(changed, "not five whole numbers");
+}
+
+// Bodies of equal V, S, M and radii that only turn or mirror, and another version.
+TEST_F(Percolate, AStateTellsBodiesAndVersionsApart) {
+  const Words rest = {"--sizes", "3", "--realisations", "5", "--quiet"};
+  for (const auto& [body, other] :
+       {std::pair{"superellipsoid:1,2,3,2,1.5", "superellipsoid:2,1,3,2,1.5"}, std::pair{"egg:1,0.5,1", "egg:1,1,0.5"},
+        std::pair{"box:1,2,3", "box:2,1,3"}, std::pair{"rounded:0.1,box:1,2,3", "rounded:0.1,box:1,3,2"}}) {
+    succeed(with({body}, with(rest, {"--csv", "s"})));
+    expect_refused(with({other}, with(rest, {"--resume", "s"})), 3, "s, line 2: of another system");
+    succeed(with({body}, with(rest, {"--resume", "s"})));
+  }
+  std::string text = read_file("s");
+  EXPECT_NE(text.find("\n# body: rounded"), std::string::npos);
+  EXPECT_NE(text.find(", geometry "), std::string::npos);
+  const std::string version = "# vex_percolate 0.1.0: realisations, stream ";
+  ASSERT_TRUE(text.starts_with(version)) << text.substr(0, 80);
+  text.replace(0, version.size(), "# vex_percolate 0.1.1: realisations, stream ");
+  write_file("s", text);
+  expect_refused(with({"rounded:0.1,box:1,2,3"}, with(rest, {"--resume", "s"})), 3, "s, line 1: of another system");
 }
 
 TEST_F(Percolate, AnInterruptedRunReportsWhatWasDone) {

@@ -1,8 +1,9 @@
-// mpirun -n K vex_mesh: what one process says, whatever the number of ranks; and what is left where one is lost.
+// mpirun -n K: what one process says, whatever the number of ranks; and what is left where one is lost.
 #include <cstdint>
 #include <cstdlib>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "tests/golden/program.h"
 #include "tests/golden/run_documents.h"
@@ -14,6 +15,8 @@ using nlohmann::json;
 
 class RanksTest : public ProgramTest {
  protected:
+  explicit RanksTest(const std::string& program = VEX_MESH_PROGRAM) : ProgramTest(program) {}
+
   void SetUp() override {
 #ifndef VEX_WITH_MPI
     GTEST_SKIP() << "this build is without MPI";
@@ -25,25 +28,53 @@ class RanksTest : public ProgramTest {
     unsetenv("ASAN_OPTIONS");
     ProgramTest::TearDown();
   }
+  void expect_what_one_process_says(const std::vector<std::string>& runs) const;
   Finished on_ranks(int n, const std::string& arguments) const {
     return shell("exec mpirun --oversubscribe --allow-run-as-root --bind-to none -n " + std::to_string(n) +
                  " \"$VEX\" " + arguments);
   }
 };
 
-TEST_F(RanksTest, AnyNumberOfThemSaysWhatOneProcessSays) {
-  const std::vector<std::string> runs = {"box:1,1,2 capsule:1,0.3 --estimator hit-or-miss --trials 3e6",
-                                         "box:1,1,2 capsule:1,0.3 --estimator hit-or-miss-fitted --rel-error 1e-3",
-                                         "box:1,1,2 --rel-error 3e-5"};
+void RanksTest::expect_what_one_process_says(const std::vector<std::string>& runs) const {
   for (const std::string& words : runs) {
     ASSERT_EQ(shell("\"$VEX\" " + words + " --quiet --json one.json").exit_code, 0);
     const json one = without_times(json::parse(read_file("one.json")));
-    for (const int n : {2, 4}) {
+    for (const int n : {1, 2, 4}) {
+      if (n == 1 && words != runs.front()) continue;
       const Finished finished = on_ranks(n, words + " --quiet --threads 1 --json ranks.json");
       ASSERT_EQ(finished.exit_code, 0) << finished.err;
       EXPECT_EQ(without_times(json::parse(read_file("ranks.json"))), one) << n << " ranks: " << words;
     }
   }
+}
+
+TEST_F(RanksTest, AnyNumberOfThemSaysWhatOneProcessSays) {
+  expect_what_one_process_says({"box:1,1,2 capsule:1,0.3 --estimator hit-or-miss --trials 3e6",
+                                "box:1,1,2 capsule:1,0.3 --estimator hit-or-miss-fitted --rel-error 1e-3",
+                                "box:1,1,2 --rel-error 3e-5",
+                                // Read by a confined process, which gives up what ranks share.
+                                VEX_SOURCE_DIR "/meshes/data/icosahedron.gltf --estimator hit-or-miss --trials 1e5"});
+}
+
+class VirialRanks : public RanksTest {
+ protected:
+  VirialRanks() : RanksTest(VEX_VIRIAL_PROGRAM) {}
+};
+
+// A run of the driver for each coefficient: what was asked or made for the one before must not count.
+TEST_F(VirialRanks, AnyNumberOfThemSaysWhatOneProcessSays) {
+  expect_what_one_process_says(
+      {"box:1,1,2 --order 5 --trials 500", "cylinder:2,0.5 --rel-error 5e-3", "sphere:1 box:1,1,1 --trials 100"});
+}
+
+class PercolateRanks : public RanksTest {
+ protected:
+  PercolateRanks() : RanksTest(VEX_PERCOLATE_PROGRAM) {}
+};
+
+TEST_F(PercolateRanks, AnyNumberOfThemSaysWhatOneProcessSays) {
+  expect_what_one_process_says({"box:1,1,1 --sizes 3,4 --realisations 200 --first-realisation 0",
+                                "box:1,1,1 sphere:0.5 --sizes 3,5 --std-error 5e-3"});
 }
 
 TEST_F(RanksTest, OneOfThemSpeaks) {
@@ -83,6 +114,21 @@ TEST_F(RanksTest, WhereOneIsLostTheCheckpointIsUsable) {
   EXPECT_EQ(json_of({"box:1,1,2", "--estimator", "hit-or-miss", "--trials", n_trials, "--resume",
                      "c.state"})["estimate"]["hits"],
             n_hits);
+}
+
+// A program of which nothing is for many ranks says so.
+class CopiesOfALauncher : public ProgramTest {
+ protected:
+  CopiesOfALauncher() : ProgramTest(VEX_PAIR_PROGRAM) {}
+};
+
+TEST_F(CopiesOfALauncher, AreToldThatEachDoesAllOfTheWork) {
+  const std::string words = "\"$VEX\" box:1,1,1 sphere:1 --rotation 1,0,0,0 --translation 0,0,0 --quiet";
+  const Finished first = shell("OMPI_COMM_WORLD_SIZE=3 OMPI_COMM_WORLD_RANK=0 " + words);
+  EXPECT_EQ(first.exit_code, 0);
+  EXPECT_NE(first.err.find("3 copies were started together"), std::string::npos) << first.err;
+  EXPECT_EQ(shell("OMPI_COMM_WORLD_SIZE=3 OMPI_COMM_WORLD_RANK=1 " + words).err, "");
+  EXPECT_EQ(shell("OMPI_COMM_WORLD_SIZE=1 OMPI_COMM_WORLD_RANK=0 " + words).err, "");
 }
 
 }  // namespace

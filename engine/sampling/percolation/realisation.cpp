@@ -1,11 +1,16 @@
 #include "engine/sampling/percolation/realisation.h"
 
-#include <atomic>
+#include <algorithm>
+#include <chrono>
 #include <limits>
 #include <mutex>
 #include <string>
+#include <thread>
+#include <utility>
 
 #include "engine/numeric/errors.h"
+#include "engine/sampling/percolation/realisation_ranks.h"
+#include "engine/sampling/ranks.h"
 #include "engine/scene/threads.h"
 
 namespace vex {
@@ -138,38 +143,137 @@ void Realisation::place_and_join(std::uint32_t realisation, std::uint32_t n) {
   ask_pairs(0, &clusters_);
 }
 
+namespace {
+
+// Realisations of one size, given out one after another to the threads, and in blocks to other ranks.
+class RealisationsOfSize {
+ public:
+  RealisationsOfSize(const PercolationSystem& system, std::uint32_t first, std::uint32_t n, int n_threads,
+                     const OnRealisations& on_finished, const StopQuestion& stop, Ranks* ranks)
+      : system_(system),
+        first_(first),
+        n_(n),
+        n_threads_(n_threads),
+        on_finished_(on_finished),
+        stop_(stop),
+        ranks_(ranks),
+        found_(n) {}
+
+  void go() {
+    if (ranks_ == nullptr) {
+      on_threads(n_threads_, [this](int) { make(); });
+      return;
+    }
+    on_threads(n_threads_ + 1, [this](int k) {
+      if (k > 0) {
+        make();
+      } else {
+        serve();
+      }
+    });
+  }
+
+ private:
+  struct Finished {
+    WrappingNumbers numbers;
+    PercolationCounts counts;
+  };
+
+  // The next ones that nobody has, up to `most`: how many, from which on.
+  std::pair<std::uint32_t, std::uint32_t> take(std::uint64_t most) {
+    const std::lock_guard lock(mutex_);
+    const std::uint32_t begin = next_;
+    next_ += static_cast<std::uint32_t>(std::min<std::uint64_t>(most, n_ - next_));
+    return {begin, next_ - begin};
+  }
+
+  void make() {
+    Realisation realisation(system_);
+    while (true) {
+      const auto [k, n] = take(1);
+      if (n == 0) return;
+      const std::optional<WrappingNumbers> numbers = realisation.run(first_ + k, stop_);
+      if (!numbers) return;
+      const std::lock_guard lock(mutex_);
+      found_[k] = Finished{*numbers, realisation.counts()};
+      tell();
+    }
+  }
+
+  // With the lock held: what has no gap before it any more.
+  void tell() {
+    std::vector<WrappingNumbers> finished;
+    PercolationCounts counts;
+    for (; n_told_ < n_ && found_[n_told_]; ++n_told_) {
+      finished.push_back(found_[n_told_]->numbers);
+      counts += found_[n_told_]->counts;
+    }
+    if (!finished.empty()) on_finished_(finished, counts);
+  }
+
+  void serve() {
+    constexpr auto kBetween = std::chrono::milliseconds(1);
+    const Ranks::Desk desk{[this](std::uint64_t most) { return give(most); },
+                           [this](std::string_view done) { bring(read_made(done)); }};
+    while (true) {
+      ranks_->serve(desk);
+      {
+        const std::lock_guard lock(mutex_);
+        if (n_told_ == n_) return;
+      }
+      if (stop_ && stop_()) return;
+      std::this_thread::sleep_for(kBetween);
+    }
+  }
+
+  // A small part of what is left: who has the last ones is waited for.
+  std::optional<Ranks::Block> give(std::uint64_t most) {
+    const std::uint64_t n_left = n_ - std::min(n_, next_now());
+    const std::uint64_t part = n_left / (2 * static_cast<std::uint64_t>(ranks_->n_ranks())) + 1;
+    const auto [k, n] = take(std::min(most, part));
+    if (n == 0) return std::nullopt;
+    const std::uint64_t begin = number_of_realisation(system_.size, first_ + k);
+    return Ranks::Block{begin, begin + n};
+  }
+  std::uint32_t next_now() {
+    const std::lock_guard lock(mutex_);
+    return next_;
+  }
+
+  void bring(MadeRealisations&& made) {
+    const std::lock_guard lock(mutex_);
+    if (made.size != system_.size || made.first < first_ || made.first - first_ > n_ ||
+        made.numbers.size() > n_ - (made.first - first_)) {
+      throw InputError("another rank hands in realisations that it was not given - give all ranks the same version");
+    }
+    for (std::size_t k = 0; k < made.numbers.size(); ++k) {
+      found_[made.first - first_ + k] = Finished{made.numbers[k], k == 0 ? made.counts : PercolationCounts{}};
+    }
+    tell();
+  }
+
+  const PercolationSystem& system_;
+  const std::uint32_t first_, n_;
+  const int n_threads_;
+  const OnRealisations& on_finished_;
+  const StopQuestion& stop_;
+  Ranks* const ranks_;
+  std::mutex mutex_;  // guards all below
+  std::uint32_t next_ = 0, n_told_ = 0;
+  std::vector<std::optional<Finished>> found_;
+};
+
+}  // namespace
+
 void run_realisations(const PercolationSystem& system, std::uint32_t first, std::uint32_t n, int n_threads,
-                      const OnRealisations& on_finished, const StopQuestion& stop) {
+                      const OnRealisations& on_finished, const StopQuestion& stop, Ranks* ranks) {
   if (n_threads < 1) {
     throw UsageError("no number of threads (" + std::to_string(n_threads) + ") - give one at least");
   }
   if (first > kMostRealisations || n > kMostRealisations - first) {
     throw UsageError("there are more than 2^26 realisations of a size - give fewer");
   }
-  struct Finished {
-    WrappingNumbers numbers;
-    PercolationCounts counts;
-  };
-  std::vector<std::optional<Finished>> found(n);
-  std::atomic<std::uint32_t> next{0};
-  std::mutex mutex;
-  std::uint32_t n_told = 0;
-  on_threads(n_threads, [&](int) {
-    Realisation realisation(system);
-    for (std::uint32_t k = next++; k < n; k = next++) {
-      const std::optional<WrappingNumbers> numbers = realisation.run(first + k, stop);
-      if (!numbers) break;
-      const std::lock_guard lock(mutex);
-      found[k] = Finished{*numbers, realisation.counts()};
-      std::vector<WrappingNumbers> finished;
-      PercolationCounts counts;
-      for (; n_told < n && found[n_told]; ++n_told) {
-        finished.push_back(found[n_told]->numbers);
-        counts += found[n_told]->counts;
-      }
-      if (!finished.empty()) on_finished(finished, counts);
-    }
-  });
+  RealisationsOfSize(system, first, n, n_threads, on_finished, stop, ranks).go();
 }
 
 std::vector<WrappingNumbers> run_realisations(const PercolationSystem& system, std::uint32_t first, std::uint32_t n,

@@ -96,14 +96,21 @@ class Realisation {
   PercolationCounts counts_;
 };
 
+class Ranks;
+
 /// What was finished since the last call, in the order of realisations, and what it took.
 using OnRealisations = std::function<void(std::span<const WrappingNumbers> finished, const PercolationCounts& counts)>;
 
 /// Realisations first ... first + n - 1, by so many threads. Each is told of once, in their order, as soon as all
 /// before it are finished, by any thread, one at a time; after `stop` said so up to the first that was not finished.
-/// Throws UsageError for no threads, and beyond kMostRealisations.
+/// Throws UsageError for no threads, and beyond kMostRealisations. `ranks`: other processes take part, which
+/// `make_realisations_for_leader` makes realisations on; between Ranks::begin and Ranks::end.
 void run_realisations(const PercolationSystem& system, std::uint32_t first, std::uint32_t n, int n_threads,
-                      const OnRealisations& on_finished, const StopQuestion& stop = {});
+                      const OnRealisations& on_finished, const StopQuestion& stop = {}, Ranks* ranks = nullptr);
+
+/// On a rank that does not lead: makes what the leader gives, of any of the systems, by their numbers, until it says
+/// that this is all.
+void make_realisations_for_leader(std::span<const PercolationSystem* const> systems, int n_threads, Ranks& ranks);
 
 /// The same, all at once; in their order, the same for any number of threads. Fewer
 /// where `stop` said so: then those up to the first that was not finished. `counts` grows by theirs.

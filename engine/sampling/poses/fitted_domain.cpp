@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include "engine/query/packets/packet_overlap.h"
 
@@ -79,6 +81,65 @@ Parallelepiped FittedDomain::at(const Transformd& rotation) const {
     }
   }
   return best;
+}
+
+namespace {
+
+// A body as its own axis u and what is across it: it is as long along u, and nowhere wider across u. Between two
+// directions across u that it was asked for, an angle of delta apart, a width is at most the larger of theirs divided
+// by cos(delta / 2), and 1 + 2^-20 besides covers the rounding of the directions.
+struct LongAndAcross {
+  double length, across = 0.0;
+
+  LongAndAcross(const ConvexBody& body, const IntervalsOf<double>& own, std::size_t axis) {
+    const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
+    const auto width = [&own](std::size_t k) { return own[k].upper - own[k].lower; };
+    length = width(axis);
+    constexpr int kDirections = 48;
+    constexpr double kDelta = std::numbers::pi / kDirections;
+    for (int k = 0; k < kDirections; ++k) {
+      const Vec3d dir = std::cos(kDelta * k) * frame_axis(next) + std::sin(kDelta * k) * frame_axis(last);
+      across = std::fmax(across, reach_along(body, dir) + reach_along(body, -dir));
+    }
+    across *= (1.0 + 0x1p-20) / std::cos(0.5 * kDelta);
+    // The box of its widths is smaller for no body but a box, and a box is as large.
+    across = std::fmin(across, std::hypot(width(next), width(last)));
+  }
+};
+
+// E27, for the sines of the angle between the axes from `low` to `high`; `reach` of both bodies.
+double largest_volume_at(const LongAndAcross& a, const LongAndAcross& b, double margin, double reach, double low,
+                         double high) {
+  const auto sum = [&](double widening) { return a.across + b.across + 2.0 * widening; };
+  const double own = margin + 0x1p-43 * reach, d = sum(own), ends = a.length + b.length + 2.0 * own;
+  const double of_a = (ends + b.across) * (d + b.length * high) * (d + b.length * high);
+  const double of_b = (ends + a.across) * (d + a.length * high) * (d + a.length * high);
+  if (!(low > 0.0)) return std::fmin(of_a, of_b);
+  const double tilted = margin + 0x1p-43 * reach / low, w = sum(tilted), l = a.length + b.length + 2.0 * tilted;
+  const double rods = w * (w * w / low + w * (a.length + b.length) + a.length * b.length * high);
+  const double plates = w * (l * l / low + l * (a.across + b.across) + a.across * b.across * high);
+  return std::fmin(std::fmin(of_a, of_b), std::fmin(rods, plates));
+}
+
+}  // namespace
+
+double FittedDomain::largest_volume() const {
+  const Vec3d& half = largest_half_extent_;
+  double least = 8.0 * (half.x * half.y * half.z);
+  constexpr int kEach = 16, kLast = 16 * kEach;  // sines between 2^(-k/16) and the next, to 2^-16
+  for (std::size_t i = 0; i < pair_.n_axes_a; ++i) {
+    for (std::size_t j = 0; j < pair_.n_axes_b; ++j) {
+      const LongAndAcross a(a_, pair_.own_a, pair_.axes_a[i]), b(b_, pair_.own_b, pair_.axes_b[j]);
+      double largest = 0.0;
+      for (int k = 0; k <= kLast; ++k) {
+        const double high = std::exp2(-static_cast<double>(k) / kEach);
+        const double low = k == kLast ? 0.0 : std::exp2(-static_cast<double>(k + 1) / kEach);
+        largest = std::fmax(largest, largest_volume_at(a, b, pair_.margin, a_.reach() + b_.reach(), low, high));
+      }
+      least = std::fmin(least, largest);
+    }
+  }
+  return least * (1.0 + 0x1p-20);
 }
 
 KernelHeights::KernelHeights(const ConvexBody& body) : body_(&body) {

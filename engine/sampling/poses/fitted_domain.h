@@ -29,6 +29,10 @@ class FittedDomain {
   /// For B turned by R, a rotation to within kDrawnRotationError; the translation is not looked at.
   Parallelepiped at(const Transformd& rotation) const;
 
+  /// No set is larger, whatever the rotation: proven (E27), and of rods near to what the largest one is, where the box
+  /// that `fitted_domain` has for a volume is larger by as much as they are long.
+  double largest_volume() const;
+
   const FittedPair& pair() const { return pair_; }
 
   /// Half the width along x, y and z of a box that no parallelepiped's volume exceeds.

@@ -73,6 +73,17 @@ double ClusterWeights::weight_of_chain(std::uint32_t answers) const {
   return found;
 }
 
+double ClusterWeights::weight_by_chain(const OverlapGraph& graph) const {
+  const std::optional<HamiltonianPath> path = hamiltonian_path(graph);
+  if (!path) return weight(graph);
+  std::uint32_t answers = 0;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const int i = (*path)[static_cast<std::size_t>(pairs_[k].i)], j = (*path)[static_cast<std::size_t>(pairs_[k].j)];
+    answers |= (graph.overlaps(i, j) ? 1u : 0u) << k;
+  }
+  return weight_of_chain(answers);
+}
+
 bool ClusterWeights::may_count(int n_asked, std::uint32_t answers) const {
   std::atomic<std::uint8_t>& entry = may_count_[(std::size_t{1} << n_asked) | answers];
   const std::uint8_t known = entry.load(std::memory_order_relaxed);

@@ -44,9 +44,9 @@ class ClusterWeights {
   /// Clusters are drawn in rounds of as many each, the first of them trees, the others chains: as many rounds of trees
   /// as the weights count with. Few rounds for small orders, of which clusters with common neighbours are too much
   /// alike.
-  int n_rounds() const { return order_ > 5 ? 8 : 4; }
+  static int n_rounds(int order) { return order > 5 ? 8 : 4; }
   int n_rounds_of_trees() const { return order_ > 5 ? 1 : 0; }
-  double share_of_trees() const { return static_cast<double>(n_rounds_of_trees()) / n_rounds(); }
+  double share_of_trees() const { return static_cast<double>(n_rounds_of_trees()) / n_rounds(order_); }
 
   /// In units of B2^(n-1).
   double weight(const OverlapGraph& graph) const;
@@ -58,6 +58,9 @@ class ClusterWeights {
   std::span<const BodyPair> pairs() const { return pairs_; }
   /// By the answers to all of them: bit k is set where pair k overlaps.
   double weight_of_chain(std::uint32_t answers) const;
+  /// The same as `weight`, to the last bit: bodies in the order of a path through them are a chain, and the weight
+  /// hangs on no order. Of a graph without such a path it is computed.
+  double weight_by_chain(const OverlapGraph& graph) const;
   /// Whether a weight is possible, the first n_asked pairs being answered. Where not, it is not; of chains that are
   /// still to be asked many pairs it may say so although there is none.
   bool may_count(int n_asked, std::uint32_t answers) const;

@@ -124,6 +124,40 @@ std::int64_t n_hamiltonian_paths(const OverlapGraph& graph) {
   return sum / 2;
 }
 
+namespace {
+
+// Goes on from `at` through the bodies that are left; those with few neighbours among them first, which would be left
+// over.
+bool extend_path(const OverlapGraph& graph, unsigned left, HamiltonianPath& path, std::size_t length) {
+  if (left == 0) return true;
+  unsigned next = graph.neighbours(path[length - 1]) & left;
+  while (next != 0) {
+    int best = -1, fewest = kMostClusterBodies + 1;
+    for (unsigned rest = next; rest != 0; rest &= rest - 1) {
+      const int body = std::countr_zero(rest), n = std::popcount(graph.neighbours(body) & left);
+      if (n < fewest) {
+        fewest = n;
+        best = body;
+      }
+    }
+    path[length] = static_cast<std::uint8_t>(best);
+    if (extend_path(graph, left & ~(1u << best), path, length + 1)) return true;
+    next &= ~(1u << best);
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<HamiltonianPath> hamiltonian_path(const OverlapGraph& graph) {
+  HamiltonianPath path{};
+  for (int first = 0; first < graph.n_bodies(); ++first) {
+    path[0] = static_cast<std::uint8_t>(first);
+    if (extend_path(graph, graph.all() & ~(1u << first), path, 1)) return path;
+  }
+  return std::nullopt;
+}
+
 std::int64_t n_spanning_trees(const OverlapGraph& graph) {
   const int n = graph.n_bodies() - 1;
   std::array<std::array<std::int64_t, kMostClusterBodies>, kMostClusterBodies> matrix{};

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 namespace vex {
 
@@ -55,5 +56,9 @@ std::int64_t n_hamiltonian_paths(const OverlapGraph& graph);
 
 /// Trees that join all bodies, of overlaps (G. Kirchhoff, Ann. Phys. 148, 497, 1847). At most 8^6 (A. Cayley, 1889).
 std::int64_t n_spanning_trees(const OverlapGraph& graph);
+
+/// A way through all bodies over overlaps, if there is one: its first n_bodies() places.
+using HamiltonianPath = std::array<std::uint8_t, kMostClusterBodies>;
+std::optional<HamiltonianPath> hamiltonian_path(const OverlapGraph& graph);
 
 }  // namespace vex

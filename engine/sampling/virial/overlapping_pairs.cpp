@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <span>
+#include <stdexcept>
 
 #include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
@@ -52,6 +54,11 @@ double OverlappingPairs::acceptance_of(const Domain& domain) {
     fitted_.emplace(a_, b_);
     recipe_of_fitted_.emplace(a_, b_, *fitted_);
     recipe_.fitted = &*recipe_of_fitted_;
+    // A candidate is kept by its share of the largest set: of rods the domain's own volume would keep one of thousands.
+    const std::array<double, OrientationLaw::kMaxDimension> any_point{};
+    domain_.volume = law_.dimension() > 0
+                         ? fitted_->largest_volume()
+                         : fitted_->at(law_.rotation(std::span<const double>(any_point))).volume * (1.0 + 0x1p-20);
   }
   constexpr std::uint64_t kBatches = 32;
   std::size_t n = 0;
@@ -96,6 +103,9 @@ void OverlappingPairs::decide_candidates(Outcome undecided, PairQuestions& quest
   std::size_t n_open = 0;
   for (std::size_t k = 0; k < kCandidates; ++k) {
     overlaps_[k] = false;
+    if (fitted_ && !(columns_->share[k] <= 1.0)) {
+      throw std::logic_error("a fitted set is larger than the largest one, and poses would not be alike");
+    }
     if (fitted_ && !(picks[k] < columns_->share[k])) continue;
     const Transformd pose = poses.pose(k);
     const Outcome outcome = decider_.by_balls(pose(b_.centre()) - a_.centre());
@@ -125,8 +135,8 @@ void OverlappingPairs::draw(std::uint64_t seed, std::uint64_t first, Outcome und
   std::size_t n = 0;
   for (std::uint64_t from = 0; n < poses.size(); from += kCandidates) {
     if (from > kMostCandidates) {
-      throw InputError("next to no poses of the bodies overlap (" + std::to_string(n) + " of " + std::to_string(from) +
-                       ") - virial coefficients are of bodies that do");
+      throw InputError("poses at which the bodies overlap are too seldom to be drawn (" + std::to_string(n) + " of " +
+                       std::to_string(from) + ") - give bodies that are less thin");
     }
     draw_candidates(seed, first + from);
     decide_candidates(undecided, questions);

@@ -29,6 +29,8 @@ Transformd relative(const Transformd& world_from_a, const Transformd& world_from
 // All 52 bits that a coordinate has.
 std::uint64_t whole_of(double coordinate) { return static_cast<std::uint64_t>(coordinate * 0x1p52); }
 
+constexpr int kRoomForCandidates = 12;
+
 }  // namespace
 
 // What is known of the pairs of bodies that are no neighbours.
@@ -46,15 +48,15 @@ void require_factorising_law(const OrientationLaw& law) {
 }
 
 VirialIntegrand::VirialIntegrand(std::vector<ConvexBody> bodies, const OrientationLaw& law,
-                                 std::shared_ptr<const ClusterWeights> weights, std::shared_ptr<VirialCounts> counts,
-                                 InstructionSet set)
+                                 std::shared_ptr<const ClusterWeights> weights, InstructionSet set,
+                                 std::shared_ptr<const VirialControl> control)
     : bodies_(std::move(bodies)),
       weights_(std::move(weights)),
-      counts_(std::move(counts)),
+      control_(std::move(control)),
       n_pairs_(weights_->pairs().size()),
       neighbours_(bodies_.front(), bodies_[bodies_.size() / 2], law, set),
       decider_(bodies_.front(), bodies_.back(), set),
-      clusters_(n_clusters(*weights_)),
+      clusters_(n_clusters(weights_->order())),
       world_from_bodies_(clusters_.size() * static_cast<std::size_t>(weights_->order())),
       asked_(clusters_.size()),
       open_(clusters_.size()),
@@ -70,20 +72,19 @@ VirialIntegrand::VirialIntegrand(std::vector<ConvexBody> bodies, const Orientati
 }
 
 VirialIntegrand::VirialIntegrand(const ConvexBody& body, const OrientationLaw& law,
-                                 std::shared_ptr<const ClusterWeights> weights, std::shared_ptr<VirialCounts> counts,
-                                 InstructionSet set)
-    : VirialIntegrand(std::vector<ConvexBody>{body}, law, std::move(weights), std::move(counts), set) {}
+                                 std::shared_ptr<const ClusterWeights> weights, InstructionSet set,
+                                 std::shared_ptr<const VirialControl> control)
+    : VirialIntegrand(std::vector<ConvexBody>{body}, law, std::move(weights), set, std::move(control)) {}
 
 VirialIntegrand::VirialIntegrand(const std::array<ConvexBody, 3>& bodies, const OrientationLaw& law,
-                                 std::shared_ptr<const ClusterWeights> weights, std::shared_ptr<VirialCounts> counts,
-                                 InstructionSet set)
-    : VirialIntegrand(std::vector<ConvexBody>(bodies.begin(), bodies.end()), law, std::move(weights), std::move(counts),
-                      set) {}
+                                 std::shared_ptr<const ClusterWeights> weights, InstructionSet set)
+    : VirialIntegrand(std::vector<ConvexBody>(bodies.begin(), bodies.end()), law, std::move(weights), set, nullptr) {}
 
 VirialIntegrand::~VirialIntegrand() = default;
 
 double VirialIntegrand::absolute_rounding() const {
-  return weights_->largest_weight() * static_cast<double>(n_pairs_) * 0x1p-40;
+  return weights_->largest_weight() * static_cast<double>(n_pairs_) * 0x1p-40 +
+         (control_ ? control_->absolute_rounding() : 0.0);
 }
 
 double VirialIntegrand::cost() const {
@@ -231,7 +232,7 @@ void VirialIntegrand::draw_clusters(std::uint64_t seed, std::uint64_t first) {
 
 double VirialIntegrand::weight(const Cluster& cluster) const {
   if (!cluster.may_count) return 0.0;
-  return cluster.is_tree ? weights_->weight(cluster.graph) : weights_->weight_of_chain(cluster.answers);
+  return cluster.is_tree ? weights_->weight_by_chain(cluster.graph) : weights_->weight_of_chain(cluster.answers);
 }
 
 double VirialIntegrand::bunch(std::uint64_t seed, std::uint64_t first, Outcome undecided, std::uint64_t& n_undecided) {
@@ -244,18 +245,63 @@ double VirialIntegrand::bunch(std::uint64_t seed, std::uint64_t first, Outcome u
   double sum = 0.0;
   for (const Cluster& cluster : clusters_) sum += weight(cluster);
   n_undecided = of_neighbours.n_undecided + of_pairs.n_undecided;
-  constexpr std::memory_order kRelaxed = std::memory_order_relaxed;
-  counts_->n_pairs.fetch_add(n_pairs_ * clusters_.size(), kRelaxed);
-  counts_->n_by_balls.fetch_add(of_pairs.n_by_balls, kRelaxed);
-  counts_->n_searched.fetch_add(of_pairs.n_searched, kRelaxed);
-  counts_->n_undecided.fetch_add(n_undecided, kRelaxed);
-  counts_->n_candidates.fetch_add(of_neighbours.n_by_balls + of_neighbours.n_searched, kRelaxed);
-  return sum / static_cast<double>(clusters_.size());
+  counts_.n_all += n_pairs_ * clusters_.size();
+  counts_.n_by_balls += of_pairs.n_by_balls;
+  counts_.n_searched += of_pairs.n_searched;
+  counts_.n_undecided += n_undecided;
+  counts_.n_candidates += of_neighbours.n_by_balls + of_neighbours.n_searched;
+  double value = sum / static_cast<double>(clusters_.size());
+  if (control_) {
+    const DistanceControl::Values means = means_of(control_->functions);
+    for (std::size_t k = 0; k < means.size(); ++k) value -= control_->factors[k] * means[k];
+  }
+  return value;
+}
+
+// Over the poses that the bunch has now.
+DistanceControl::Values VirialIntegrand::means_of(const DistanceControl& functions) const {
+  DistanceControl::Values sums{};
+  const Vec3d centre = bodies_.front().centre();
+  for (const Transformd& pose : poses_) functions.add(pose(centre) - centre, sums);
+  for (double& sum : sums) sum /= static_cast<double>(kPoses);
+  return sums;
+}
+
+std::shared_ptr<const VirialControl> VirialIntegrand::control_of(const ConvexBody& body, const OrientationLaw& law,
+                                                                 const std::shared_ptr<const ClusterWeights>& weights,
+                                                                 double excluded_volume, double relative_error,
+                                                                 InstructionSet set) {
+  auto control =
+      std::make_shared<VirialControl>(VirialControl{DistanceControl(body, body, excluded_volume, relative_error)});
+  if (!control->functions.is_usable()) return nullptr;
+  // As many that what the factors lack of the best ones makes the variance larger by some hundredth.
+  constexpr std::size_t kBunches = 256;
+  VirialIntegrand integrand(body, law, weights, set);
+  std::vector<double> values;
+  std::vector<DistanceControl::Values> means;
+  for (std::size_t bunch = 0; bunch < kBunches; ++bunch) {
+    std::array<double, 2> point;
+    draw_unit_cube(0, Stream::pilot, 1 + bunch, point);
+    std::uint64_t n_undecided = 0;
+    values.push_back(integrand.bunch(whole_of(point[0]) << 1, whole_of(point[1]) << kRoomForCandidates,
+                                     Outcome::disjoint, n_undecided));
+    means.push_back(integrand.means_of(control->functions));
+  }
+  control->fit(std::move(values), means);
+  return control;
+}
+
+void VirialIntegrand::count(std::span<std::uint64_t> counted) {
+  VEX_EXPECT(counted.size() == Tally::kNCounted);
+  const VirialPairs now = std::exchange(counts_, {});
+  std::size_t k = 0;
+  for (const std::uint64_t n : {now.n_all, now.n_by_balls, now.n_searched, now.n_undecided, now.n_candidates}) {
+    counted[k++] += n;
+  }
 }
 
 Doubts VirialIntegrand::evaluate(std::span<const double> points, std::span<double> values) {
   VEX_EXPECT(points.size() == 2 * values.size());
-  constexpr int kRoomForCandidates = 12;
   Doubts doubts;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const std::uint64_t seed = whole_of(points[k]) << 1, first = whole_of(points[values.size() + k])
@@ -269,8 +315,12 @@ Doubts VirialIntegrand::evaluate(std::span<const double> points, std::span<doubl
       doubts.push_back({k, 0.5 * std::fabs(other - values[k])});
       values[k] = 0.5 * (values[k] + other);
     } else {
+      double largest = weights_->largest_weight();
+      if (control_) {
+        for (const double factor : control_->factors) largest += std::fabs(factor);
+      }
       values[k] = 0.0;
-      doubts.push_back({k, weights_->largest_weight()});
+      doubts.push_back({k, largest});
     }
   }
   return doubts;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -10,21 +9,14 @@
 
 #include "engine/sampling/integrand.h"
 #include "engine/sampling/virial/cluster_weights.h"
+#include "engine/sampling/virial/distance_control.h"
 #include "engine/sampling/virial/overlapping_pairs.h"
+#include "engine/sampling/virial/virial_pairs.h"
 
 namespace vex {
 
 /// Of isotropic and of aligned bodies a chain of n bodies is worth (2 B2)^(n-1). Throws UsageError for other laws.
 void require_factorising_law(const OrientationLaw& law);
-
-/// What was asked by all threads of a run: pairs that are no neighbours of a chain or a tree.
-struct VirialCounts {
-  std::atomic<std::uint64_t> n_pairs = 0;       // of all clusters
-  std::atomic<std::uint64_t> n_by_balls = 0;    // of these decided by circumscribed and inscribed balls
-  std::atomic<std::uint64_t> n_searched = 0;    // and by a search; the rest was skipped
-  std::atomic<std::uint64_t> n_undecided = 0;   // of those searched, and of the neighbours
-  std::atomic<std::uint64_t> n_candidates = 0;  // poses that neighbours were drawn from
-};
 
 /// Its mean over the unit square is B_n / B2^(n-1), of any sign, without a unit: what the driver calls a length^3 is 1.
 ///
@@ -37,18 +29,24 @@ class VirialIntegrand final : public Integrand {
  public:
   static constexpr std::size_t kPoses = 61;  // a prime
   /// Each pose begins a cluster of each round (ClusterWeights::n_rounds).
-  static std::size_t n_clusters(const ClusterWeights& weights) {
-    return kPoses * static_cast<std::size_t>(weights.n_rounds());
+  static std::size_t n_clusters(int order) {
+    return kPoses * static_cast<std::size_t>(ClusterWeights::n_rounds(order));
   }
 
   /// Of like bodies. `law` is isotropic or aligned: of others the chains' integrals are not powers of B2, and a
-  /// UsageError is thrown. One instance serves one thread; weights and counts are shared.
+  /// UsageError is thrown. One instance serves one thread; weights are shared.
   VirialIntegrand(const ConvexBody& body, const OrientationLaw& law, std::shared_ptr<const ClusterWeights> weights,
-                  std::shared_ptr<VirialCounts> counts, InstructionSet set = best_instruction_set());
+                  InstructionSet set = best_instruction_set(), std::shared_ptr<const VirialControl> control = nullptr);
+
+  /// A control variate for the same body, law and order, by some hundred bunches that are no part of any run: the same
+  /// for every set and machine. Null where none is to be had (DistanceControl).
+  static std::shared_ptr<const VirialControl> control_of(const ConvexBody& body, const OrientationLaw& law,
+                                                         const std::shared_ptr<const ClusterWeights>& weights,
+                                                         double excluded_volume, double relative_error,
+                                                         InstructionSet set = best_instruction_set());
   /// Of a mixture, order 3: the mean is B_ijk / (B_ij B_jk) for the bodies i, j, k in this order.
   VirialIntegrand(const std::array<ConvexBody, 3>& bodies, const OrientationLaw& law,
-                  std::shared_ptr<const ClusterWeights> weights, std::shared_ptr<VirialCounts> counts,
-                  InstructionSet set = best_instruction_set());
+                  std::shared_ptr<const ClusterWeights> weights, InstructionSet set = best_instruction_set());
   ~VirialIntegrand() override;
 
   int dimension() const override { return 2; }
@@ -61,13 +59,15 @@ class VirialIntegrand final : public Integrand {
   double cost() const override;
 
   Doubts evaluate(std::span<const double> points, std::span<double> values) override;
+  void count(std::span<std::uint64_t> counted) override;
 
  private:
   struct Cluster;
 
   VirialIntegrand(std::vector<ConvexBody> bodies, const OrientationLaw& law,
-                  std::shared_ptr<const ClusterWeights> weights, std::shared_ptr<VirialCounts> counts,
-                  InstructionSet set);
+                  std::shared_ptr<const ClusterWeights> weights, InstructionSet set,
+                  std::shared_ptr<const VirialControl> control);
+  DistanceControl::Values means_of(const DistanceControl& functions) const;
   double bunch(std::uint64_t seed, std::uint64_t first, Outcome undecided, std::uint64_t& n_undecided);
   void set_chain(std::size_t cluster, std::size_t first, std::size_t step);
   void set_tree(std::size_t cluster, std::size_t first, std::size_t step, std::span<const double> point);
@@ -82,7 +82,8 @@ class VirialIntegrand final : public Integrand {
 
   std::vector<ConvexBody> bodies_;  // one, or three
   std::shared_ptr<const ClusterWeights> weights_;
-  std::shared_ptr<VirialCounts> counts_;
+  std::shared_ptr<const VirialControl> control_;
+  VirialPairs counts_;
   std::size_t n_pairs_;  // that are no neighbours
   OverlappingPairs neighbours_;
   std::unique_ptr<OverlappingPairs> second_neighbours_;  // of three unlike bodies

@@ -16,12 +16,15 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <functional>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "meshes/confined_process.h"
+#include "meshes/shared_memory.h"
 #include "temporary_folder.h"
 #include "tests/setup/refused_calls.h"
 
@@ -163,6 +166,64 @@ TEST(Confinement, HoldsByTheFilterWithoutLandlock) {
       EXPECT_EQ(tried.probe.unlink_file, EPERM);
     }
   }));
+}
+
+/// A page that others see change; `file`, where there is one, is behind it.
+void* shared_page(int rights, int file) {
+  void* const page = ::mmap(nullptr, 4096, rights, MAP_SHARED | (file < 0 ? MAP_ANONYMOUS : 0), file, 0);
+  EXPECT_NE(page, MAP_FAILED);
+  return page;
+}
+
+// Ranks of MPI share memory with each other, and a forked reader inherited it.
+TEST(Confinement, LeavesNoMemoryThatOthersShare) {
+  const TemporaryFolder folder;
+  const std::string name = folder.file("shared", std::string(4096, 'x')).string();
+  const int both = ::open(name.c_str(), O_RDWR | O_CLOEXEC), only_read = ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
+  void* const writable = shared_page(PROT_READ | PROT_WRITE, -1);
+  void* const of_file = shared_page(PROT_READ | PROT_WRITE, both);
+  void* const may_become = shared_page(PROT_READ, both);  // mprotect would make it writable
+  void* const never = shared_page(PROT_READ, only_read);
+  // The kernel reads the page that is to be written: EFAULT, where there is none.
+  struct Seen {
+    int writable, of_file, may_become, become, never;
+  } seen{};
+  ConfinedProcess process(kLimits, Confining::as_far_as_possible, [&] {
+    std::array<int, 4> errors{};
+    std::size_t k = 0;
+    for (void* const page : {writable, of_file, may_become, never}) {
+      errors[k++] = error_of(::write(kConfinedDescriptor, page, 1));
+    }
+    const Seen result{errors[0], errors[1], errors[2], error_of(::mprotect(may_become, 4096, PROT_READ | PROT_WRITE)),
+                      errors[3]};
+    static_cast<void>(!::write(kConfinedDescriptor, &result, sizeof result));
+    ::_exit(0);
+  });
+  EXPECT_EQ(process.barriers().memory, 0);
+  char byte = 0;  // of the page that nobody can write to
+  EXPECT_EQ(process.read(&byte, 1), 1u);
+  ASSERT_EQ(process.read(&seen, sizeof seen), sizeof seen);
+  EXPECT_EQ(seen.writable, EFAULT);
+  EXPECT_EQ(seen.of_file, EFAULT);
+  EXPECT_EQ(seen.may_become, EFAULT);
+  EXPECT_EQ(seen.become, ENOMEM);
+  EXPECT_EQ(seen.never, 0);
+  // And as the kernel lists it, of a process that gave up what it shares.
+  std::vector<SharedMapping> before;
+  EXPECT_EQ(shared_mappings(&before), 0);
+  EXPECT_GE(before.size(), 3u);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::vector<SharedMapping> after;
+    ::_exit(give_up_shared_memory() == 0 && shared_mappings(&after) == 0 && after.empty() ? 0 : 1);
+  }
+  int status = -1;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  std::memcpy(writable, "there", 5);  // in this process it still is
+  for (void* const page : {writable, of_file, may_become, never}) ::munmap(page, 4096);
+  ::close(both);
+  ::close(only_read);
 }
 
 /// Whether `work` was begun.

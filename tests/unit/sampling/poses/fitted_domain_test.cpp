@@ -65,6 +65,8 @@ TEST_P(EveryPair, TheSetHoldsEveryTranslationOfContactAndItsVolumeIsItsOwn) {
   const FittedDomain fitted(a, b);
   const Domain domain = fitted_domain(a, b);
   EXPECT_EQ(domain.kind, Domain::Kind::fitted);
+  const double largest = fitted.largest_volume();
+  EXPECT_LE(largest, domain.volume * (1.0 + 1e-5));
   std::mt19937_64 random(1);
   double most_used = 0.0;
   for (int k = 0; k < 60; ++k) {
@@ -72,6 +74,7 @@ TEST_P(EveryPair, TheSetHoldsEveryTranslationOfContactAndItsVolumeIsItsOwn) {
     const Parallelepiped set = fitted.at(r);
     ASSERT_GT(set.volume, 0.0);
     ASSERT_LE(set.volume, domain.volume);
+    ASSERT_LE(set.volume, largest);
     ASSERT_NEAR(volume_of_corners(set), set.volume, 1e-4 * set.volume);  // cancellation in the corners of thin sets
     double low = 1.0, high = 0.0;
     const auto look_at = [&](const Vec3d& d) {
@@ -96,6 +99,26 @@ TEST_P(EveryPair, TheSetHoldsEveryTranslationOfContactAndItsVolumeIsItsOwn) {
 
 INSTANTIATE_TEST_SUITE_P(FittedDomain, EveryPair, testing::ValuesIn(ordered_pairs()),
                          [](const auto& pair) { return test_name(pair.param); });
+
+TEST(FittedDomain, NoSetIsLargerThanTheLargestWhichOfThinBodiesIsNear) {
+  std::mt19937_64 random(4);
+  for (const BodyPair& pair :
+       {BodyPair{"box:1e3,1,1", "box:1e3,1,1"}, BodyPair{"ellipsoid:1,1,1e6", "ellipsoid:1,1,1e6"},
+        BodyPair{"cylinder:1e5,0.5", "box:30,1e3,1"}, BodyPair{"cone:1e3,0.5", "capsule:7,0.01"},
+        BodyPair{"box:1e4,30,1", "box:1e4,30,1"}, BodyPair{"box:1e3,1e3,1", "cylinder:1,400"}}) {
+    const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
+    const FittedDomain fitted(a, b);
+    const double largest = fitted.largest_volume();
+    double sum = 0.0;
+    constexpr int kRotations = 3000;
+    for (int k = 0; k < kRotations; ++k) {
+      const double volume = fitted.at(wild_rotation(random, k)).volume;
+      ASSERT_LE(volume, largest) << pair.a << " and " << pair.b;
+      if (k % 3 != 0) sum += volume * 1.5 / kRotations;  // of isotropic ones
+    }
+    EXPECT_GT(sum, 0.1 * largest) << pair.a << " and " << pair.b;
+  }
+}
 
 TEST(FittedDomain, OutsideNothingOverlaps) {
   std::mt19937_64 random(2);

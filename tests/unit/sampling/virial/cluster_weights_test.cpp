@@ -54,6 +54,27 @@ TEST(ClusterWeights, EveryClusterThatCountsIsDrawn) {
   }
 }
 
+TEST(ClusterWeights, ByAChainTheyAreTheSameBits) {
+  std::mt19937_64 random(8);
+  int n_without_path = 0;
+  for (int n = 3; n <= 8; ++n) {
+    const ClusterWeights weights(n);
+    const int n_pairs = n * (n - 1) / 2;
+    for (unsigned k = 0; k < (n < 6 ? 1u << n_pairs : 500u); ++k) {
+      const auto bits = static_cast<unsigned>(n < 6 ? k : (random() | random()) & ((1u << n_pairs) - 1u));
+      const OverlapGraph graph = graph_by_bits(n, bits);
+      const std::optional<HamiltonianPath> path = hamiltonian_path(graph);
+      ASSERT_EQ(path.has_value(), n_hamiltonian_paths(graph) > 0) << n << " bodies, overlaps " << bits;
+      n_without_path += path ? 0 : 1;
+      for (std::size_t at = 1; path && at < static_cast<std::size_t>(n); ++at) {
+        ASSERT_TRUE(graph.overlaps((*path)[at - 1], (*path)[at]));
+      }
+      ASSERT_EQ(weights.weight_by_chain(graph), weights.weight(graph)) << n << " bodies, overlaps " << bits;
+    }
+  }
+  EXPECT_GT(n_without_path, 100);
+}
+
 TEST(ClusterWeights, WhatIsSkippedHasNoWeight) {
   for (int n = 3; n <= 6; ++n) {
     const ClusterWeights weights(n);

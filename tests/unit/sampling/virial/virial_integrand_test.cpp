@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 #include "engine/numeric/errors.h"
 #include "engine/sampling/monte_carlo.h"
@@ -17,17 +19,20 @@ namespace {
 
 VolumeEstimate coefficient(const ConvexBody& body, const OrientationLaw& law, int order, std::uint64_t n_bunches,
                            ClusterWeights::GraphSum sum = biconnected_sum, int n_threads = 1,
-                           InstructionSet set = best_instruction_set()) {
+                           InstructionSet set = best_instruction_set(), double excluded_volume = std::nan("")) {
   const auto weights = std::make_shared<const ClusterWeights>(order, sum);
-  const auto counts = std::make_shared<VirialCounts>();
+  const auto control = VirialIntegrand::control_of(body, law, weights, excluded_volume, 0x1p-40, set);
+  EXPECT_EQ(control == nullptr, std::isnan(excluded_volume));
   MonteCarloSettings settings;
   settings.n_threads = n_threads;
   settings.stop.trials = n_bunches;
   settings.instruction_set = set;
-  settings.integrand = [&] { return std::make_unique<VirialIntegrand>(body, law, weights, counts, set); };
+  settings.integrand = [&] { return std::make_unique<VirialIntegrand>(body, law, weights, set, control); };
   const RunRecord record = run_monte_carlo(body, body, settings);
   EXPECT_EQ(record.tally.n_undecided, 0u);
-  EXPECT_LE(counts->n_by_balls + counts->n_searched, counts->n_pairs);
+  const VirialPairs pairs = VirialPairs::of(record.tally);
+  EXPECT_EQ(pairs.n_all, n_bunches * VirialIntegrand::n_clusters(order) * weights->pairs().size());
+  EXPECT_LE(pairs.n_by_balls + pairs.n_searched, pairs.n_all);
   return volume_estimate(record.tally, settings.domain);
 }
 
@@ -69,11 +74,15 @@ TEST(VirialIntegrand, WrongSumsAreFoundOut) {
 
 TEST(VirialIntegrand, ThreadsAndInstructionSetsChangeNoBit) {
   const ConvexBody box = Box(1.0, 0.8, 2.0), rod = Ellipsoid(0.2, 0.2, 4.0);
+  // <V_ex> of the box, by the formula; the rod has no control variate.
+  const double of_box = 2.0 * 1.6 + 2.0 * 8.8 * (3.8 * std::numbers::pi) / (4.0 * std::numbers::pi);
   for (const ConvexBody* const body : {&box, &rod}) {
+    const double excluded_volume = body == &box ? of_box : std::nan("");
     for (const int order : {4, 6}) {
-      const VolumeEstimate one = coefficient(*body, {}, order, 64);
+      const VolumeEstimate one =
+          coefficient(*body, {}, order, 64, biconnected_sum, 1, best_instruction_set(), excluded_volume);
       for (const InstructionSet set : {InstructionSet::scalar, InstructionSet::sse2, best_instruction_set()}) {
-        const VolumeEstimate other = coefficient(*body, {}, order, 64, biconnected_sum, 3, set);
+        const VolumeEstimate other = coefficient(*body, {}, order, 64, biconnected_sum, 3, set, excluded_volume);
         EXPECT_EQ(one.excluded_volume, other.excluded_volume) << order << " " << name_of(set);
         EXPECT_EQ(one.std_error, other.std_error);
       }
@@ -81,15 +90,52 @@ TEST(VirialIntegrand, ThreadsAndInstructionSetsChangeNoBit) {
   }
 }
 
+constexpr double kOfSpheres = 4.0 / 3.0 * std::numbers::pi;  // <V_ex>, of the diameter 1
+constexpr double kOfCubes = 11.0;                            // in random orientation, of edge 1
+
+TEST(VirialIntegrand, AControlVariateChangesNoMeanAndMuchOfTheVariance) {
+  const ConvexBody sphere = Sphere(0.5), cube = Box(1.0, 1.0, 1.0), ellipsoid = Ellipsoid(0.5, 0.5, 0.4);
+  struct Case {
+    const ConvexBody* body;
+    OrientationLaw law;
+    int order;
+    double excluded_volume, known, least_gain;
+  };
+  const std::vector<Case> cases = {{&sphere, {}, 3, kOfSpheres, 0.625, 1.3},
+                                   {&sphere, {}, 4, kOfSpheres, kB4OfSpheres, 1.1},
+                                   {&sphere, {}, 6, kOfSpheres, 0.03888198, 1.0},
+                                   {&cube, OrientationLaw::aligned(), 3, 8.0, 9.0 / 16.0, 1.05},
+                                   {&cube, {}, 3, kOfCubes, 0.0, 1.2},
+                                   {&ellipsoid, OrientationLaw::aligned(), 3, 0.8 * kOfSpheres, 0.625, 1.05}};
+  for (const Case& one : cases) {
+    const auto with = [&one](double excluded_volume) {
+      return coefficient(*one.body, one.law, one.order, 2048, biconnected_sum, 1, best_instruction_set(),
+                         excluded_volume);
+    };
+    const VolumeEstimate plain = with(std::nan("")), found = with(one.excluded_volume);
+    EXPECT_GT(plain.std_error, one.least_gain * found.std_error) << one.order;
+    if (one.known > 0.0) {
+      EXPECT_LT(std::fabs(z_of(found, one.known)), 4.0) << one.order;
+    }
+    // Of the same poses: less scatter between the two than either has.
+    const double apart = std::fabs(found.excluded_volume - plain.excluded_volume);
+    EXPECT_LT(apart, 4.0 * std::sqrt(plain.std_error * plain.std_error - found.std_error * found.std_error));
+    EXPECT_GT(apart, 0.0);
+  }
+  // A wrong <V_ex> is found out.
+  const VolumeEstimate wrong =
+      coefficient(sphere, {}, 3, 2048, biconnected_sum, 1, best_instruction_set(), 1.03 * kOfSpheres);
+  EXPECT_GT(std::fabs(z_of(wrong, 0.625)), 8.0);
+}
+
 TEST(VirialIntegrand, MixturesAgreeWithBruteForce) {
   const std::array<std::array<ConvexBody, 3>, 2> mixtures = {
       {{Box(1.0, 1.0, 1.0), Sphere(0.7), Box(1.0, 1.0, 1.0)}, {Ellipsoid(1.0, 0.4, 0.4), Cone(1.0, 0.6), Sphere(0.5)}}};
   for (const std::array<ConvexBody, 3>& bodies : mixtures) {
     const auto weights = std::make_shared<const ClusterWeights>(3);
-    const auto counts = std::make_shared<VirialCounts>();
     MonteCarloSettings settings;
     settings.stop.trials = 1024;
-    settings.integrand = [&] { return std::make_unique<VirialIntegrand>(bodies, settings.law, weights, counts); };
+    settings.integrand = [&] { return std::make_unique<VirialIntegrand>(bodies, settings.law, weights); };
     const VolumeEstimate reduced =
         volume_estimate(run_monte_carlo(bodies[0], bodies[2], settings).tally, settings.domain);
     // B_ij of both pairs of neighbours, by the driver's hit or miss.
@@ -112,11 +158,10 @@ TEST(VirialIntegrand, MixturesAgreeWithBruteForce) {
 
 TEST(VirialIntegrand, LawsWhoseChainsDoNotFactoriseAreRefused) {
   const auto weights = std::make_shared<const ClusterWeights>(3);
-  const auto counts = std::make_shared<VirialCounts>();
   const ConvexBody body = Box(1.0, 1.0, 2.0);
-  EXPECT_THROW(VirialIntegrand(body, OrientationLaw::onsager(3.0), weights, counts), UsageError);
-  EXPECT_THROW(VirialIntegrand(body, OrientationLaw::fixed(1.0, 0.0, 0.0, 0.0), weights, counts), UsageError);
-  EXPECT_THROW(VirialIntegrand({body, body, body}, {}, std::make_shared<const ClusterWeights>(4), counts), UsageError);
+  EXPECT_THROW(VirialIntegrand(body, OrientationLaw::onsager(3.0), weights), UsageError);
+  EXPECT_THROW(VirialIntegrand(body, OrientationLaw::fixed(1.0, 0.0, 0.0, 0.0), weights), UsageError);
+  EXPECT_THROW(VirialIntegrand({body, body, body}, {}, std::make_shared<const ClusterWeights>(4)), UsageError);
 }
 
 }  // namespace

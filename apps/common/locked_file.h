@@ -1,0 +1,42 @@
+// A file that one process alone writes, again and again, for as long as it lives.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "apps/common/descriptor.h"
+#include "apps/common/output_file.h"
+#include "apps/common/replace_file.h"
+
+namespace vex {
+
+/// Holds a lock (flock) on the file, which whoever asks for it in the same way respects; it goes with the process,
+/// however that ends. The file is there from the beginning, empty perhaps; each replacement is locked before it takes
+/// the name.
+class LockedFile {
+ public:
+  /// Makes the file where there is none, and removes what earlier processes left beside it (remove_leftovers). Throws
+  /// UsageError where another process holds it, std::system_error where it cannot be opened.
+  explicit LockedFile(const OutputFile& file);
+  /// Removes the file where it made it, and nothing was written.
+  ~LockedFile();
+  LockedFile(const LockedFile&) = delete;
+  LockedFile& operator=(const LockedFile&) = delete;
+
+  /// Whether nothing stood in it.
+  bool was_empty() const { return was_empty_; }
+  /// Whether this file system has locks. Without one nothing keeps another process away.
+  bool has_lock() const { return has_lock_; }
+
+  /// As `replace_file`. Throws std::system_error, EBUSY where the file is another one by now.
+  void replace(std::string_view text);
+
+ private:
+  FileNumber number() const;
+
+  std::filesystem::path target_;
+  Descriptor file_{-1};
+  bool has_lock_ = true, was_made_ = false, was_empty_ = true, was_written_ = false;
+};
+
+}  // namespace vex
