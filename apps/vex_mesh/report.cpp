@@ -216,6 +216,15 @@ std::string reference_text(const MeshRun& run) {
   return text + "   B2 = <V_ex>/2                     " + number(reference->b2) + "\n";
 }
 
+// Of laws that are about an axis; 0 and 1 of isotropic and aligned ones go without saying.
+std::string order_text(const OrientationLaw& law) {
+  const std::optional<std::array<double, 2>> each = law.order_parameters();
+  if (!each || law == OrientationLaw::isotropic() || law == OrientationLaw::aligned()) return "";
+  std::string text = "   order parameter S                 " + short_number((*each)[0], 8);
+  if (!law.order_parameter()) text += " of A, " + short_number((*each)[1], 8) + " of B";
+  return text + "\n";
+}
+
 // What z says.
 std::string verdict_on(const MeshRun& run) {
   const Tally& tally = run.result.record.tally;
@@ -262,6 +271,9 @@ std::string report_json(const MeshRun& run) {
   if (!reference) json["reference_reason"] = run.result.reference_reason;
   const std::optional<double> order_parameter = run.options.settings.law.order_parameter();
   json["order_parameter"] = order_parameter ? Json(*order_parameter) : Json(nullptr);
+  if (const std::optional<std::array<double, 2>> each = run.options.settings.law.order_parameters()) {
+    json["order_parameters"] = *each;
+  }
   json["estimate"] = estimate_json(run);
   if (!run.result.candidates.empty()) json["pilot"] = pilot_json(run);
   set_comparison(json, run.result);
@@ -281,6 +293,7 @@ std::string report_text(const MeshRun& run) {
   text += are_copies(run.a, run.b) ? "B  the same body\n" : body_text(run.b, "B", run.options.dump_vertices);
 
   text += reference_text(run);
+  text += order_text(run.options.settings.law);
 
   if (!run.result.no_run_reason.empty()) return text + "\nMonte Carlo  no run: " + run.result.no_run_reason + "\n";
 

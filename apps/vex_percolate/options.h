@@ -16,7 +16,7 @@ namespace vex {
 /// The words of the command line, as they stand.
 struct PercolateCommandLine : CommonWords, BodyWords, CheckpointWords {
   std::vector<std::string> bodies;
-  std::string sizes, realisations, std_error, seconds, orientations, shell, backend, isa;
+  std::string sizes, realisations, std_error, seconds, orientations, axis, shell, backend, isa;
   std::string plot, csv, gltf, report;
 };
 
@@ -45,6 +45,7 @@ struct PercolateOptions : CommonOptions {
   std::optional<std::uint64_t> realisations;
   std::optional<double> std_error, seconds;
   BodyOrientations orientations;
+  std::vector<std::string> law_files;  // that the law is read from
   std::string law;
   double shell = 0.0;
   std::optional<BackendKind> backend;  // none: the engine, by packets

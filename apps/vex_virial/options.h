@@ -12,7 +12,7 @@ namespace vex {
 /// The words of the command line, as they stand.
 struct VirialCommandLine : CommonWords, BodyWords {
   std::string a, b;
-  std::string order, rel_error, seconds, samples, orientations, isa, plot;
+  std::string order, rel_error, seconds, samples, orientations, isa, plot, report;
 };
 
 /// Declares the options; parsing fills `words`, which must outlive `options`.
@@ -24,7 +24,7 @@ struct VirialOptions : CommonOptions {
   BodyOptions body_options;
   VirialSettings settings;
   bool dump_vertices = false;
-  std::string plot;
+  std::string plot, report;
 
   bool is_mixture() const { return !b.empty(); }
 };

@@ -26,6 +26,8 @@
 namespace vex {
 namespace {
 
+constexpr std::array<double, OrientationLaw::kMaxDimension> kAnyPoint{};  // of laws of one orientation
+
 constexpr double kPi = std::numbers::pi;
 
 // Enough for these tests, and a sixteenth of what is taken unless told.
@@ -64,7 +66,7 @@ std::vector<OrientationLaw> random_orientations(int n) {
 using Matrix = std::array<std::array<double, 3>, 3>;
 
 Matrix matrix_of(const OrientationLaw& law) {
-  const Transformd r = law.rotation<double>({});
+  const Transformd r = law.rotation(std::span<const double>(kAnyPoint));
   return {{{r.row_x.x, r.row_x.y, r.row_x.z}, {r.row_y.x, r.row_y.y, r.row_y.z}, {r.row_z.x, r.row_z.y, r.row_z.z}}};
 }
 
@@ -126,7 +128,7 @@ TEST(ExcludedVolumeAtAFixedOrientation, OfBodiesThatAreSymmetricAboutTheirCentre
 TEST(ExcludedVolumeAtAFixedOrientation, OfTwoEllipsoidsIsTheIntegralOfTheirHeights) {
   const Body a = parse_shape("ellipsoid:0.8,1,1.7"), b = parse_shape("ellipsoid:1.5,0.9,1.2");
   for (const OrientationLaw& law : random_orientations(5)) {
-    const Transformd r = law.rotation<double>({});
+    const Transformd r = law.rotation(std::span<const double>(kAnyPoint));
     const double truth =
         a.measures.volume + b.measures.volume +
         integral_over(a.normals.area(),
