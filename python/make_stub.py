@@ -29,7 +29,7 @@ def stub() -> str:
     names = {"aligned": "", "isotropic": "", "angle": "degrees: float", "cone": "degrees: float",
              "fixed": "w: float, x: float, y: float, z: float", "onsager": "alpha: float",
              "parse": "text: str",
-             "maier_saupe": "strength: float", "table": "cosines: Sequence[float], densities: Sequence[float]",
+             "maier_saupe": "strength: float", "table": "cosines: List[float], densities: List[float]",
              "each": "a: Any, b: Any"}
     block = text[law:end]
     for name, parameters in names.items():

@@ -89,6 +89,33 @@ TEST(ExcludedVolumeAtAFixedOrientation, OfTwoBoxesIsTheSumOverPairsOfEdges) {
   EXPECT_NEAR(average_of("box:1,1,1", "box:1,1,1", OrientationLaw::aligned()).excluded_volume, 8.0, 1e-14);
 }
 
+// The series, odd degrees among them, against sums over normals at drawn orientations: they share no polynomial.
+TEST(AverageOfLawsOfAnAxis, IsThatOfMixedVolumesAtDrawnOrientations) {
+  const AxisLaw up = AxisLaw::table({{-0.5, 0.3, 0.9, 1.0}, {0.0, 1.0, 4.0, 2.0}});
+  const AxisLaw down = AxisLaw::table({{-1.0, 0.2}, {3.0, 0.0}});
+  ExactAverageSettings drawn = quick();
+  drawn.series = false;
+  for (const OrientationLaw& law :
+       {OrientationLaw::maier_saupe(5), OrientationLaw::maier_saupe(-4), OrientationLaw::both_by(up),
+        OrientationLaw::each(up, down), OrientationLaw::each(AxisLaw::aligned(), AxisLaw::onsager(4)),
+        OrientationLaw::each(AxisLaw::maier_saupe(3), AxisLaw::cone(50))}) {
+    for (const auto& [a_text, b_text] :
+         {std::pair{"cone:2,0.5", "cone:1,0.7"}, std::pair{"box:1,1,3", "hemisphere:1"}}) {
+      const Body a = parse_shape(a_text), b = parse_shape(b_text);
+      const ExactAverage series = exact_average(a, b, law), sums = exact_average(a, b, law, drawn);
+      EXPECT_LE(std::fabs(series.excluded_volume - sums.excluded_volume), series.error + 5.0 * sums.error)
+          << law.name() << " " << a_text << ": " << series.excluded_volume << " and " << sums.excluded_volume;
+      EXPECT_LE(series.error, 1e-6 * series.excluded_volume) << law.name();
+      EXPECT_LE(sums.error, 1e-3 * sums.excluded_volume) << law.name();
+    }
+  }
+  // Up and down is not up and up.
+  const Body cone = parse_shape("cone:2,0.5");
+  EXPECT_GT(std::fabs(exact_average(cone, cone, OrientationLaw::each(up, up)).excluded_volume -
+                      exact_average(cone, cone, OrientationLaw::each(up, down)).excluded_volume),
+            0.01);
+}
+
 TEST(ExcludedVolumeAtAFixedOrientation, OfTwoCapsulesIsBalbergs) {
   const double length = 1.5, r = 0.4;
   for (const OrientationLaw& law : random_orientations(10)) {
