@@ -259,6 +259,7 @@ DepletionAverage depletion_average(const Body& a, const Body& b, double distance
     });
   };
   found.free_share = distance > reach ? certain(1.0) : run(DepletionIntegrand::What::freedom);
+  if (!(found.free_share.value > 0.0)) return found;  // no orientation was free, or none was drawn
   const bool are_shells_apart = distance > reach + 2.0 * settings.ball_radius * (1.0 + 0x1p-40);
   if (!are_shells_apart) found.overlap_volume = run(DepletionIntegrand::What::overlap_volume);
   return found;

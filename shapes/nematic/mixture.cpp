@@ -128,12 +128,16 @@ class MixtureFluid {
   OrientationGrid grid_;
 };
 
-Two densities_of(double n, double share_of_b) { return {n * (1.0 - share_of_b), n * share_of_b}; }
+/// ln x / (1 - x) of the share of B, of which both shares follow with all their digits, however small one is.
+double log_odds_of(double share_of_b) { return std::log(share_of_b / (1.0 - share_of_b)); }
+Two densities_of(double n, double log_odds) {
+  return {n / (1.0 + std::exp(log_odds)), n / (1.0 + std::exp(-log_odds))};
+}
 
 /// What Newton's method looks for at one composition of the isotropic fluid.
 struct Unknowns {
   double log_n_isotropic = 0.0, log_n_nematic = 0.0;
-  double log_odds = 0.0;  // of B in the nematic fluid: ln x / (1 - x)
+  double log_odds = 0.0;  // of B in the nematic fluid
 };
 
 class MixtureBranch {
@@ -146,42 +150,38 @@ class MixtureBranch {
     const double n_n = of_a.nematic.reduced_density / fluid_.b(0, 0);
     moments_ = {fluid_.start_of_order(), fluid_.start_of_order()};
     // B's own order and share follow from A's: its potentials are equal in both.
-    const BothDensities both = fluid_.equilibrium(densities_of(n_n, kTraceOfB), moments_);
+    const BothDensities both = fluid_.equilibrium(densities_of(n_n, log_odds_of(kTraceOfB)), moments_);
     if (!both.converged) return false;
     moments_ = {both.of[0].moments, both.of[1].moments};
-    const MixturePhase isotropic = fluid_.phase(densities_of(n_i, kTraceOfB), isotropic_);
-    const MixturePhase nematic = fluid_.phase(densities_of(n_n, kTraceOfB), both);
+    const MixturePhase isotropic = fluid_.phase(densities_of(n_i, log_odds_of(kTraceOfB)), isotropic_);
+    const MixturePhase nematic = fluid_.phase(densities_of(n_n, log_odds_of(kTraceOfB)), both);
     const double shift = isotropic.chemical_potentials[1] - nematic.chemical_potentials[1];
-    at_ = {std::log(n_i), std::log(n_n), std::log(kTraceOfB) + shift};
-    composition_ = kTraceOfB;
-    return solve(composition_, at_).has_value();
+    at_ = {std::log(n_i), std::log(n_n), log_odds_of(kTraceOfB) + shift};
+    odds_ = log_odds_of(kTraceOfB);
+    return solve(odds_, at_).has_value();
   }
 
   /// Moves along the branch to this composition, by steps that Newton's method can take.
   std::optional<MixtureCoexistence> follow(double composition) {
     constexpr double kSmallestStep = 1e-5;
     std::optional<MixtureCoexistence> found;
-    double step = 0.1;
-    const double target = std::clamp(composition, kTraceOfB, 1.0 - kTraceOfB);
-    const auto odds = [](double x) { return std::log(x / (1.0 - x)); };
-    // Steps are in the log odds near the ends, where little of one kind is there.
+    double step = 1.0;
+    const double target = log_odds_of(std::clamp(composition, kTraceOfB, 1.0 - kTraceOfB));
     do {
-      const double from = odds(composition_), to = odds(target);
-      const double next_odds = std::fabs(to - from) <= 8.0 * step ? to : from + std::copysign(8.0 * step, to - from);
-      const double next = next_odds == to ? target : 1.0 / (1.0 + std::exp(-next_odds));
+      const double next = std::fabs(target - odds_) <= step ? target : odds_ + std::copysign(step, target - odds_);
       Unknowns guess = at_;
-      guess.log_odds += next_odds - from;
+      guess.log_odds += next - odds_;
       const std::array<EvenSeries, 2> kept = moments_;
       found = solve(next, guess);
       if (found) {
-        composition_ = next;
-        step = std::min(0.2, 1.5 * step);
+        odds_ = next;
+        step = std::min(1.5, 1.5 * step);
       } else {
         moments_ = kept;
         step *= 0.5;
         if (step < kSmallestStep) return std::nullopt;
       }
-    } while (!found || composition_ != target);
+    } while (!found || odds_ != target);
     found->composition = composition;
     return found;
   }
@@ -193,17 +193,17 @@ class MixtureBranch {
     double size() const { return std::max({std::fabs(of[0]), std::fabs(of[1]), std::fabs(of[2])}); }
   };
 
-  std::optional<Residual> residual(double composition, const Unknowns& at, bool keeps_moments) {
+  /// `odds`: of B in the isotropic fluid, their logarithm.
+  std::optional<Residual> residual(double odds, const Unknowns& at, bool keeps_moments) {
     Residual found;
-    const double share = 1.0 / (1.0 + std::exp(-at.log_odds));
-    const Two n = densities_of(std::exp(at.log_n_nematic), share);
+    const Two n = densities_of(std::exp(at.log_n_nematic), at.log_odds);
     const BothDensities both = fluid_.equilibrium(n, moments_);
     if (!both.converged ||
         !(std::max(both.of[0].order_parameter(), both.of[1].order_parameter()) > kLeastOrderOfBranch)) {
       return std::nullopt;
     }
     if (keeps_moments) moments_ = {both.of[0].moments, both.of[1].moments};
-    found.isotropic = fluid_.phase(densities_of(std::exp(at.log_n_isotropic), composition), isotropic_);
+    found.isotropic = fluid_.phase(densities_of(std::exp(at.log_n_isotropic), odds), isotropic_);
     found.nematic = fluid_.phase(n, both);
     found.of = {std::log(found.nematic.pressure / found.isotropic.pressure),
                 found.nematic.chemical_potentials[0] - found.isotropic.chemical_potentials[0],
@@ -214,17 +214,17 @@ class MixtureBranch {
     return found;
   }
 
-  std::optional<MixtureCoexistence> solve(double composition, Unknowns at) {
+  std::optional<MixtureCoexistence> solve(double odds, Unknowns at) {
     constexpr int kMostNewtonSteps = 12;
     constexpr double kDifference = 1e-6;
-    std::optional<Residual> now = residual(composition, at, true);
+    std::optional<Residual> now = residual(odds, at, true);
     for (int step = 0; now && step < kMostNewtonSteps; ++step) {
       if (now->size() < 1e-11) break;
       std::array<std::array<double, 4>, 3> rows{};  // the Jacobian by differences, and the residual
       for (std::size_t column = 0; column < 3; ++column) {
         Unknowns other = at;
         (column == 0 ? other.log_n_isotropic : column == 1 ? other.log_n_nematic : other.log_odds) += kDifference;
-        const std::optional<Residual> there = residual(composition, other, false);
+        const std::optional<Residual> there = residual(odds, other, false);
         if (!there) return std::nullopt;
         for (std::size_t row = 0; row < 3; ++row) rows[row][column] = (there->of[row] - now->of[row]) / kDifference;
       }
@@ -236,11 +236,11 @@ class MixtureBranch {
       at.log_n_isotropic += damping * (*change)[0];
       at.log_n_nematic += damping * (*change)[1];
       at.log_odds += damping * (*change)[2];
-      now = residual(composition, at, true);
+      now = residual(odds, at, true);
     }
     if (!now || now->size() > kLargestResidual) return std::nullopt;
     at_ = at;
-    return MixtureCoexistence{composition, now->isotropic, now->nematic, now->size()};
+    return MixtureCoexistence{0.0, now->isotropic, now->nematic, now->size()};
   }
 
   /// Gauss's elimination with pivots.
@@ -271,7 +271,7 @@ class MixtureBranch {
   BothDensities isotropic_;
   std::array<EvenSeries, 2> moments_;
   Unknowns at_;
-  double composition_ = 0.0;
+  double odds_ = 0.0;  // of B in the isotropic fluid, their logarithm
 };
 
 }  // namespace

@@ -57,8 +57,9 @@ struct MixtureResult {
 };
 
 /// For each share of B in the isotropic fluid, ascending from 0 to 1: a branch of equilibria that begins at the fluid
-/// of A alone and is followed by Newton's method. Equal pressures and chemical potentials to 1e-9 of their size.
-/// Whether the two fluids split further (two nematic ones) is not looked for.
+/// of A alone and is followed by Newton's method. Shares of 0 and 1 stand for 1e-7 of the other kind, which changes the
+/// fluids by as little. Equal pressures and chemical potentials to 1e-9 of their size. Whether the two fluids split
+/// further (two nematic ones) is not looked for.
 MixtureResult coexistence_of_mixture(const NematicMixture& mixture, const std::vector<double>& compositions);
 
 }  // namespace vex
