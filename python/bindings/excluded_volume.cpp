@@ -175,7 +175,7 @@ py::array_t<ValueRow> excluded_volume_at(const PyBody& a, const PyBody& b, const
 }
 
 /// What a law is made from: the quaternion, the angle, or each body's law, with the points of tables; and the axes.
-py::tuple state_of(const OrientationLaw& law) {
+py::tuple parts_of_law(const OrientationLaw& law) {
   const auto of_body = [&law](std::size_t body) {
     const AxisLaw& axis = law.of_body(body);
     const AxisTable* const points = axis.points();
@@ -187,7 +187,9 @@ py::tuple state_of(const OrientationLaw& law) {
   };
   const bool is_of_two = law.kind() == OrientationLaw::Kind::fixed || law.kind() == OrientationLaw::Kind::angle;
   const std::string text = law.name();
-  return py::make_tuple(is_of_two ? py::cast(text.substr(0, text.find(" about "))) : py::none(), of_body(0), of_body(1),
+  const py::object of_two =
+      is_of_two ? py::object(py::cast(text.substr(0, text.find(" about ")))) : py::object(py::none());
+  return py::make_tuple(of_two, of_body(0), of_body(1),
                         law.has_axes() ? py::make_tuple(axis(0), axis(1)) : py::tuple());
 }
 
@@ -196,7 +198,7 @@ Vec3d vector_of(const py::handle& three) {
   return {x, y, z};
 }
 
-OrientationLaw law_of_state(const py::tuple& state) {
+OrientationLaw law_of_parts(const py::tuple& state) {
   if (state.size() != 4) throw UsageError("no state of an orientation law - pickle one again");
   const auto of_body = [&state](std::size_t body) {
     const auto parts = state[1 + body].cast<py::tuple>();
@@ -254,7 +256,7 @@ void bind_excluded_volume(py::module_& module) {
             return law.about(a, axis_b.is_none() ? a : axis_of_object(axis_b));
           },
           py::arg("axis_a"), py::arg("axis_b") = py::none())
-      .def(py::pickle(&state_of, &law_of_state))
+      .def(py::pickle(&parts_of_law, &law_of_parts))
       .def_static(
           "parse", [](const std::string& text) { return parse_orientation_law(text); }, py::arg("text"))
       .def("__repr__", [](const OrientationLaw& law) { return "<vex.OrientationLaw " + law.name() + ">"; })

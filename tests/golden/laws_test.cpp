@@ -82,7 +82,9 @@ TEST_F(Laws, AreRefusedWithTheirReason) {
   expect_refusal(run({"sphere:1", "--axis", "x"}), 2, "nothing hangs on the bodies' axes");
   expect_refusal(run({"sphere:1", "--orientations", "cone:20", "--axis", "w"}), 2, "not a number");
   expect_refusal(run({"sphere:1", "--orientations", "maier-saupe:1e9"}), 2, "too strong a law");
-  expect_refusal(run({"sphere:1", "--orientations", "table:negative.txt", "--json", "negative.txt"}), 2, "");
+  write_file("right.txt", "0 1\n1 1\n");
+  expect_refusal(run({"sphere:1", "--orientations", "table:right.txt", "--json", "right.txt"}), 2,
+                 "the output file is an input");
 }
 
 }  // namespace

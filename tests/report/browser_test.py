@@ -130,7 +130,6 @@ def check_other_pages(programs, browser, out, has_viewer, wants_pictures):
     few = ["--threads", "2", "--quiet"]
     commands = {"scan": ["vex_scan", "cylinder:{L},0.5", "--for", "L=1:4:1", "--trials", "2048", *few],
                 "virial": ["vex_virial", "capsule:2,0.5", "--order", "5", "--samples", "4e5", *few],
-                "mixture": ["vex_virial", "capsule:2,0.5", "sphere:1", "--samples", "1e5", *few],
                 "percolate": ["vex_percolate", "box:1,1,2", "--sizes", "2,3", "--realisations", "60", *few]}
     for name, (program, *words) in commands.items():
         page, document = str(out / f"{name}.html"), out / f"{name}.json"
