@@ -12,7 +12,7 @@ include(CMakePackageConfigHelpers)
 set(vex_installed_programs)
 if(VEX_BUILD_PROGRAMS)
   set(vex_installed_programs
-    vex_mesh vex_merge vex_pair vex_scene vex_percolate vex_scan vex_nematic vex_virial vex_paper vex_bench vex_stress)
+    vex_mesh vex_merge vex_pair vex_scene vex_percolate vex_scan vex_nematic vex_depletion vex_virial vex_paper vex_bench vex_stress)
 endif()
 set(vex_installed_rooms engine shapes meshes)
 set(vex_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/vex)

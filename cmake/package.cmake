@@ -39,7 +39,8 @@ of many bodies in open space or in a periodic box: pairs, distances, clusters.
 vex_percolate finds the percolation threshold of bodies that may overlap.
 vex_scan measures many bodies, sizes and angles in one command; vex_nematic
 tells at which densities a fluid of a body becomes nematic; vex_virial finds
-virial coefficients of hard bodies.
+virial coefficients of hard bodies; vex_depletion how balls that they exclude
+make two of them attract each other.
 vex_paper repeats the computations of a paper of 2002 and explains its faulty
 values. vex_bench measures run time against error of every estimator. vex_stress
 holds overlap tests against exact arithmetic where they are known to fail.

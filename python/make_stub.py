@@ -28,7 +28,9 @@ def stub() -> str:
     end = text.index("\nclass ", law)
     names = {"aligned": "", "isotropic": "", "angle": "degrees: float", "cone": "degrees: float",
              "fixed": "w: float, x: float, y: float, z: float", "onsager": "alpha: float",
-             "parse": "text: str"}
+             "parse": "text: str",
+             "maier_saupe": "strength: float", "table": "cosines: List[float], densities: List[float]",
+             "each": "a: Any, b: Any"}
     block = text[law:end]
     for name, parameters in names.items():
         block = block.replace(f"    def {name}(self, *args, **kwargs) -> Any: ...",

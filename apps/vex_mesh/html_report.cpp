@@ -34,6 +34,9 @@ std::string laws_words(const OrientationLaw& law) {
     case OrientationLaw::Kind::cone: return "axes within a cone, " + law.name();
     case OrientationLaw::Kind::angle: return "axes at one angle, " + law.name();
     case OrientationLaw::Kind::onsager: return "Onsager’s trial function, " + law.name();
+    case OrientationLaw::Kind::maier_saupe: return "axes by Maier’s and Saupe’s law, " + law.name();
+    case OrientationLaw::Kind::table: return "axes by a density given by points, " + law.name();
+    case OrientationLaw::Kind::each: return "axes by laws of their own, " + law.name();
   }
   return law.name();
 }

@@ -27,6 +27,8 @@ int run_vex_mesh(const CommandLine& words, const std::string& command, ProgramRa
   std::vector<std::string> bodies = {options.a, options.b};
   bodies.insert(bodies.end(), options.control_variate.begin(), options.control_variate.end());
   std::vector<std::string> inputs = files_of_bodies(bodies, options.bodies);
+  const std::vector<std::string> tables = files_of_laws(words);
+  inputs.insert(inputs.end(), tables.begin(), tables.end());
   if (!options.checkpoint.resume.empty() && !options.checkpoint.is_own_file()) {
     inputs.push_back(options.checkpoint.resume);
   }

@@ -9,7 +9,6 @@
 #include "apps/common/instruction_sets.h"
 #include "apps/common/numbers.h"
 #include "engine/numeric/errors.h"
-#include "engine/sampling/poses/orientation_law_text.h"
 
 namespace vex {
 namespace {
@@ -72,15 +71,7 @@ void declare_run_options(OptionParser& options, CommandLine& words) {
       .group(stop);
 
   const std::string sampling = "Sampling";
-  options
-      .add_option(
-          "--orientations", words.orientations,
-          "isotropic (default); aligned; fixed:W,X,Y,Z, B's quaternion in A's frame; cone:DEG, both z axes within this "
-          "angle of +-z; angle:DEG, B's z axis at this angle to A's, each body spun about its own; onsager:ALPHA, both "
-          "z "
-          "axes by the density cosh(ALPHA cos theta)")
-      .type_name("LAW")
-      .group(sampling);
+  declare_orientations(options, words, sampling);
   options.add_option("--estimator", words.estimator, estimators_help()).type_name("NAME").group(sampling);
   options
       .add_option("--sequence", words.sequence,
@@ -123,6 +114,10 @@ void declare_run_options(OptionParser& options, CommandLine& words) {
   declare_output(options, words);
 }
 
+std::vector<std::string*> words_of_bodies_laws(CommandLine& words) {
+  return {&words.orientations_a, &words.orientations_b, &words.axis, &words.axis_a, &words.axis_b};
+}
+
 std::vector<std::string*> words_of_run(CommandLine& words) {
   std::vector<std::string*> all = {
       &words.trials,   &words.relative_error, &words.seconds,         &words.max_trials,   &words.estimator,
@@ -130,13 +125,13 @@ std::vector<std::string*> words_of_run(CommandLine& words) {
       &words.weld,     &words.unit,           &words.format,          &words.scale,        &words.scale_a,
       &words.scale_b,  &words.max_z,          &words.convex_tolerance};
   for (std::string& body : words.control_variate) all.push_back(&body);
+  for (std::string* const word : words_of_bodies_laws(words)) all.push_back(word);
   return all;
 }
 
 Options interpret(const CommandLine& words) {
   const auto or_default = [](const std::string& word, const char* value) { return word.empty() ? value : word; };
   const std::string backend = or_default(words.backend, "gjk");
-  const std::string orientations = or_default(words.orientations, "isotropic");
   if (!words.estimator.empty()) {
     std::vector<std::string_view> names;
     for (const Estimator* const one : estimators()) names.push_back(one->name);
@@ -171,7 +166,7 @@ Options interpret(const CommandLine& words) {
   if (options.control_variate.size() > 2) {
     throw UsageError("too many bodies (" + options.control_variate.back() + " for --control-variate) - at most two");
   }
-  settings.law = parse_orientation_law(orientations, "--orientations");
+  settings.law = interpret_orientations(words);
   settings.instruction_set = instruction_set_named(words.isa);
   settings.backend = backend_named(backend);
   options.is_cross_check = words.cross_check;

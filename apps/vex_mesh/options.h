@@ -7,15 +7,16 @@
 #include "apps/common/body_options.h"
 #include "apps/common/checkpoint.h"
 #include "apps/common/common_options.h"
+#include "apps/common/orientation_options.h"
 #include "shapes/estimators/excluded_volume.h"
 
 namespace vex {
 
 /// The words of the command line, as they stand.
-struct CommandLine : CommonWords, BodyWords, CheckpointWords {
+struct CommandLine : CommonWords, BodyWords, CheckpointWords, OrientationWords {
   std::string a, b;
   std::string trials, first_trial, relative_error, seconds, max_trials;
-  std::string estimator, sequence, domain, backend, orientations, isa;
+  std::string estimator, sequence, domain, backend, isa;
   std::vector<std::string> control_variate;
   std::string report;
   bool no_quick_verdicts = false, cross_check = false;
@@ -29,6 +30,8 @@ void declare_options(OptionParser& options, CommandLine& words);
 void declare_run_options(OptionParser& options, CommandLine& words);
 /// Their words, all but those of flags, --seed, --threads and --json.
 std::vector<std::string*> words_of_run(CommandLine& words);
+/// Of these the words of a law that is not one of both bodies' z axes.
+std::vector<std::string*> words_of_bodies_laws(CommandLine& words);
 
 /// What the words mean.
 struct Options : CommonOptions {

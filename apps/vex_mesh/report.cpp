@@ -1,64 +1,17 @@
+// What vex_mesh says on the screen.
 #include "apps/vex_mesh/report.h"
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "apps/common/body_report.h"
 #include "apps/common/estimate_report.h"
 #include "apps/common/numbers.h"
 #include "apps/common/text.h"
-#include "apps/vex_mesh/run_identity.h"
-#include "shapes/formula.h"
+#include "apps/vex_mesh/run_facts.h"
 
 namespace vex {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-std::vector<std::string> backend_names(const MeshRun& run) {
-  std::vector<std::string> names = {run.options.settings.backend.name};
-  for (const BackendKind& kind : run.options.settings.cross_check) names.push_back(kind.name);
-  return names;
-}
-
-bool samples_poses(const MeshRun& run) {
-  return run.result.estimator != nullptr && run.result.estimator->samples_poses;
-}
-bool runs_gjk(const MeshRun& run) { return run.result.estimator == nullptr || run.result.estimator->runs_gjk; }
-bool has_trials(const MeshRun& run) { return run.result.record.tally.n_trials > 0; }
-double relative_error_of(const MeshRun& run) { return run.result.std_error / run.result.value; }
-
-// By how much a trial of this run took longer than it was counted to: costs are counted in nanoseconds of some machine,
-// the same everywhere, and the run tells what such a nanosecond is here.
-double pace_of(const MeshRun& run) {
-  for (const Candidate& candidate : run.result.candidates) {
-    if (candidate.estimator != run.result.estimator || run.result.record.tally.n_trials == 0) continue;
-    const double counted = candidate.cost.seconds_per_trial * static_cast<double>(run.result.record.tally.n_trials);
-    return run.result.record.seconds * run.options.n_threads / counted;
-  }
-  return 1.0;
-}
-
-// What the run's error cost, or would have cost with another estimator; on as many threads.
-double seconds_of(const Candidate& candidate, const MeshRun& run) {
-  return pace_of(run) * candidate.cost.seconds_to(relative_error_of(run)) / run.options.n_threads;
-}
-
-Json pilot_json(const MeshRun& run) {
-  Json list = Json::array();
-  for (const Candidate& candidate : run.result.candidates) {
-    list.push_back({{"estimator", candidate.estimator->name},
-                    {"sequence", name_of(candidate.sequence)},
-                    {"runs_gjk", candidate.estimator->runs_gjk},
-                    {"trials", candidate.cost.n_trials},
-                    {"seconds_per_trial", candidate.cost.seconds_per_trial},
-                    {"relative_error", number_or_null(candidate.cost.relative_error)},
-                    {"slope", candidate.cost.slope},
-                    {"seconds_to_this_error", has_trials(run) ? number_or_null(seconds_of(candidate, run)) : Json()}});
-  }
-  return list;
-}
 
 std::string pilot_text(const MeshRun& run) {
   std::string text = "   chosen by a pilot                 rel. error " + short_number(relative_error_of(run), 2);
@@ -84,37 +37,11 @@ std::string pilot_text(const MeshRun& run) {
   return text + "\n";
 }
 
-double control_mean(const MeshRun& run) {
-  return average_excluded_volume(run.control_bodies.front().shape.measures, run.control_bodies.back().shape.measures);
-}
-
-Json control_json(const MeshRun& run) {
-  return {{"bodies", {run.control_bodies.front().source, run.control_bodies.back().source}},
-          {"excluded_volume", control_mean(run)},
-          {"weight", run.result.control_weight}};
-}
-
 std::string control_text(const MeshRun& run) {
   const std::string &a = run.control_bodies.front().source, &b = run.control_bodies.back().source;
   return "   control variate                   " + printable(a == b ? a : a + ", " + b) +
          ", <V_ex> = " + short_number(control_mean(run), 10) + " by the formula, weight " +
          short_number(run.result.control_weight, 3) + "\n";
-}
-
-Json estimate_json(const MeshRun& run) {
-  Json json;
-  const bool has_hits = samples_poses(run);
-  const bool is_run = run.result.estimator != nullptr;
-  json["estimator"] = is_run ? Json(run.result.estimator->name) : Json(nullptr);
-  json["sequence"] = is_run ? Json(name_of(run.result.sequence)) : Json(nullptr);
-  json["backend"] = runs_gjk(run) ? run.options.settings.backend.name : "none";
-  json["orientations"] = run.options.settings.law.name();
-  set_tallied(json, run.result);
-  if (!run.control_bodies.empty()) json["control_variate"] = control_json(run);
-  json["domain"] = has_hits ? Json(name_of(run.result.domain.kind)) : Json(nullptr);
-  json["quick_verdicts"] = has_hits && run.options.settings.quick_verdicts && !run.options.settings.backend.is_peer;
-  json["isa"] = name_of(run.options.settings.instruction_set);
-  return json;
 }
 
 std::string decided_by_text(const Tally& tally) {
@@ -184,14 +111,6 @@ std::string reference_number(double value, double std_error) {
   return std_error > 1e-11 * value ? with_error(value, std_error) : short_number(value, 12);
 }
 
-Json reference_json(const Reference& reference) {
-  return {{"kind", name_of(reference.kind)},
-          {"excluded_volume", number_or_null(reference.value)},
-          {"std_error", reference.std_error},
-          {"reduced", number_or_null(reference.reduced)},
-          {"b2", number_or_null(reference.b2)}};
-}
-
 constexpr const char* kNoReduced = "none: a flat body has no volume";
 
 std::string reference_text(const MeshRun& run) {
@@ -214,6 +133,15 @@ std::string reference_text(const MeshRun& run) {
   text += "   <V_ex> / sqrt(V_A V_B)            " +
           (std::isnan(reference->reduced) ? kNoReduced : number(reference->reduced)) + "\n";
   return text + "   B2 = <V_ex>/2                     " + number(reference->b2) + "\n";
+}
+
+// Of laws that are about an axis; 0 and 1 of isotropic and aligned ones go without saying.
+std::string order_text(const OrientationLaw& law) {
+  const std::optional<std::array<double, 2>> each = law.order_parameters();
+  if (!each || law == OrientationLaw::isotropic() || law == OrientationLaw::aligned()) return "";
+  std::string text = "   order parameter S                 " + short_number((*each)[0], 8);
+  if (!law.order_parameter()) text += " of A, " + short_number((*each)[1], 8) + " of B";
+  return text + "\n";
 }
 
 // What z says.
@@ -243,44 +171,12 @@ std::string verdict_on(const MeshRun& run) {
 
 }  // namespace
 
-std::string report_json(const MeshRun& run) {
-  Json json = document_head(run.command, run.options, run.result.record.complete, run.result.record.seconds);
-  json["bodies"] = {body_json(run.a, run.options.dump_vertices), body_json(run.b, run.options.dump_vertices)};
-  const std::optional<Reference>& reference = run.result.reference;
-  const bool is_formula = reference && reference->kind == Reference::Kind::formula;
-  json["formula"] = nullptr;
-  if (is_formula) {
-    json["formula"] = {{"excluded_volume", number_or_null(reference->value)},
-                       {"reduced", number_or_null(reference->reduced)},
-                       {"b2", number_or_null(reference->b2)}};
-  } else {
-    json["formula_reason"] = run.result.reference_reason;
-    json["exact_average"] = nullptr;
-    if (reference) json["exact_average"] = {{"excluded_volume", reference->value}, {"error", reference->std_error}};
-  }
-  json["reference"] = reference ? reference_json(*reference) : Json(nullptr);
-  if (!reference) json["reference_reason"] = run.result.reference_reason;
-  const std::optional<double> order_parameter = run.options.settings.law.order_parameter();
-  json["order_parameter"] = order_parameter ? Json(*order_parameter) : Json(nullptr);
-  json["estimate"] = estimate_json(run);
-  if (!run.result.candidates.empty()) json["pilot"] = pilot_json(run);
-  set_comparison(json, run.result);
-  if (has_trials(run)) json["tally"] = tally_json(trials_identity(run), run.result);
-  if (run.options.settings.verify) json["verification"] = verification_json(run.result.record);
-  if (run.options.is_cross_check) {
-    json["n_disagreements"] = run.result.record.disagreements.n_all;
-    json["disagreements"] = disagreements_json(run.result.record, backend_names(run));
-    json["cross_check"] = backend_names(run);
-    json["cross_check_left_out"] = run.left_out;
-  }
-  return document_text(json);
-}
-
 std::string report_text(const MeshRun& run) {
   std::string text = body_text(run.a, "A", run.options.dump_vertices);
   text += are_copies(run.a, run.b) ? "B  the same body\n" : body_text(run.b, "B", run.options.dump_vertices);
 
   text += reference_text(run);
+  text += order_text(run.options.settings.law);
 
   if (!run.result.no_run_reason.empty()) return text + "\nMonte Carlo  no run: " + run.result.no_run_reason + "\n";
 

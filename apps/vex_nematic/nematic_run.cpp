@@ -35,10 +35,8 @@ std::string better_axis(const ConvexBody& body) {
   return "";
 }
 
-void note_the_body(NematicRun& run, const LegendreSeries& series) {
-  double odd = 0.0;
-  for (std::size_t l = 3; l < series.size(); l += 2) odd = std::max(odd, std::fabs(series[l]));
-  if (odd > kNone * series[0]) {
+void note_the_body(NematicRun& run, double largest_odd) {
+  if (largest_odd > kNone) {
     run.notes.emplace_back(
         "the body's two ends differ: V_ex(gamma) is the mean of gamma and 180 degrees - gamma, as for a fluid with as "
         "many axes up as down");
@@ -71,26 +69,36 @@ void note_the_result(NematicRun& run) {
 
 }  // namespace
 
+EvenPart even_part_of(const LoadedBody& a, const LoadedBody& b) {
+  const std::string names = a.source == b.source ? a.source : a.source + " and " + b.source;
+  const std::optional<LegendreSeries> series = excluded_volume_series(a.shape, b.shape, kHighestDegree);
+  if (!series) {
+    throw InputError("V_ex(gamma) would take too long (" + names +
+                     ") - give a body of fewer vertices, or an ellipsoid that is less thin");
+  }
+  EvenPart part;
+  part.excluded_volume = series->front();
+  if (!(part.excluded_volume > 0.0)) {
+    throw InputError("bodies that exclude no volume have no transition (" + names +
+                     ") - give a thin one of a small radius: capsule:1000,0.5");
+  }
+  if (!std::isfinite(part.excluded_volume)) {
+    throw InputError("a result would overflow (the excluded volume of " + names + ") - choose another unit of length");
+  }
+  for (std::size_t l = 0; l < series->size(); l += 2) part.series.push_back((*series)[l] / part.excluded_volume);
+  for (std::size_t l = 3; l < series->size(); l += 2) {
+    part.largest_odd = std::max(part.largest_odd, std::fabs((*series)[l]) / part.excluded_volume);
+  }
+  return part;
+}
+
 NematicRun run_nematic(const NematicOptions& options, const std::string& command) {
   const auto start = std::chrono::steady_clock::now();
   NematicRun run{command, options, load_body(options.body, options.body_options)};
   if (options.dump_vertices) require_vertices_to_list({&run.body, 1});
-  const Body& body = run.body.shape;
-  const std::optional<LegendreSeries> series = excluded_volume_series(body, body, kHighestDegree);
-  if (!series) {
-    throw InputError("V_ex(gamma) would take too long (" + options.body +
-                     ") - give a body of fewer vertices, or an ellipsoid that is less thin");
-  }
-  run.excluded_volume = series->front();
-  if (!(run.excluded_volume > 0.0)) {
-    throw InputError("bodies that exclude no volume have no transition (" + options.body +
-                     ") - give a thin one of a small radius: capsule:1000,0.5");
-  }
-  if (!std::isfinite(run.excluded_volume)) {
-    throw InputError("a result would overflow (the excluded volume of " + options.body +
-                     ") - choose another unit of length");
-  }
-  for (std::size_t l = 0; l < series->size(); l += 2) run.fluid.series.push_back((*series)[l] / run.excluded_volume);
+  const EvenPart part = even_part_of(run.body, run.body);
+  run.excluded_volume = part.excluded_volume;
+  run.fluid.series = part.series;
   run.fluid.volume_by_b2 = run.volume() / run.b();
   run.fluid.theory = options.theory;
   run.fluid.trial_function = options.trial_function;
@@ -98,7 +106,7 @@ NematicRun run_nematic(const NematicOptions& options, const std::string& command
     throw UsageError("a flat body has no volume, which the scaling of Parsons and Lee is about (" + options.body +
                      " for --theory parsons-lee) - use --theory onsager");
   }
-  note_the_body(run, *series);
+  note_the_body(run, part.largest_odd);
   run.result = coexistence(run.fluid);
   note_the_result(run);
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

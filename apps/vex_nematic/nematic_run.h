@@ -24,6 +24,15 @@ struct NematicRun {
   double b() const { return 0.5 * excluded_volume; }
 };
 
+/// V_ex(gamma) / <V_ex> of two bodies, the mean of gamma and 180 degrees - gamma, and <V_ex>.
+struct EvenPart {
+  EvenSeries series;
+  double excluded_volume = 0.0;
+  double largest_odd = 0.0;  // coefficient that is left out, over <V_ex>
+};
+/// Throws InputError where V_ex(gamma) is 0, overflows, or would take too long.
+EvenPart even_part_of(const LoadedBody& a, const LoadedBody& b);
+
 /// Throws InputError where V_ex(gamma) is 0 or would take too long.
 NematicRun run_nematic(const NematicOptions& options, const std::string& command);
 

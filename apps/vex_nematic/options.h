@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "apps/common/body_options.h"
 #include "apps/common/common_options.h"
@@ -11,7 +12,7 @@ namespace vex {
 
 /// The words of the command line, as they stand.
 struct NematicCommandLine : CommonWords, BodyWords {
-  std::string body, theory, trial_function, plot;
+  std::string body, other, composition, theory, trial_function, plot;
 };
 
 /// Declares the options; parsing fills `words`, which must outlive `options`.
@@ -19,7 +20,8 @@ void declare_options(OptionParser& options, NematicCommandLine& words);
 
 /// What the words mean.
 struct NematicOptions : CommonOptions {
-  std::string body, plot;
+  std::string body, other, plot;          // `other` empty: one kind of bodies
+  std::vector<std::string> compositions;  // of a mixture: shares of the other body in the isotropic fluid, decimals
   BodyOptions body_options;
   NematicTheory theory = NematicTheory::onsager;
   bool trial_function = false;

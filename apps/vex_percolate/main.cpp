@@ -29,6 +29,7 @@ Outputs output_files(const PercolateOptions& options, bool leads) {
   std::vector<std::string> bodies;
   for (const BodyFraction& body : options.bodies) bodies.push_back(body.text);
   std::vector<std::string> inputs = files_of_bodies(bodies, options.body_options);
+  inputs.insert(inputs.end(), options.law_files.begin(), options.law_files.end());
   // A run may go on in its own file: that is read before it is written.
   const CheckpointOptions& parts = options.checkpoint;
   if (!parts.resume.empty() && !parts.is_own_file()) inputs.push_back(parts.resume);

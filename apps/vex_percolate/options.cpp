@@ -6,6 +6,7 @@
 #include "apps/common/backends.h"
 #include "apps/common/instruction_sets.h"
 #include "apps/common/numbers.h"
+#include "apps/common/orientation_options.h"
 #include "apps/common/pose_numbers.h"
 #include "apps/common/scene_gltf.h"
 #include "apps/common/text.h"
@@ -64,14 +65,18 @@ std::vector<BodyFraction> bodies_of(const std::vector<std::string>& words) {
 }
 
 // Of single bodies; and the choices of this program where the word is none.
-OrientationLaw law_of_bodies(const std::string& word) {
+OrientationLaw law_of_bodies(const std::string& word, const std::string& axis) {
   const std::string name = word.substr(0, word.find(':'));
-  const bool takes_number = name == "cone" || name == "onsager";
-  if (word != "isotropic" && word != "aligned" && name != "fixed" && !(takes_number && name.size() < word.size())) {
+  if (name != "isotropic" && name != "aligned" && name != "fixed" && name != "angle" && name != "cone" &&
+      name != "onsager" && name != "maier-saupe" && name != "table") {
     throw UsageError("not a choice (\"" + word +
-                     "\" for --orientations) - there are isotropic, aligned, cone:DEG, onsager:ALPHA, uniform-angle");
+                     "\" for --orientations) - there are isotropic, aligned, cone:DEG, onsager:ALPHA, maier-saupe:A, "
+                     "table:FILE, uniform-angle");
   }
-  return parse_orientation_law(word, "--orientations");
+  const OrientationLaw law = parse_orientation_law(word, "--orientations");
+  if (axis.empty()) return law;
+  const Vec3d own = parse_axis(axis, "--axis");
+  return law.about(own, own);
 }
 
 void declare_stop_rules(OptionParser& options, PercolateCommandLine& words) {
@@ -101,10 +106,15 @@ void declare_system(OptionParser& options, PercolateCommandLine& words) {
       .group(system);
   options
       .add_option("--orientations", words.orientations,
-                  "How each body is turned: isotropic (default); aligned; cone:DEG, its z axis within this angle of "
-                  "+-z; onsager:ALPHA, by the density cosh(ALPHA cos theta); or uniform-angle, theta itself uniform, "
-                  "which is not isotropic and has been taken for it")
+                  std::string("How each body is turned: isotropic (default); aligned; or its axis by ") +
+                      kAxisLawsHelp +
+                      "; or uniform-angle, theta itself uniform, which is not isotropic and has been taken for it")
       .type_name("LAW")
+      .group(system);
+  options
+      .add_option("--axis", words.axis,
+                  "The axis of a body that its law is about, in its own frame: x, y, z (default) or a direction X,Y,Z")
+      .type_name("AXIS")
       .group(system);
   options
       .add_option("--shell", words.shell,
@@ -231,8 +241,10 @@ PercolateOptions interpret(const PercolateCommandLine& words) {
   options.law = words.orientations.empty() ? "isotropic" : words.orientations;
   if (options.law == kUniformAngle) {
     options.orientations.uniform_polar_angle = true;
+    if (!words.axis.empty()) throw UsageError("uniform-angle is about z (--axis " + words.axis + ") - name no axis");
   } else {
-    options.orientations.law = law_of_bodies(options.law);
+    options.orientations.law = law_of_bodies(options.law, words.axis);
+    if (const std::optional<std::string> file = file_of_law(options.law)) options.law_files = {*file};
     options.law = options.orientations.law.name();
   }
   if (!words.shell.empty()) options.shell = parse_number(words.shell, "--shell");

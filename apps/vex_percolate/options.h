@@ -16,7 +16,7 @@ namespace vex {
 /// The words of the command line, as they stand.
 struct PercolateCommandLine : CommonWords, BodyWords, CheckpointWords {
   std::vector<std::string> bodies;
-  std::string sizes, realisations, first_realisation, std_error, seconds, orientations, shell, backend, isa;
+  std::string sizes, realisations, first_realisation, std_error, seconds, orientations, axis, shell, backend, isa;
   std::string plot, csv, gltf, report;
 };
 
@@ -47,6 +47,7 @@ struct PercolateOptions : CommonOptions {
   bool is_part = false;  // whether the document has the realisations, for vex_merge
   std::optional<double> std_error, seconds;
   BodyOrientations orientations;
+  std::vector<std::string> law_files;  // that the law is read from
   std::string law;
   double shell = 0.0;
   std::optional<BackendKind> backend;  // none: the engine, by packets

@@ -124,6 +124,9 @@ std::string report_json(const PercolateRun& run) {
     json["bodies"].push_back(std::move(body));
   }
   json["orientations"] = options.law;
+  const std::optional<double> order_parameter = options.orientations.law.order_parameter();
+  const bool is_by_law = !options.orientations.uniform_polar_angle;
+  json["order_parameter"] = is_by_law && order_parameter ? Json(*order_parameter) : Json(nullptr);
   json["shell"] = options.shell;
   json["backend"] = options.backend_name;
   json["isa"] = name_of(options.instruction_set);

@@ -10,6 +10,7 @@
 #include "apps/common/results.h"
 #include "apps/common/run_program.h"
 #include "apps/common/text.h"
+#include "apps/vex_scan/html_report.h"
 #include "apps/vex_scan/scan_run.h"
 #include "engine/numeric/errors.h"
 
@@ -19,20 +20,21 @@ namespace {
 constexpr const char* kProgram = "vex_scan";
 
 struct ScanOutputs {
-  std::optional<OutputFile> json, csv, jsonl, plot;
+  std::optional<OutputFile> json, csv, jsonl, plot, report;
   bool own_standard_output = false;  // one of them
 };
 
 /// All files that any case reads. What a case's words are worth is not looked at here.
 std::vector<std::string> inputs_of(const Scan& scan) {
-  std::set<std::string> texts;
+  std::set<std::string> texts, tables;
   for (std::size_t index = 0; index < scan.n_cases(); ++index) {
     const ScanCase one = case_of(scan, index);
     texts.insert(one.a());
     texts.insert(one.b());
     texts.insert(one.words.control_variate.begin(), one.words.control_variate.end());
+    for (const std::string& file : files_of_laws(one.words)) tables.insert(file);
   }
-  std::vector<std::string> inputs;
+  std::vector<std::string> inputs(tables.begin(), tables.end());
   BodyOptions options;
   options.format = scan.words.format;
   for (const std::string& text : texts) {
@@ -52,6 +54,7 @@ ScanOutputs output_files(const Scan& scan, bool is_quiet) {
   outputs.csv = files.output("--csv", scan.words.csv);
   outputs.jsonl = files.output("--jsonl", scan.words.jsonl);
   outputs.plot = files.output("--plot", scan.words.plot);
+  outputs.report = files.output("--report", scan.words.report);
   if (!is_quiet) files.print_report();
   outputs.own_standard_output = files.own_standard_output();
   return outputs;
@@ -127,6 +130,7 @@ int run_vex_scan(const ScanCommandLine& words, const std::string& command) {
   run.options = interpret_common(words);
   require_a_case_that_means_something(run.scan);
   const ScanOutputs outputs = output_files(run.scan, run.options.quiet);
+  require_rows_or_nothing(run.scan.words.csv, run.scan.words.jsonl);
   const std::map<std::string, ScanRow> earlier = earlier_rows(run.scan);
   catch_interrupts();
   RowsSaver saver(run, earlier, outputs);
@@ -138,6 +142,7 @@ int run_vex_scan(const ScanCommandLine& words, const std::string& command) {
   if (!run.options.quiet && !outputs.own_standard_output) results.print(report_text(run));
   results.write(outputs.json, Results::Kind::numbers, [&] { return report_json(run); });
   results.write(outputs.plot, Results::Kind::picture, [&] { return picture_of(run); });
+  results.write(outputs.report, Results::Kind::picture, [&] { return html_report(run, report_json(run)); });
   return results.exit_code(exit_code_of(run));
 }
 

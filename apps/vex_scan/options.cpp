@@ -29,9 +29,11 @@ void declare_options(OptionParser& options, ScanCommandLine& words) {
 
   const std::string output = "Output";
   options
-      .add_option("--csv", words.csv,
-                  "Write a row a case. Rows that this file already holds are kept and not run again, where their input "
-                  "is the same: so an interrupted scan goes on, and a finer or longer one runs what is new")
+      .add_option(
+          "--csv", words.csv,
+          "Write a row a case. Rows that this file already holds are kept and not run again, where their input "
+          "is the same: so an interrupted scan goes on, and a finer or longer one runs what is new. A file with "
+          "anything else in it is refused")
       .type_name("FILE")
       .group(output);
   options.add_option("--jsonl", words.jsonl, "The same as JSON, an object a line, with more of each run")
@@ -41,6 +43,12 @@ void declare_options(OptionParser& options, ScanCommandLine& words) {
       .add_option("--plot", words.plot,
                   "Draw <V_ex> against the variable, with error bars, and the exact curve where it is known")
       .type_name("FILE.svg")
+      .group(output);
+  options
+      .add_option("--report", words.report,
+                  "Write a page to look at in a browser, which needs no other file and no network: the curve, every "
+                  "number, the first case's bodies to turn; - is standard output")
+      .type_name("FILE.html")
       .group(output);
   options.footer(named_bodies_help() +
                  "\n\nExit codes:"

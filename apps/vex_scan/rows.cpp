@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "apps/common/append_number.h"
+#include "apps/common/case_seed.h"
 #include "apps/common/csv_cells.h"
 #include "apps/common/line_reader.h"
 #include "apps/common/numbers.h"
@@ -47,7 +48,7 @@ void for_each_line(const std::string& path, const std::function<bool(std::string
     for (std::string_view line; lines.next(line);) {
       if (!use(line)) return;
     }
-  } catch (const InputError&) {  // no file of rows: it is written anew
+  } catch (const InputError&) {  // what cannot be read as lines has no rows
   }
 }
 
@@ -160,6 +161,7 @@ std::string input_of(const ScanCase& one, const MeshRun& prepared) {
     text += flag ? "1" : "0";
   }
   text += "\n" + std::to_string(one.seed) + "\n";
+  if (!files_of_laws(words).empty()) text += prepared.options.settings.law.name() + "\n";  // what the file holds
   std::vector<const LoadedBody*> bodies = {&prepared.a, &prepared.b};
   for (const LoadedBody& body : prepared.control_bodies) bodies.push_back(&body);
   for (const LoadedBody* const body : bodies) {
@@ -211,6 +213,30 @@ std::string jsonl_text(const Scan& scan, const std::vector<ScanRow>& rows) {
     text += row_json(scan, row).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
   }
   return text;
+}
+
+void require_rows_or_nothing(const std::string& csv, const std::string& jsonl) {
+  const auto look_at = [](const std::string& path, const char* option, const auto& is_of_a_scan) {
+    std::error_code error;
+    if (path.empty() || path == "-" || !std::filesystem::is_regular_file(path, error)) return;
+    if (std::filesystem::file_size(path, error) == 0) return;
+    bool is_known = false;
+    for_each_line(path, [&](std::string_view line) {
+      is_known = is_of_a_scan(line);
+      return false;
+    });
+    if (is_known) return;
+    throw UsageError("a file that is no table of vex_scan, which would take its place (" + path + " for " + option +
+                     ") - choose another name, or remove the file");
+  };
+  look_at(csv, "--csv", [](std::string_view line) {
+    const std::string columns = "," + std::string(line) + ",";
+    return columns.find(",excluded_volume,") != std::string::npos && columns.find(",input,") != std::string::npos;
+  });
+  look_at(jsonl, "--jsonl", [](std::string_view line) {
+    const Json row = Json::parse(line, nullptr, false);
+    return row.is_object() && row.contains("excluded_volume") && row.contains("input");
+  });
 }
 
 std::map<std::string, ScanRow> rows_of_csv(const std::string& path, const Scan& scan) {

@@ -4,8 +4,9 @@
 #include <filesystem>
 #include <optional>
 
+#include "apps/common/case_seed.h"
+#include "apps/common/number_range.h"
 #include "apps/common/numbers.h"
-#include "apps/vex_scan/number_range.h"
 #include "engine/numeric/errors.h"
 
 namespace vex {
@@ -109,6 +110,12 @@ void require_placeholders_that_meet(const Scan& scan) {
 ScanVariable angle_of(const ScanCommandLine& words) {
   if (!words.orientations.empty()) {
     throw UsageError("--angle is a law of orientations itself (--orientations " + words.orientations +
+                     ") - leave out one of them");
+  }
+  for (const auto& [word, option] :
+       {std::pair{&words.orientations_a, "--orientations-a"}, std::pair{&words.orientations_b, "--orientations-b"}}) {
+    if (word->empty()) continue;
+    throw UsageError("--angle is a law of orientations itself (" + std::string(option) + " " + *word +
                      ") - leave out one of them");
   }
   ScanVariable angle{kAngle, numbers_of_range(words.angle, "--angle")};
@@ -216,20 +223,9 @@ Options options_of(const ScanCase& one) {
 std::uint64_t seed_of_case(std::uint64_t seed, const Scan& scan, const ScanCase& one) {
   std::string text = one.words.a + "\n" + one.b() + "\n" + one.words.orientations + "\n";
   for (std::size_t k = 0; k < scan.variables.size(); ++k) text += scan.variables[k].name + "=" + one.values[k] + "\n";
-  // splitmix64 (S. Vigna) spreads what differs little.
-  const auto mixed = [](std::uint64_t x) {
-    x += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-  };
-  return mixed(mixed(seed) ^ fingerprint(text)) >> 11;
-}
-
-std::uint64_t fingerprint(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return hash;
+  CommandLine words = one.words;
+  for (const std::string* const word : words_of_bodies_laws(words)) text += word->empty() ? "" : *word + "\n";
+  return seed_of_text(seed, text);
 }
 
 }  // namespace vex

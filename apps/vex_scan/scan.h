@@ -62,7 +62,4 @@ Options options_of(const ScanCase& one);
 /// alone. Below 2^53, so that every reader of JSON gives it back.
 std::uint64_t seed_of_case(std::uint64_t seed, const Scan& scan, const ScanCase& one);
 
-/// FNV-1a (G. Fowler, L. C. Noll, K.-P. Vo), 64 bits.
-std::uint64_t fingerprint(const std::string& text);
-
 }  // namespace vex

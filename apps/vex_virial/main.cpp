@@ -69,6 +69,7 @@ int run_vex_virial(const VirialCommandLine& words, const std::string& command, P
     // Ranks that do not lead save nothing.
     if (leads) checkpoint.emplace(*file, kProgram, parts);
   }
+  const std::optional<OutputFile> page = files.output("--report", options.report);
   if (!options.quiet) files.print_report();
 
   for (const std::string& text : texts) run.bodies.push_back(load_body(text, options.body_options));
@@ -91,6 +92,7 @@ int run_vex_virial(const VirialCommandLine& words, const std::string& command, P
   if (!options.quiet && !files.own_standard_output()) results.print(report_text(run));
   results.write(json, Results::Kind::numbers, [&] { return report_json(run); });
   results.write(plot, Results::Kind::picture, [&] { return picture_of(run); });
+  results.write(page, Results::Kind::picture, [&] { return html_report(run, report_json(run)); });
   const int signal = interrupting_signal().load();
   return results.exit_code(signal == 0 ? kSuccess : kSignalBase + signal);
 }

@@ -86,6 +86,12 @@ void declare_options(OptionParser& options, VirialCommandLine& words) {
                   "state like Carnahan and Starling's")
       .type_name("FILE.svg")
       .group("Output");
+  options
+      .add_option("--report", words.report,
+                  "Write a page to look at in a browser, which needs no other file and no network: the bodies to turn, "
+                  "all numbers with their meaning, the equation of state; - is standard output")
+      .type_name("FILE.html")
+      .group("Output");
   options.footer(
       named_bodies_help() +
       "\n\nB2 is the formula's, or exact; B3 to B8 are by Monte Carlo, in units of powers of B2, which the run does "
@@ -131,6 +137,7 @@ VirialOptions interpret(const VirialCommandLine& words) {
   settings.instruction_set = instruction_set_named(words.isa);
   options.dump_vertices = words.dump_vertices;
   options.plot = words.plot;
+  options.report = words.report;
   return options;
 }
 

@@ -13,7 +13,7 @@ namespace vex {
 /// The words of the command line, as they stand.
 struct VirialCommandLine : CommonWords, BodyWords, CheckpointWords {
   std::string a, b;
-  std::string order, rel_error, seconds, samples, trials, first_trial, orientations, isa, plot;
+  std::string order, rel_error, seconds, samples, trials, first_trial, orientations, isa, plot, report;
 };
 
 /// Declares the options; parsing fills `words`, which must outlive `options`.
@@ -25,7 +25,7 @@ struct VirialOptions : CommonOptions {
   BodyOptions body_options;
   VirialSettings settings;
   bool dump_vertices = false;
-  std::string plot;
+  std::string plot, report;
   CheckpointOptions checkpoint;
 
   bool is_mixture() const { return !b.empty(); }

@@ -37,5 +37,7 @@ nlohmann::ordered_json mixed_json(const MixedVirial& mixed, const std::vector<st
 std::string report_text(const VirialRun& run);
 std::string report_json(const VirialRun& run);
 std::string picture_of(const VirialRun& run);
+/// The page of --report; `document_text`: the text of --json. Takes some tenths of a second.
+std::string html_report(const VirialRun& run, const std::string& document_text);
 
 }  // namespace vex

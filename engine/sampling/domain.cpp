@@ -48,7 +48,7 @@ Domain box_domain(const ConvexBody& a, const ConvexBody& b) {
 bool is_ball(const ConvexBody& body) { return body.inradius() >= body.circumradius() * (1.0 - gamma(16)); }
 
 bool difference_is_flat(const ConvexBody& a, const ConvexBody& b, const OrientationLaw& law) {
-  if (law.dimension() > 0 && law != OrientationLaw::cone(0.0)) return false;
+  if (law.dimension() > 0 && !law.keeps_axes_parallel()) return false;
   constexpr double kRounding = 0x1p-44;  // of a rotation (kDrawnRotationError), four times
   const auto is_flat_along = [](const ConvexBody& body, const Vec3d& dir) {
     const double width = dot(dir, body.support(dir)) + dot(-dir, body.support(-dir));
@@ -68,7 +68,7 @@ bool difference_is_flat(const ConvexBody& a, const ConvexBody& b, const Orientat
     if (is_flat_always([&](const Transformd&) { return axis; })) return true;
     if (is_flat_always([&](const Transformd& rotation) { return rotation(axis); })) return true;
   }
-  return false;
+  return law.has_axes() && is_flat_always([&](const Transformd&) { return law.axis_of(0); });
 }
 
 Domain best_domain(const ConvexBody& a, const ConvexBody& b) {

@@ -174,6 +174,58 @@ py::array_t<ValueRow> excluded_volume_at(const PyBody& a, const PyBody& b, const
   });
 }
 
+/// What a law is made from: the quaternion, the angle, or each body's law, with the points of tables; and the axes.
+py::tuple parts_of_law(const OrientationLaw& law) {
+  const auto of_body = [&law](std::size_t body) {
+    const AxisLaw& axis = law.of_body(body);
+    const AxisTable* const points = axis.points();
+    return points != nullptr ? py::make_tuple(points->cosines, points->densities) : py::make_tuple(axis.name());
+  };
+  const auto axis = [&law](std::size_t body) {
+    const Vec3d& v = law.axis_of(body);
+    return py::make_tuple(v.x, v.y, v.z);
+  };
+  const bool is_of_two = law.kind() == OrientationLaw::Kind::fixed || law.kind() == OrientationLaw::Kind::angle;
+  const std::string text = law.name();
+  const py::object of_two =
+      is_of_two ? py::object(py::cast(text.substr(0, text.find(" about ")))) : py::object(py::none());
+  return py::make_tuple(of_two, of_body(0), of_body(1),
+                        law.has_axes() ? py::make_tuple(axis(0), axis(1)) : py::tuple());
+}
+
+Vec3d vector_of(const py::handle& three) {
+  const auto [x, y, z] = three.cast<std::tuple<double, double, double>>();
+  return {x, y, z};
+}
+
+OrientationLaw law_of_parts(const py::tuple& state) {
+  if (state.size() != 4) throw UsageError("no state of an orientation law - pickle one again");
+  const auto of_body = [&state](std::size_t body) {
+    const auto parts = state[1 + body].cast<py::tuple>();
+    if (parts.size() == 1) return parse_axis_law(parts[0].cast<std::string>());
+    return AxisLaw::table({parts[0].cast<std::vector<double>>(), parts[1].cast<std::vector<double>>()});
+  };
+  const OrientationLaw law = state[0].is_none() ? OrientationLaw::each(of_body(0), of_body(1))
+                                                : parse_orientation_law(state[0].cast<std::string>());
+  const auto axes = state[3].cast<py::tuple>();
+  return axes.empty() ? law : law.about(vector_of(axes[0]), vector_of(axes[1]));
+}
+
+/// A law of one body, by name or as that of both: "cone:20", OrientationLaw.table(...).
+AxisLaw axis_law_of(const py::object& law) {
+  if (py::isinstance<py::str>(law)) return parse_axis_law(law.cast<std::string>());
+  const auto both = law.cast<OrientationLaw>();
+  if (both.kind() == OrientationLaw::Kind::fixed || both.kind() == OrientationLaw::Kind::angle || both.has_axes() ||
+      !(both.of_body(0) == both.of_body(1))) {
+    throw UsageError("no law of one body (" + both.name() + ") - give isotropic, aligned, a cone, a density");
+  }
+  return both.of_body(0);
+}
+
+Vec3d axis_of_object(const py::object& axis) {
+  return py::isinstance<py::str>(axis) ? parse_axis(axis.cast<std::string>()) : vector_of(axis);
+}
+
 }  // namespace
 
 void bind_excluded_volume(py::module_& module) {
@@ -186,6 +238,25 @@ void bind_excluded_volume(py::module_& module) {
       .def_static("cone", &OrientationLaw::cone, py::arg("degrees"))
       .def_static("angle", &OrientationLaw::angle, py::arg("degrees"))
       .def_static("onsager", &OrientationLaw::onsager, py::arg("alpha"))
+      .def_static("maier_saupe", &OrientationLaw::maier_saupe, py::arg("strength"))
+      .def_static(
+          "table",
+          [](std::vector<double> cosines, std::vector<double> densities) {
+            return OrientationLaw::table({std::move(cosines), std::move(densities)});
+          },
+          py::arg("cosines"), py::arg("densities"))
+      .def_static(
+          "each",
+          [](const py::object& a, const py::object& b) { return OrientationLaw::each(axis_law_of(a), axis_law_of(b)); },
+          py::arg("a"), py::arg("b"))
+      .def(
+          "about",
+          [](const OrientationLaw& law, const py::object& axis_a, const py::object& axis_b) {
+            const Vec3d a = axis_of_object(axis_a);
+            return law.about(a, axis_b.is_none() ? a : axis_of_object(axis_b));
+          },
+          py::arg("axis_a"), py::arg("axis_b") = py::none())
+      .def(py::pickle(&parts_of_law, &law_of_parts))
       .def_static(
           "parse", [](const std::string& text) { return parse_orientation_law(text); }, py::arg("text"))
       .def("__repr__", [](const OrientationLaw& law) { return "<vex.OrientationLaw " + law.name() + ">"; })
@@ -193,7 +264,8 @@ void bind_excluded_volume(py::module_& module) {
           "__eq__", [](const OrientationLaw& x, const OrientationLaw& y) { return x == y; }, py::is_operator())
       .def("__hash__", [](const OrientationLaw& law) { return std::hash<std::string>()(law.name()); })
       .def_property_readonly("name", &OrientationLaw::name)
-      .def_property_readonly("order_parameter", &OrientationLaw::order_parameter);
+      .def_property_readonly("order_parameter", &OrientationLaw::order_parameter)
+      .def_property_readonly("order_parameters", &OrientationLaw::order_parameters);
 
   module.def("excluded_volume", &run, py::arg("a"), py::arg("b"), py::arg("options"), py::arg("progress"));
   module.def("excluded_volume_at", &excluded_volume_at, py::arg("a"), py::arg("b"), py::arg("quaternions"),

@@ -120,7 +120,8 @@ class Interrupted(KeyboardInterrupt):
 
 
 def law_of(law: Union[str, "_vex.OrientationLaw"]) -> "_vex.OrientationLaw":
-    """Of ``"isotropic"``, ``"aligned"``, ``"fixed:W,X,Y,Z"``, ``"cone:DEG"``, ``"angle:DEG"``, ``"onsager:ALPHA"``."""
+    """Of ``"isotropic"``, ``"aligned"``, ``"fixed:W,X,Y,Z"``, ``"cone:DEG"``, ``"angle:DEG"``, ``"onsager:ALPHA"``,
+    ``"maier-saupe:A"``, ``"table:FILE"``."""
     if isinstance(law, _vex.OrientationLaw):
         return law
     return _vex.OrientationLaw.parse(str(law))
@@ -148,7 +149,8 @@ def excluded_volume(a: BodyLike, b: Optional[BodyLike] = None, *, rel_error: Opt
         is given.
     law
         How the bodies are turned: ``"isotropic"``, ``"aligned"``, ``"fixed:W,X,Y,Z"`` (B's quaternion in A's frame),
-        ``"cone:DEG"``, ``"angle:DEG"``, ``"onsager:ALPHA"``.
+        ``"cone:DEG"``, ``"angle:DEG"``, ``"onsager:ALPHA"``, ``"maier-saupe:A"``, ``"table:FILE"``; or an
+        `OrientationLaw`: ``.table(cosines, densities)``, ``.each(a, b)`` of laws that differ, ``.about("x")``.
     estimator
         A name of `estimators`; chosen by a pilot run where it is not given, by the seed and the bodies alone.
     sequence, domain, max_trials, control_variate, verify, quick_verdicts, exact_average

@@ -152,7 +152,7 @@ Integral integral_over(const NormalMeasure& measure, const MeanHeight& mean_heig
 }  // namespace
 
 std::optional<SeriesAverage> axial_average(const Body& a, const Body& b, const OrientationLaw& law) {
-  if (law.kind() != OrientationLaw::Kind::angle) return std::nullopt;
+  if (law.kind() != OrientationLaw::Kind::angle || law.has_axes()) return std::nullopt;
   for (const Body* const body : {&a, &b}) {
     if (!body->normals.area || !body->normals.mean_curvature) {
       throw UsageError("a body without its measures on normals (" + body->kind + ") - the quadrature needs them");

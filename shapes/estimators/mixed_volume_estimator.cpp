@@ -37,11 +37,6 @@ std::optional<Vec3d> semi_axes_of(const ConvexBody& body) {
   return std::nullopt;
 }
 
-bool spins_about_z(const OrientationLaw& law) {
-  return law.kind() == OrientationLaw::Kind::isotropic || law.kind() == OrientationLaw::Kind::cone ||
-         law.kind() == OrientationLaw::Kind::angle || law.kind() == OrientationLaw::Kind::onsager;
-}
-
 struct Axes {
   Vec3d a, b;
 };
@@ -89,7 +84,7 @@ Transformd rotation_of_angles(std::span<const double> point, std::size_t axis_a,
 }
 
 NormalNodes nodes_of(const Body& body, const OrientationLaw& law, bool none) {
-  return {none ? NormalMeasure{} : body.normals.area(), spins_about_z(law)};
+  return {none ? NormalMeasure{} : body.normals.area(), law.spins_about_z()};
 }
 
 }  // namespace

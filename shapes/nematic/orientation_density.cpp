@@ -78,13 +78,9 @@ OrientationDensity OrientationGrid::equilibrium(double coupling, const EvenSerie
   moments.resize(series_.size(), 0.0);
   double mixing = 1.0, change_before = 2.0;
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
-    std::vector<double> logarithms(cosines_.size(), 0.0);
-    for (std::size_t k = 1; k < series_.size(); ++k) {
-      const double field = -2.0 * coupling * series_[k] * moments[k];
-      if (std::fabs(field) < kNoMoment) continue;  // below the rounding of f
-      for (std::size_t i = 0; i < logarithms.size(); ++i) logarithms[i] += field * polynomials_[k][i];
-    }
-    OrientationDensity density = density_of(std::move(logarithms));
+    EvenSeries field(series_.size(), 0.0);
+    for (std::size_t k = 1; k < series_.size(); ++k) field[k] = -2.0 * coupling * series_[k] * moments[k];
+    OrientationDensity density = in_field(field);
     double change = 0.0;
     for (std::size_t k = 1; k < series_.size(); ++k) {
       const double step = density.moments[k] - moments[k];
@@ -101,6 +97,15 @@ OrientationDensity OrientationGrid::equilibrium(double coupling, const EvenSerie
     }
   }
   return {};
+}
+
+OrientationDensity OrientationGrid::in_field(const EvenSeries& field) const {
+  std::vector<double> logarithms(cosines_.size(), 0.0);
+  for (std::size_t k = 1; k < std::min(field.size(), series_.size()); ++k) {
+    if (std::fabs(field[k]) < kNoMoment) continue;  // below the rounding of f
+    for (std::size_t i = 0; i < logarithms.size(); ++i) logarithms[i] += field[k] * polynomials_[k][i];
+  }
+  return density_of(std::move(logarithms));
 }
 
 OrientationDensity OrientationGrid::trial(double alpha) const {

@@ -39,6 +39,9 @@ class OrientationGrid {
   /// moment changes by more than 1e-14. `converged` is false where it has not by then.
   OrientationDensity equilibrium(double coupling, const EvenSeries& start) const;
 
+  /// f ~ exp(sum of field_l P_l), l = 0, 2, 4 ...; the interaction is with itself, by the grid's series.
+  OrientationDensity in_field(const EvenSeries& field) const;
+
   /// Onsager's trial function, f ~ cosh(alpha cos theta), and the C at which alpha makes that sum stationary.
   OrientationDensity trial(double alpha) const;
   double coupling_of_trial(double alpha) const;

@@ -49,7 +49,7 @@ TEST_F(GuideRecipes, RunAsTheyStand) {
     std::filesystem::copy_file(std::string(VEX_SOURCE_DIR) + "/meshes/data/" + mesh, folder() / mesh);
   }
   const std::vector<Recipe> recipes = recipes_of_the_guide();
-  ASSERT_GE(recipes.size(), 11u);
+  ASSERT_GE(recipes.size(), 23u);
   std::size_t n_printed = 0;
   for (const Recipe& recipe : recipes) {
     SCOPED_TRACE(recipe.commands);
@@ -63,7 +63,8 @@ TEST_F(GuideRecipes, RunAsTheyStand) {
     }
   }
   EXPECT_GE(n_printed, 7u);
-  for (const char* name : {"rods.csv", "angles.svg", "pairs.jsonl", "transition.svg"}) {
+  for (const char* name : {"rods.csv", "angles.svg", "pairs.jsonl", "transition.svg", "gem.html", "order.html",
+                           "virials.html", "bidisperse.json", "rods_of_angle.csv", "spheres.svg", "mixed.json"}) {
     EXPECT_GT(std::filesystem::file_size(folder() / name), 200u) << name;
   }
 }

@@ -49,6 +49,21 @@ TEST_F(NematicProgram, TellsDensitiesInEveryUnit) {
   EXPECT_NEAR(larger["chemical_potential"], found["chemical_potential"], 1e-9);
 }
 
+TEST_F(NematicProgram, FollowsMixturesFromOneBodyToTheOther) {
+  const json mixture = json_of({"capsule:1000,0.5", "capsule:1500,0.5", "--composition", "0:1:0.5"});
+  const json a = json_of({"capsule:1000,0.5"}), b = json_of({"capsule:1500,0.5"});
+  ASSERT_EQ(mixture["mixture"].size(), 3u) << mixture["reason"];
+  for (const auto& [row, pure] : {std::pair{mixture["mixture"][0], a}, std::pair{mixture["mixture"][2], b}}) {
+    for (const char* phase : {"isotropic", "nematic"}) {
+      EXPECT_NEAR(row[phase]["reduced_density"], pure[phase]["reduced_density"], 1e-5);
+      EXPECT_NEAR(row[phase]["volume_fraction"], pure[phase]["volume_fraction"], 1e-8);
+    }
+  }
+  // The longer rods order first.
+  EXPECT_GT(mixture["mixture"][1]["nematic"]["composition"], 0.55);
+  EXPECT_LT(mixture["mixture"][1]["residual"], 1e-9);
+}
+
 TEST_F(NematicProgram, PrintsAndDraws) {
   const Finished finished = run({"disc:1", "--plot", "discs.svg"});
   ASSERT_EQ(finished.exit_code, 0) << finished.err;
@@ -81,7 +96,9 @@ TEST_F(NematicProgram, NotesWhatAReaderShouldKnow) {
 TEST_F(NematicProgram, RefusesWhatMakesNoSense) {
   expect_refused({}, 2, "nothing is given for BODY");
   expect_refused({"rod:1"}, 2, "no body of this name (rod:1)");
-  expect_refused({"capsule:10,0.5", "disc:1"}, 2, "not understood (disc:1)");
+  expect_refused({"capsule:10,0.5", "disc:1", "sphere:1"}, 2, "not understood (sphere:1)");
+  expect_refused({"capsule:10,0.5", "--composition", "0:1:0.5"}, 2, "one body has no composition");
+  expect_refused({"capsule:10,0.5", "capsule:20,0.5", "--composition", "0:2:0.5"}, 2, "not a share");
   expect_refused({"capsule:10,0.5", "--theory", "landau"}, 2, "there are onsager, parsons-lee");
   expect_refused({"capsule:10,0.5", "--trial-function", "gauss"}, 2, "there are onsager");
   expect_refused({"capsule:10,0.5", "--teory", "onsager"}, 2, "did you mean --theory?");

@@ -225,7 +225,7 @@ TEST_F(Percolate, RefusesWhatMakesNoSense) {
   expect_refused({"disc:1", "--orientations", "aligned", "--sizes", "2,3", "--realisations", "2"}, 3,
                  "bodies that never overlap with orientations aligned");
   expect_refused({"box:1,1,2", "--orientations", "aligned", "--sizes", "4"}, 2, "one size says nothing");
-  expect_refused({"sphere:1", "--orientations", "bogus"}, 2, "cone:DEG, onsager:ALPHA, uniform-angle");
+  expect_refused({"sphere:1", "--orientations", "bogus"}, 2, "cone:DEG, onsager:ALPHA, maier-saupe:A, table:FILE, uniform-angle");
   expect_refused({"sphere:1:1.7e308", "sphere:2:1.7e308"}, 2, "a fraction out of range");
 }
 

@@ -23,13 +23,13 @@ class Report : public ProgramTest {
     return json::parse(page.substr(at + begin.size(), end - at - begin.size()), nullptr, false);
   }
 
-  static void expect_numbers_of(const json& document, const std::string& page) {
+  static void expect_numbers_of(const json& document, const std::string& page, std::size_t fewest = 6) {
     static const std::regex number("<data value=\"([^\"]*)\" data-path=\"([^\"]*)\">");
     std::size_t n = 0;
     for (std::sregex_iterator it(page.begin(), page.end(), number), end; it != end; ++it, ++n) {
       EXPECT_EQ((*it)[1], document.at(json::json_pointer((*it)[2])).dump()) << (*it)[2];
     }
-    EXPECT_GE(n, 6u);
+    EXPECT_GE(n, fewest);
   }
 };
 
@@ -79,6 +79,28 @@ TEST_F(Report, IsWrittenForEveryKindOfBodyAndLaw) {
         EXPECT_EQ(part.find(none), std::string::npos) << name << none;
     }
     EXPECT_LT(page.size(), 1'200'000u) << name;
+  }
+}
+
+TEST_F(Report, OfScansVirialsAndPercolationHaveTheNumbersOfTheirDocuments) {
+  const std::string folder = std::filesystem::path(VEX_SCAN_PROGRAM).parent_path().string();
+  for (const char* const command :
+       {"vex_scan 'box:1,1,{C}' rod:1 --for C=1:3:1 --trials 1024", "vex_scan sphere:1 --angle 0:0:1 --trials 64",
+        "vex_virial box:1,1,2 --order 4 --samples 1e5", "vex_virial disc:1 --order 3 --samples 1e5",
+        "vex_virial sphere:1 box:1,1,1 --samples 1e5", "vex_percolate sphere:0.5 --sizes 2,3 --realisations 60",
+        "vex_percolate box:1,1,1 --sizes 2 --realisations 2"}) {
+    SCOPED_TRACE(command);
+    const Finished finished =
+        shell("'" + folder + "'/" + command + " --threads 2 --quiet --report p.html --json p.json");
+    EXPECT_TRUE(finished.exit_code == 0 || finished.exit_code == 3) << finished.err;
+    const std::string page = read_file("p.html");
+    const json document = json::parse(read_file("p.json"));
+    EXPECT_EQ(document_of(page), document);
+    expect_numbers_of(document, page, 3);
+    const std::string after = page.substr(page.find("</figure>"));
+    for (const char* const none : {">nan", ">inf", "nan(", " nan"}) {
+      EXPECT_EQ(after.substr(0, after.find("id=\"result\"")).find(none), std::string::npos) << none;
+    }
   }
 }
 

@@ -235,6 +235,54 @@ TEST_F(ScanProgram, RefusesWhatMakesNoSense) {
   EXPECT_TRUE(files().empty());
 }
 
+TEST_F(ScanProgram, ReplacesNoFileThatIsNoTableOfItsOwn) {
+  const Words scan = {"sphere:1", "--trials", "512", "--quiet"};
+  const auto with = [&](const std::string& option, const std::string& file) {
+    Words words = scan;
+    words.insert(words.end(), {option, file});
+    return words;
+  };
+  for (const std::string text : {"x,y\n1,2\n", "my thesis\n", "{\"a\": 1}\n", "a,b,excluded_volume\n", "[1]\n"}) {
+    for (const char* const option : {"--csv", "--jsonl"}) {
+      write_file("data.txt", text);
+      expect_refused(with(option, "data.txt"), 2, "a file that is no table of vex_scan");
+      EXPECT_EQ(read_file("data.txt"), text);
+    }
+  }
+  for (const char* const option : {"--csv", "--jsonl"}) {
+    write_file("rows.txt", "");
+    EXPECT_EQ(run(with(option, "rows.txt")).exit_code, 0) << "an empty file holds nothing";
+    EXPECT_EQ(run(with(option, "rows.txt")).exit_code, 0) << "its own";
+    EXPECT_EQ(run(with(option, "/dev/null")).exit_code, 0);
+  }
+  // Rows of other variables are those of another scan: they give way, as they always did.
+  ASSERT_EQ(run({"sphere:{R}", "--for", "R=1:2:1", "--trials", "512", "--csv", "own.csv", "--quiet"}).exit_code, 0);
+  EXPECT_EQ(run(with("--csv", "own.csv")).exit_code, 0);
+}
+
+TEST_F(ScanProgram, LawsOfEachBodyAxesAndTablesMakeCases) {
+  write_file("density.txt", "# cos density\n-1 3\n0 0.5\n1 3\n");
+  const auto scan = [&] {
+    EXPECT_EQ(run({"box:{L},1,1", "--with", "box:1,1,3", "--for", "L=2:3:1", "--orientations", "table:density.txt",
+                   "--orientations-b", "maier-saupe:2", "--axis-a", "x", "--trials", "2048", "--jsonl", "rows.jsonl",
+                   "--json", "all.json", "--quiet"})
+                  .exit_code,
+              0);
+    return json::parse(read_file("all.json"))["kept"].get<int>();
+  };
+  EXPECT_EQ(scan(), 0);
+  for (const json& row : rows("rows.jsonl")) {
+    EXPECT_LT(std::fabs(row["z"].get<double>()), 5.0);
+    EXPECT_EQ(row["orientations"].get<std::string>().find("A table:"), 0u);
+    EXPECT_TRUE(row["order_parameter"].is_null());
+  }
+  EXPECT_EQ(scan(), 2);
+  write_file("density.txt", "-1 3\n0 0.25\n1 3\n");  // the same name, another density
+  EXPECT_EQ(scan(), 0);
+  expect_refused({"sphere:1", "--orientations", "table:rows.txt", "--trials", "10", "--csv", "rows.txt"}, 2,
+                 "the output file is an input");
+}
+
 // A resumed scan that was stopped wrote its own rows alone, and those of the file were lost.
 TEST_F(ScanProgram, AStoppedScanLosesNoRowsOfAnEarlierOne) {
   ASSERT_EQ(shell("\"$VEX\" 'box:1,1,{L}' --for L=31:34:1 --trials 1000 --csv s.csv --quiet").exit_code, 0);

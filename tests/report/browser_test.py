@@ -114,6 +114,38 @@ class Browser:
         return Page(done.stdout)
 
 
+def check_numbers(shown, result, fewest):
+    """What stands in the page is what the document has, and all of the document is there."""
+    check(len(shown.numbers) >= fewest, "the page shows too few numbers")
+    for path, value in shown.numbers:
+        of_document = result
+        for key in path.split("/")[1:]:
+            of_document = of_document[int(key) if isinstance(of_document, list) else key]
+        check(float(value) == of_document, f"{path} is {value} in the page and {of_document} in the document")
+    check(json.loads(shown.texts["all-numbers"]) == result, "the page's document is another one")
+
+
+def check_other_pages(programs, browser, out, has_viewer, wants_pictures):
+    """Pages of the programs that run many pairs."""
+    few = ["--threads", "2", "--quiet"]
+    commands = {"scan": ["vex_scan", "cylinder:{L},0.5", "--for", "L=1:4:1", "--trials", "2048", *few],
+                "virial": ["vex_virial", "capsule:2,0.5", "--order", "5", "--samples", "4e5", *few],
+                "percolate": ["vex_percolate", "box:1,1,2", "--sizes", "2,3", "--realisations", "60", *few]}
+    for name, (program, *words) in commands.items():
+        page, document = str(out / f"{name}.html"), out / f"{name}.json"
+        subprocess.run([programs / program, *words, "--report", page, "--json", str(document)], check=True)
+        shown = browser.open(page, str(out / f"{name}.png"), 800, 2400)
+        check_numbers(shown, json.loads(document.read_text()), 6)
+        check("svg" in shown.tags and "table" in shown.tags, f"{name}: no plot or no table")
+        blue, orange, tones = counts_of(pixels_of((out / f"{name}.png").read_bytes()))
+        check(blue > 300 and orange > 1000 and tones > 20, f"{name}: the bodies are not drawn: {blue}, {orange}, {tones}")
+        if has_viewer:
+            check(shown.root.get("data-viewer") == "drawn", f"{name}: the viewer says: {shown.root.get('data-viewer')}")
+        if wants_pictures:
+            browser.open(page, str(out / f"{name}-dark.png"), 1200, 2400, ["--blink-settings=preferredColorScheme=0"])
+            browser.open(page, str(out / f"{name}-telephone.png"), 390, 4000)
+
+
 def main():
     programs = pathlib.Path(sys.argv[1]).resolve()
     chromium = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
@@ -132,13 +164,7 @@ def main():
         result = json.loads(pathlib.Path(document).read_text())
         has_viewer = "viewer-code" in shown.texts
 
-        check(len(shown.numbers) >= 6, "the page shows too few numbers")
-        for path, value in shown.numbers:
-            of_document = result
-            for key in path.split("/")[1:]:
-                of_document = of_document[key]
-            check(float(value) == of_document, f"{path} is {value} in the page and {of_document} in the document")
-        check(json.loads(shown.texts["all-numbers"]) == result, "the page's document is another one")
+        check_numbers(shown, result, 6)
         check(shown.scripts == (5 if has_viewer else 3), f"{shown.scripts} scripts: a name has made one")
         check(HOSTILE in shown.texts["pair-alt"], "the file's name does not stand in the page as it is")
         check(result["bodies"][1]["source"].endswith(HOSTILE), "the document has another name")
@@ -155,6 +181,7 @@ def main():
             check("canvas" not in still.tags, "there is a canvas without WebGL")
             blue, orange, tones = counts_of(pixels_of((out / "still.png").read_bytes()))
             check(blue > 300 and orange > 1000 and tones > 5, f"the still is not drawn: {blue}, {orange}, {tones}")
+        check_other_pages(programs, browser, out, has_viewer, len(sys.argv) > 2)
         if len(sys.argv) > 2:
             browser.open(page, str(out / "wide.png"), 1200, 3000)
             browser.open(page, str(out / "dark.png"), 1200, 3000, ["--blink-settings=preferredColorScheme=0"])

@@ -125,10 +125,17 @@ void HtmlPage::table(const PageTable& table) {
   for (std::size_t k = 0; k < table.columns.size(); ++k)
     main_ += element("th", table.columns[k], "scope=\"col\" " + flush(k));
   main_ += "</tr></thead>\n<tbody>\n";
-  for (const std::vector<std::string>& row : table.rows) {
+  const auto cell = [&](std::size_t i, std::size_t k) {
+    const std::string& text = table.rows[i][k];
+    if (i >= table.paths.size() || k >= table.paths[i].size() || table.paths[i][k].empty()) {
+      return element("td", text, flush(k));
+    }
+    return "<td " + flush(k) + ">" + number_html({"", table.paths[i][k], text}) + "</td>";
+  };
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
     main_ += "<tr>";
-    for (std::size_t k = 0; k < row.size() && k < is_number.size(); ++k)
-      main_ += k == 0 ? element("th", row[k], "scope=\"row\"") : element("td", row[k], flush(k));
+    for (std::size_t k = 0; k < table.rows[i].size() && k < is_number.size(); ++k)
+      main_ += k == 0 ? element("th", table.rows[i][k], "scope=\"row\"") : cell(i, k);
     main_ += "</tr>\n";
   }
   main_ += "</tbody></table></div>\n";

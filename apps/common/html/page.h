@@ -24,6 +24,8 @@ struct PageTable {
   std::string caption;
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;  // the first cell names the row
+  /// Of cells that are numbers of the document: where in it, a JSON pointer; empty, or short, where they are none.
+  std::vector<std::vector<std::string>> paths{};
 };
 
 enum class Tone { good, bad, wait };  // agrees or is complete, disagrees, says nothing yet

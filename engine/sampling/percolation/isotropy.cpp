@@ -44,7 +44,10 @@ bool is_isotropic(const Placements& placements) {
     case OrientationLaw::Kind::isotropic: return true;
     case OrientationLaw::Kind::cone: return law.parameter() == 90.0;
     case OrientationLaw::Kind::onsager: return law.parameter() == 0.0;
+    case OrientationLaw::Kind::maier_saupe: return law.parameter() == 0.0;
     case OrientationLaw::Kind::aligned: break;
+    case OrientationLaw::Kind::table:  // even where it is constant: then the fit is merely more careful
+    case OrientationLaw::Kind::each:
     case OrientationLaw::Kind::fixed:
     case OrientationLaw::Kind::angle: return false;
   }

@@ -15,7 +15,7 @@ Placements::Placements(std::vector<BodyPart> parts, const BodyOrientations& orie
     : parts_(std::move(parts)), orientations_(orientations), seed_(seed) {
   if (parts_.empty()) throw UsageError("no body is to be placed - give one");
   const OrientationLaw::Kind law = orientations_.law.kind();
-  if (law == OrientationLaw::Kind::fixed || law == OrientationLaw::Kind::angle) {
+  if (law == OrientationLaw::Kind::fixed || law == OrientationLaw::Kind::angle || law == OrientationLaw::Kind::each) {
     throw UsageError("orientations " + orientations_.law.name() +
                      " are about two bodies, and many are placed - choose another law");
   }

@@ -13,7 +13,7 @@ namespace vex {
 
 /// How each body is turned, on its own.
 struct BodyOrientations {
-  OrientationLaw law;  // about the z axis of the cube; not `fixed`, which is about two bodies
+  OrientationLaw law;  // about the z axis of the cube; not `fixed`, `angle` and `each`, which are about two bodies
   /// Instead of the law: the angle between a body's z axis and the cube's is uniform, where it should be its cosine. I.
   /// Balberg, N. Binenbaum and N. Wagner (Phys. Rev. Lett. 52, 1465, 1984) drew sticks so; kept to tell what it does.
   bool uniform_polar_angle = false;

@@ -1,6 +1,7 @@
 // Compiled once for each instruction set, with VEX_ISA its namespace, and never with fused operations: a ray is the
 // same bits everywhere.
 #include "engine/numeric/packet.h"
+#include "engine/numeric/packet_memory.h"
 #include "engine/sampling/radial/ray_columns.h"
 
 namespace vex {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/numeric/errors.h"
 #include "tests/referees/array_lanes.h"
 #include "tests/referees/random_poses.h"
 
@@ -31,13 +32,32 @@ Transformd rotation_at(const OrientationLaw& law, const LawPoint& point) {
 // The least and largest coordinates that are drawn, and both sides of the middle, where the sign of cos changes.
 const std::vector<double> kEnds = {0x1p-53, 0.5 - 0x1p-53, 0.5 + 0x1p-53, 1.0 - 0x1p-53};
 
+AxisTable sample_table() { return {{-0.5, 0.3, 0.9, 1.0}, {0.0, 1.0, 4.0, 2.0}}; }
+
 std::vector<OrientationLaw> every_law() {
-  return {OrientationLaw::isotropic(),    OrientationLaw::aligned(),       OrientationLaw::fixed(1, 2, 3, 4),
-          OrientationLaw::cone(0),        OrientationLaw::cone(1e-5),      OrientationLaw::cone(30),
-          OrientationLaw::cone(90),       OrientationLaw::onsager(0),      OrientationLaw::onsager(1e-18),
-          OrientationLaw::onsager(1e-3),  OrientationLaw::onsager(1),      OrientationLaw::onsager(5.3),
-          OrientationLaw::onsager(17.9),  OrientationLaw::onsager(33),     OrientationLaw::onsager(1e6),
-          OrientationLaw::onsager(1e300), OrientationLaw::onsager(1.7e308)};
+  return {OrientationLaw::isotropic(),
+          OrientationLaw::aligned(),
+          OrientationLaw::fixed(1, 2, 3, 4),
+          OrientationLaw::cone(0),
+          OrientationLaw::cone(1e-5),
+          OrientationLaw::cone(30),
+          OrientationLaw::cone(90),
+          OrientationLaw::onsager(0),
+          OrientationLaw::onsager(1e-18),
+          OrientationLaw::onsager(1e-3),
+          OrientationLaw::onsager(1),
+          OrientationLaw::onsager(5.3),
+          OrientationLaw::onsager(17.9),
+          OrientationLaw::onsager(33),
+          OrientationLaw::onsager(1e6),
+          OrientationLaw::onsager(1e300),
+          OrientationLaw::onsager(1.7e308),
+          OrientationLaw::maier_saupe(4),
+          OrientationLaw::maier_saupe(-30),
+          OrientationLaw::maier_saupe(1000),
+          OrientationLaw::table(sample_table()),
+          OrientationLaw::each(AxisLaw::cone(20), AxisLaw::table(sample_table())),
+          OrientationLaw::cone(30).about({1, 0, 0}, {1, -2, 0.5})};
 }
 
 TEST(OrientationLaw, HasTheNameItIsWrittenWith) {
@@ -362,7 +382,7 @@ TEST(OrientationLaw, RollsAreUniformAndIndependentOfTheAxes) {
 TEST(OrientationLaw, TreatsAAndBAlike) {
   // Of R and its transpose, functions that a law which did not would tell apart.
   for (const OrientationLaw& law : every_law()) {
-    if (law.dimension() == 0) continue;
+    if (law.dimension() == 0 || law.kind() == OrientationLaw::Kind::each || law.has_axes()) continue;
     std::mt19937_64 random(9);
     std::array<Mean, 4> differences;
     for (int k = 0; k < kDraws / 2; ++k) {
@@ -417,6 +437,68 @@ TEST(OrientationLaw, FixedTurnsBByItsQuaternionInAsFrame) {
   const Transformd i = rotation_at(OrientationLaw::aligned(), point);
   EXPECT_EQ(deviation(i), 0.0);
   EXPECT_EQ(i.row_x.x + i.row_y.y + i.row_z.z, 3.0);
+}
+
+TEST(OrientationLaw, OfEachBodyIsThatOfBothWhereTheyAreAlike) {
+  EXPECT_EQ(OrientationLaw::each(AxisLaw::cone(20), AxisLaw::cone(20)), OrientationLaw::cone(20));
+  EXPECT_EQ(OrientationLaw::each(AxisLaw(), AxisLaw()), OrientationLaw::isotropic());
+  EXPECT_EQ(OrientationLaw::each(AxisLaw::aligned(), AxisLaw::aligned()), OrientationLaw::aligned());
+  const OrientationLaw unlike = OrientationLaw::each(AxisLaw::aligned(), AxisLaw::onsager(5));
+  EXPECT_EQ(unlike.name(), "A aligned, B onsager:5");
+  EXPECT_EQ(unlike.order_parameter(), std::nullopt);
+  EXPECT_EQ(unlike.order_parameters()->at(0), 1.0);
+  EXPECT_EQ(unlike.order_parameters()->at(1), AxisLaw::onsager(5).order_parameter());
+  // Beside a body that is turned in any way the other one's law is not seen.
+  const OrientationLaw one_isotropic = OrientationLaw::each(AxisLaw(), AxisLaw::cone(5));
+  EXPECT_EQ(one_isotropic.kind(), OrientationLaw::Kind::isotropic);
+  EXPECT_EQ(one_isotropic.name(), "A isotropic, B cone:5");
+  EXPECT_FALSE(one_isotropic.order_parameter());
+  expect_uniform(one_isotropic);
+}
+
+TEST(OrientationLaw, OfEachBodyHasTheProductOfItsLegendreMoments) {
+  const OrientationLaw law = OrientationLaw::each(AxisLaw::maier_saupe(3), AxisLaw::table(sample_table()));
+  std::mt19937_64 random(13);
+  Mean p2;
+  for (int k = 0; k < kDraws; ++k) {
+    const double c = rotation_at(law, random_law_point(random)).row_z.z;
+    p2.add(0.5 * (3 * c * c - 1));
+  }
+  const std::array<double, 2> each = *law.order_parameters();
+  EXPECT_GT(each[0] * each[1], 0.05);
+  p2.expect(each[0] * each[1], "P2 of " + law.name());
+}
+
+TEST(OrientationLaw, AboutOtherAxesTurnsThemAsTheLawAboutZTurnsZ) {
+  const Vec3d a{1.0, 0.0, 0.0}, b{0.6, 0.0, -0.8};
+  const OrientationLaw law = OrientationLaw::cone(30), turned = law.about(a, {3.0, 0.0, -4.0});
+  EXPECT_EQ(turned.name(), "cone:30 about 1,0,0 and 0.6,0,-0.8");
+  EXPECT_EQ(law.about({0, 0, 2}, {0, 0, 1}), law);
+  EXPECT_EQ(law.about({0, 3, 0}, {0, 1, 0}).name(), "cone:30 about 0,1,0");
+  std::mt19937_64 random(14);
+  for (int k = 0; k < 1000; ++k) {
+    const LawPoint point = random_law_point(random);
+    const Transformd r = rotation_at(turned, point);
+    ASSERT_NEAR(dot(a, r(b)), rotation_at(law, point).row_z.z, 1e-14);
+  }
+  for (const OrientationLaw& none :
+       {OrientationLaw::isotropic(), OrientationLaw::aligned(), OrientationLaw::fixed(1, 0, 0, 0)}) {
+    EXPECT_THROW(none.about(a, b), UsageError);
+  }
+  EXPECT_THROW(law.about({0, 0, 0}, b), UsageError);
+  EXPECT_THROW(law.about(a, {INFINITY, 0, 0}), UsageError);
+}
+
+TEST(OrientationLaw, OfOneBodyAboutAnotherAxisTurnsThatAxis) {
+  const OrientationLaw law = OrientationLaw::maier_saupe(-5).about({0, 1, 0}, {0, 1, 0});
+  std::mt19937_64 random(15);
+  Mean p2;
+  for (int k = 0; k < kDraws; ++k) {
+    const LawPoint point = random_law_point(random);
+    const double c = law.rotation_of_body(std::span<const double>(point)).row_z.y;
+    p2.add(0.5 * (3 * c * c - 1));
+  }
+  p2.expect(*law.order_parameter(), "P2 of " + law.name());
 }
 
 TEST(OrientationLaw, PutsTheEndsAndTheMiddleOfThePolarCoordinateWhereTheDistributionHasThem) {

@@ -26,6 +26,8 @@
 namespace vex {
 namespace {
 
+constexpr std::array<double, OrientationLaw::kMaxDimension> kAnyPoint{};  // of laws of one orientation
+
 constexpr double kPi = std::numbers::pi;
 
 // Enough for these tests, and a sixteenth of what is taken unless told.
@@ -64,7 +66,7 @@ std::vector<OrientationLaw> random_orientations(int n) {
 using Matrix = std::array<std::array<double, 3>, 3>;
 
 Matrix matrix_of(const OrientationLaw& law) {
-  const Transformd r = law.rotation<double>({});
+  const Transformd r = law.rotation(std::span<const double>(kAnyPoint));
   return {{{r.row_x.x, r.row_x.y, r.row_x.z}, {r.row_y.x, r.row_y.y, r.row_y.z}, {r.row_z.x, r.row_z.y, r.row_z.z}}};
 }
 
@@ -85,6 +87,33 @@ TEST(ExcludedVolumeAtAFixedOrientation, OfTwoBoxesIsTheSumOverPairsOfEdges) {
     EXPECT_LE(found.error, 2e-12 * truth);
   }
   EXPECT_NEAR(average_of("box:1,1,1", "box:1,1,1", OrientationLaw::aligned()).excluded_volume, 8.0, 1e-14);
+}
+
+// The series, odd degrees among them, against sums over normals at drawn orientations: they share no polynomial.
+TEST(AverageOfLawsOfAnAxis, IsThatOfMixedVolumesAtDrawnOrientations) {
+  const AxisLaw up = AxisLaw::table({{-0.5, 0.3, 0.9, 1.0}, {0.0, 1.0, 4.0, 2.0}});
+  const AxisLaw down = AxisLaw::table({{-1.0, 0.2}, {3.0, 0.0}});
+  ExactAverageSettings drawn = quick();
+  drawn.series = false;
+  for (const OrientationLaw& law :
+       {OrientationLaw::maier_saupe(5), OrientationLaw::maier_saupe(-4), OrientationLaw::both_by(up),
+        OrientationLaw::each(up, down), OrientationLaw::each(AxisLaw::aligned(), AxisLaw::onsager(4)),
+        OrientationLaw::each(AxisLaw::maier_saupe(3), AxisLaw::cone(50))}) {
+    for (const auto& [a_text, b_text] :
+         {std::pair{"cone:2,0.5", "cone:1,0.7"}, std::pair{"box:1,1,3", "hemisphere:1"}}) {
+      const Body a = parse_shape(a_text), b = parse_shape(b_text);
+      const ExactAverage series = exact_average(a, b, law), sums = exact_average(a, b, law, drawn);
+      EXPECT_LE(std::fabs(series.excluded_volume - sums.excluded_volume), series.error + 5.0 * sums.error)
+          << law.name() << " " << a_text << ": " << series.excluded_volume << " and " << sums.excluded_volume;
+      EXPECT_LE(series.error, 1e-6 * series.excluded_volume) << law.name();
+      EXPECT_LE(sums.error, 1e-3 * sums.excluded_volume) << law.name();
+    }
+  }
+  // Up and down is not up and up.
+  const Body cone = parse_shape("cone:2,0.5");
+  EXPECT_GT(std::fabs(exact_average(cone, cone, OrientationLaw::each(up, up)).excluded_volume -
+                      exact_average(cone, cone, OrientationLaw::each(up, down)).excluded_volume),
+            0.01);
 }
 
 TEST(ExcludedVolumeAtAFixedOrientation, OfTwoCapsulesIsBalbergs) {
@@ -126,7 +155,7 @@ TEST(ExcludedVolumeAtAFixedOrientation, OfBodiesThatAreSymmetricAboutTheirCentre
 TEST(ExcludedVolumeAtAFixedOrientation, OfTwoEllipsoidsIsTheIntegralOfTheirHeights) {
   const Body a = parse_shape("ellipsoid:0.8,1,1.7"), b = parse_shape("ellipsoid:1.5,0.9,1.2");
   for (const OrientationLaw& law : random_orientations(5)) {
-    const Transformd r = law.rotation<double>({});
+    const Transformd r = law.rotation(std::span<const double>(kAnyPoint));
     const double truth =
         a.measures.volume + b.measures.volume +
         integral_over(a.normals.area(),

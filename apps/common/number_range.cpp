@@ -1,4 +1,4 @@
-#include "apps/vex_scan/number_range.h"
+#include "apps/common/number_range.h"
 
 #include <algorithm>
 #include <cstdint>
