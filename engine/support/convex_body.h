@@ -3,11 +3,14 @@
 
 #include <concepts>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "engine/numeric/rounding.h"
 #include "engine/support/checked_input.h"
+#include "engine/support/corner_table.h"
 #include "engine/support/direction_table.h"
 #include "engine/support/exact_form.h"
 #include "engine/support/generators.h"
@@ -132,6 +135,11 @@ class ConvexBody {
   /// What the body is exactly; none where its class does not tell. Copies the vertices of a polytope.
   std::optional<ExactForm> exact_form() const { return model_->exact_form(); }
 
+  /// The corners of a core that is known to be the convex hull of finitely many points, as its exact form has them,
+  /// made when they are first asked for; empty of other bodies, and of more corners than such a table has. Safe from
+  /// several threads at once.
+  const CornerTable& corners() const { return model_->corners(is_rounded_polytope_); }
+
   /// Whether there may be a table of directions; and the table, which is made where it is not there yet (1 to 4 us a
   /// vertex), or none where the body's numbers allow of none. It lives as long as the shape. Whether it is there
   /// changes no bit of `support`.
@@ -165,6 +173,17 @@ class ConvexBody {
     virtual std::optional<ExactForm> exact_form() const = 0;
     virtual bool may_have_direction_table() const = 0;
     virtual std::optional<DirectionTable> direction_table() const = 0;
+
+    const CornerTable& corners(bool has_any) const {
+      std::call_once(corners_once_, [&] {
+        corners_ = std::make_unique<const CornerTable>(has_any ? exact_form().value().points : std::vector<Vec3d>());
+      });
+      return *corners_;
+    }
+
+   private:
+    mutable std::once_flag corners_once_;
+    mutable std::unique_ptr<const CornerTable> corners_;
   };
   template <class Shape>
   struct ModelOf final : Model {
