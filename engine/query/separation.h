@@ -60,10 +60,11 @@ class WarmStart {
   Vec3d normal_in_b_;  // the same in B's
   Vec3d x_, y_;        // across it, in A's frame; and how it turns along these (low_place.h)
   float turn_x_ = 0.0f, turn_y_ = 0.0f;
-  std::uint8_t n_points_ = 0;                      // of the nearest simplex, or of a hull that holds the origin
-  std::uint8_t n_faces_ = 0;                       // of that hull
-  std::uint8_t n_points_at_first_ = 0;             // when the hull was last made from nothing
-  std::uint8_t are_corners_ = 0;                   // whether points are corners, each by its number, and no directions
+  std::uint8_t n_points_ = 0;           // of the nearest simplex, or of a hull that holds the origin
+  std::uint8_t n_faces_ = 0;            // of that hull
+  std::uint8_t n_points_at_first_ = 0;  // when the hull was last made from nothing
+  std::uint8_t n_failed_ = 0;           // how often in turn a hull was of no use, and how often none was kept since
+  std::uint8_t are_corners_ = 0;        // whether points are corners, each by its number, and no directions
   std::array<std::uint32_t, kMostPoints> dirs_{};  // direction_code.h, about the normal
   std::array<std::array<std::uint8_t, 3>, kMostFaces> faces_{};
 };

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <type_traits>
 
+#include "engine/numeric/quaternion.h"
 #include "engine/query/separation.h"
 #include "tests/referees/separation_kinds.h"
 #include "tests/referees/separation_tally.h"

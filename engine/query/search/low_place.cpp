@@ -74,19 +74,19 @@ LowPlace LowPlaceSearch::lower_smooth(const LowPlace& start) {
     frame = DirectionCode(next.dir, frame.x(), {});
     const Across before = gradient;
     gradient = along_axes(frame, gradient_of(next));
-    // C. Broyden, Math. Comp. 19, 577 (1965), of the inverse.
-    const Across changed = gradient - before, predicted = turns * changed, made{-turn.x, -turn.y};
-    const Across missing = made - predicted;
-    const Across row{made.x * turns[0] + made.y * turns[2], made.x * turns[1] + made.y * turns[3]};
-    const double divisor = made.x * predicted.x + made.y * predicted.y;
-    if (std::fabs(divisor) > 0x1p-40 * length * length) {
-      turns = {turns[0] + missing.x * row.x / divisor, turns[1] + missing.x * row.y / divisor,
-               turns[2] + missing.y * row.x / divisor, turns[3] + missing.y * row.y / divisor};
+    // The symmetric update of rank one (R. Fletcher, Practical Methods of Optimization, section 3.2).
+    const Across changed = gradient - before, missing = Across{-turn.x, -turn.y} - turns * changed;
+    const double divisor = missing.x * changed.x + missing.y * changed.y;
+    if (std::fabs(divisor) > 0x1p-10 * length_of(missing) * length_of(changed)) {
+      const double xy = missing.x * missing.y / divisor;
+      turns = {turns[0] + missing.x * missing.x / divisor, turns[1] + xy, turns[2] + xy,
+               turns[3] + missing.y * missing.y / divisor};
     }
     if (less < 0x1p-40 * size_) break;
   }
-  set_turns(place, frame, turns);
-  return place;
+  LowPlace updated = place;
+  set_turns(updated, frame, turns);
+  return is_flat(updated.turn_x) || is_flat(updated.turn_y) ? place : updated;
 }
 
 LowPlace LowPlaceSearch::lower_flat(const LowPlace& start) {
@@ -165,6 +165,19 @@ LowPlace LowPlaceSearch::at_edge(const LowPlace& start) {
   }
   place.x = frame.x();
   place.y = frame.y();
+  return place;
+}
+
+LowPlace LowPlaceSearch::around(const Vec3d& unit_dir) {
+  constexpr double kBeside = 0x1p-13;
+  const DirectionCode frame(unit_dir, {}, {});
+  LowPlace place{ask(unit_dir), {}, {}, 0.0, 0.0};
+  const auto change = [&](const Vec3d& axis) {
+    return along_axes(frame, gradient_of(ask(unit_along(unit_dir + kBeside * axis))) - gradient_of(place.point));
+  };
+  const Across by_x = change(frame.x()), by_y = change(frame.y());
+  const double factor = kBeside / (by_x.x * by_y.y - by_x.y * by_y.x);
+  set_turns(place, frame, {factor * by_y.y, -factor * by_y.x, -factor * by_x.y, factor * by_x.x});
   return place;
 }
 

@@ -1,10 +1,13 @@
 // Where a difference K = A - B reaches least far near a direction in which it nearly does: a local minimum of h over
 // unit vectors, from what was known of the last one.
 //
-// Where K's surface is smooth that is a zero of the gradient, for Broyden's method. Along an edge of K, or on a face of
-// it, the gradient jumps at the minimum: the normal is across the edge, whose ends are the farthest points on either
-// side of it, and only along the edge is a gradient's zero looked for; or it is the face's.
+// Where K's surface is smooth that is a zero of the gradient, for a method of Newton's kind. Along an edge of K, or on
+// a face of it, the gradient jumps at the minimum: the normal is across the edge, whose ends are the farthest points on
+// either side of it, and only along the edge is a gradient's zero looked for; or it is the face's.
 #pragma once
+
+#include <array>
+#include <cstddef>
 
 #include "engine/query/search/core_difference.h"
 
@@ -25,8 +28,15 @@ class LowPlaceSearch {
   LowPlaceSearch(const CoreDifference& difference, double size) : difference_(difference), size_(size) {}
 
   CoreDifference::Point ask(const Vec3d& unit_dir) {
-    ++n_support_calls_;
-    return difference_.support(unit_dir);
+    last_[static_cast<std::size_t>(n_support_calls_++) % last_.size()] = difference_.support(unit_dir);
+    return last_[static_cast<std::size_t>(n_support_calls_ - 1) % last_.size()];
+  }
+  /// `visit(point)` of the last ones that were asked for, the latest first.
+  template <class Visit>
+  void visit_last(const Visit& visit) const {
+    for (int k = n_support_calls_ - 1; k >= 0 && k >= n_support_calls_ - static_cast<int>(last_.size()); --k) {
+      visit(last_[static_cast<std::size_t>(k) % last_.size()]);
+    }
   }
   /// From a place nearby, of this pose or another; its point is one of this pose. The place itself where none is lower.
   LowPlace lower(const LowPlace& start);
@@ -34,6 +44,8 @@ class LowPlaceSearch {
   /// farthest along its direction, and the height there above the minimum is known to be below `gap`.
   LowPlace of_triangle(const CoreDifference::Point& found, const std::array<CoreDifference::Point, 3>& corners,
                        double gap);
+  /// The place where `dir` is about the lowest, by the points of two directions beside it.
+  LowPlace around(const Vec3d& unit_dir);
   int n_support_calls() const { return n_support_calls_; }
 
  private:
@@ -47,6 +59,7 @@ class LowPlaceSearch {
   const CoreDifference& difference_;
   double size_;
   int n_support_calls_ = 0;
+  std::array<CoreDifference::Point, 5> last_;  // in turn
 };
 
 }  // namespace vex

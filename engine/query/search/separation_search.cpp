@@ -18,6 +18,8 @@ namespace {
 constexpr double kPolytopeGap = 0x1p-44, kExtendedPolytopeGap = 0x1p-60, kCurvedGap = 0x1p-32;
 // Where rounding makes faces of its own, a hull of more points than these is no better.
 constexpr int kCoarseHullPoints = 32;
+// After a place that is known well a descent has no more to ask than these.
+constexpr int kFewCalls = 4;
 
 // Points of the cores; B's also in its own frame.
 struct CorePoints {
@@ -127,7 +129,7 @@ class DoubleSearch {
           return;
         }
       } else {
-        simplex = memory->simplex();
+        simplex = memory->simplex(settings_, is_smooth);
       }
     }
     const Vec3d parting_dir = memory ? memory->parting_dir() : Vec3d{};
@@ -152,9 +154,13 @@ class DoubleSearch {
       });
     }
     const CoreSeparation<double, CoreDifference::Point>& core = search.found();
-    if (memory && core.distance > 0.0 && core.has_normal) memory->remember_simplex(core);
+    if (memory && core.distance > 0.0 && core.has_normal) {
+      const bool is_same = simplex.size() > 0 && search.n_support_calls() == 1 && memory->has_corners();
+      if (is_smooth && search.n_support_calls() > kFewCalls) memory->forget_place();
+      is_same ? memory->remember_same(core) : memory->remember_nearest(core, settings_, is_smooth);
+    }
     take(core, result);
-    result.n_support_calls = n_calls_before + search.n_support_calls();
+    result.n_support_calls = (memory ? memory->n_support_calls() : 0) + search.n_support_calls();
     searched.is_capped = core.is_capped;
     searched.missing = core.missing;
     if (core.is_capped && search.wants_depth() && core.bounds.lower > -HUGE_VAL) look_for_shorter_way(core, result);

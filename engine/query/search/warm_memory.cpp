@@ -13,6 +13,8 @@ namespace {
 // How much nearer bounds are brought from nothing than a known hull has to bring them, as far as that is allowed: its
 // triangles are a little larger or smaller than they were.
 constexpr double kAllowance = 1.75;
+// How often in turn a hull may fail before it is tried only each 32nd time.
+constexpr int kMostFailed = 2, kSeldom = 32;
 
 // A unit vector of what may be none; else zero.
 Vec3d unit_or_zero(const Vec3d& v) {
@@ -57,10 +59,25 @@ std::optional<std::uint32_t> WarmMemory::code_of(const Point& point, const Direc
   return std::uint32_t{*of_a} << 16 | *of_b;
 }
 
-NearestSimplex<double, WarmMemory::Point> WarmMemory::simplex() {
+NearestSimplex<double, WarmMemory::Point> WarmMemory::simplex(const CoreSearchSettings<double>& settings,
+                                                              bool is_smooth) {
   NearestSimplex<double, Point> simplex;
-  if (!(norm_1(normal_) > 0.0) || state_.n_faces_ != 0 || state_.n_points_ > 4) return simplex;
-  if (state_.are_corners_ != (corners_ ? 1 : 0)) return simplex;
+  const bool is_known = norm_1(normal_) > 0.0 && state_.n_faces_ == 0 && state_.n_points_ <= 4;
+  // A direction that parts the bodies is all that a depth has to know of bodies that are apart.
+  if (!is_known || settings.goal == SeparationGoal::depth || state_.are_corners_ != (corners_ ? 1 : 0)) return simplex;
+  if (is_smooth) {
+    LowPlaceSearch search(difference_, settings.size);
+    nearest_ = find_lowest(search);
+    n_support_calls_ += search.n_support_calls();
+    if (!(CoreDifference::height_of(nearest_->point) < 0.0)) {
+      nearest_.reset();
+      return simplex;
+    }
+    search.visit_last([&simplex](const Point& point) {
+      if (!simplex.is_around_origin()) simplex.add(point, false);
+    });
+    return simplex;
+  }
   const DirectionCode frame = frame_of(normal_, state_.x_, state_.y_);
   for (std::size_t k = 0; k < state_.n_points_ && !simplex.is_around_origin(); ++k) {
     const std::optional<Point> point = point_of(state_.dirs_[k], frame);
@@ -119,9 +136,12 @@ bool WarmMemory::find_depth(const CoreSearchSettings<double>& settings, bool is_
     normal_ = polytope.normal();
     is_parted_ = true;
   }
-  if (end != Polytope::End::converged) return false;
-  const double depth_lower = polytope.depth_lower();
-  if (!(depth_lower > 0.0)) return false;
+  const double depth_lower = end == Polytope::End::converged ? polytope.depth_lower() : 0.0;
+  if (!(depth_lower > 0.0)) {
+    if (end != Polytope::End::separated) ++state_.n_failed_;
+    return false;
+  }
+  state_.n_failed_ = 0;
   found.normal = polytope.normal();
   found.has_normal = true;
   found.distance = -polytope.height();
@@ -172,21 +192,33 @@ bool WarmMemory::keep_place(const LowPlace& place) {
   state_.turn_y_ = static_cast<float>(place.turn_y);
   return norm_1(normal_) > 0.0;
 }
-bool WarmMemory::keep_normal(const Vec3d& unit_normal) {
-  LowPlace place;
-  place.point.dir = unit_normal;
-  return keep_place(place);
-}
+void WarmMemory::keep_normal(const Vec3d& unit_normal) { state_.normal_ = unit_normal; }
 
 void WarmMemory::forget() {
   state_.n_points_ = state_.n_faces_ = 0;
   state_.normal_ = {};
 }
 
-void WarmMemory::remember_simplex(const Found& found) {
+void WarmMemory::remember_nearest(const Found& found, const CoreSearchSettings<double>& settings, bool is_smooth) {
   forget();
-  if (!keep_normal(found.normal)) return;
-  const DirectionCode frame = frame_of(normal_, state_.x_, state_.y_);
+  if (is_smooth && settings.goal != SeparationGoal::depth) {
+    if (!nearest_) {
+      LowPlaceSearch search(difference_, settings.size);
+      nearest_ = search.around(found.normal);
+      n_support_calls_ += search.n_support_calls();
+    }
+    nearest_->point.dir = found.normal;
+    keep_place(*nearest_);
+    state_.are_corners_ = 0;
+    return;
+  }
+  keep_normal(found.normal);
+  if (!corners_) {
+    LowPlace place;
+    place.point.dir = found.normal;
+    keep_place(place);
+  }
+  const DirectionCode frame = frame_of(state_.normal_, state_.x_, state_.y_);
   for (int k = 0; k < found.n_points; ++k) {
     const std::optional<std::uint32_t> code = code_of(found.points[static_cast<std::size_t>(k)], frame);
     if (!code) return;
@@ -198,6 +230,8 @@ void WarmMemory::remember_simplex(const Found& found) {
 
 void WarmMemory::remember_hull(const Polytope& polytope, bool is_smooth, double size) {
   forget();
+  // Of pairs whose hulls are of no use a step later one is tried now and then.
+  if (state_.n_failed_ >= kMostFailed && ++state_.n_failed_ % kSeldom != 0) return;
   if (is_smooth) {
     LowPlaceSearch search(difference_, size);
     std::array<Point, 3> corners;
@@ -206,8 +240,10 @@ void WarmMemory::remember_hull(const Polytope& polytope, bool is_smooth, double 
         search.of_triangle(polytope.point_along_normal(), corners, polytope.height() - polytope.depth_lower());
     n_support_calls_ += search.n_support_calls();
     if (!keep_place(place)) return;
-  } else if (!keep_normal(polytope.normal())) {
-    return;
+  } else {
+    LowPlace place;
+    place.point.dir = polytope.normal();
+    keep_place(place);
   }
   keep_hull(polytope, false);
   state_.n_points_at_first_ = state_.n_points_;

@@ -5,7 +5,7 @@
 // with their points is at its end at once, if little has moved. Of bodies that overlap it is the hull in which an
 // expanding polytope ended: its directions give points of the bodies as they are now, and where its triangles, of
 // these, go around the origin still, the polytope goes on from there. Around a smooth minimum of the height the hull is
-// as fine as the bounds are near, and has to be moved along with it: the new minimum is found first, by Broyden's
+// as fine as the bounds are near, and has to be moved along with it: the new minimum is found first, by a secant
 // method from the last one's second derivative, and the directions, which are about it, turn as it did.
 #pragma once
 
@@ -36,15 +36,20 @@ class WarmMemory {
   /// good beginning.
   Vec3d parting_dir() const { return holds_hull_ && !is_parted_ ? Vec3d{} : normal_; }
   bool holds_hull() const { return holds_hull_; }
-  /// Points of the nearest simplex, as the bodies are now; empty where none is known.
-  NearestSimplex<double, Point> simplex();
+  bool has_corners() const { return corners_.has_value(); }
+  /// Points of the difference near its nearest one, as the bodies are now; empty where none is known.
+  NearestSimplex<double, Point> simplex(const CoreSearchSettings<double>& settings, bool is_smooth);
   /// The cores' depth, by the hull that is known: false where that does not lead to bounds as near as asked for.
   /// `is_smooth`: the bodies are not polytopes, and so may be where they are in each other.
   bool find_depth(const CoreSearchSettings<double>& settings, bool is_smooth, Found& found);
   int n_support_calls() const { return n_support_calls_; }
 
   void forget();
-  void remember_simplex(const Found& found);
+  /// Of bodies that are apart: it was of no use.
+  void forget_place() { nearest_.reset(); }
+  /// Of a search that ended where it began: with the points of the simplex that is known.
+  void remember_same(const Found& found) { keep_normal(found.normal); }
+  void remember_nearest(const Found& found, const CoreSearchSettings<double>& settings, bool is_smooth);
   /// Of a polytope that began with nothing, and has ended with near bounds.
   void remember_hull(const Polytope& polytope, bool is_smooth, double size);
 
@@ -58,7 +63,7 @@ class WarmMemory {
   bool visit_foot(const Polytope& polytope, const Vec3d& normal, const Visit& visit) const;
   LowPlace find_lowest(LowPlaceSearch& search) const;
   bool keep_place(const LowPlace& place);
-  bool keep_normal(const Vec3d& unit_normal);
+  void keep_normal(const Vec3d& unit_normal);
   // Triangles and their corners, about the normal as it is kept. `has_kept`: the first points are those that are known.
   void keep_hull(const Polytope& polytope, bool has_kept);
   void keep_grown_hull(const Polytope& polytope);
@@ -69,6 +74,7 @@ class WarmMemory {
   Vec3d normal_;
   std::optional<CornersOfBoth> corners_;  // of bodies whose corners have numbers
   bool holds_hull_, is_parted_ = false;
+  std::optional<LowPlace> nearest_;  // of smooth bodies that are apart
   int n_support_calls_ = 0;
 };
 
