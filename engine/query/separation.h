@@ -9,7 +9,8 @@
 
 #include <array>
 #include <cmath>
-#include <memory>
+#include <cstdint>
+#include <type_traits>
 
 #include "engine/numeric/pose.h"
 #include "engine/query/overlap.h"
@@ -47,17 +48,27 @@ struct Separation {
   int n_support_calls = 0;
 };
 
-/// What was found of a pair, for the next query of the same pair in a pose not far from this one. Only time depends on
-/// it, and the last digits. Empty at first; a query reads it and writes it, and nobody else: its points are believed.
-/// Of another pair's only the direction is taken.
+/// What was found of a pair, for the next query of the same pair in a pose not far from this one: directions alone, of
+/// which the bodies are asked again. Nothing of it is believed: of another pair, of long ago, copied, stored or
+/// overwritten, it costs time and changes the last digits, and never what is proven. Empty at first.
 class WarmStart {
-  friend class CoreDifference;
+  friend class WarmMemory;
 
-  std::shared_ptr<const void> body_a_, body_b_;  // whose points these are
-  Vec3d dir_;                                    // in A's frame, from A towards B
-  int n_points_ = 0;                             // of the difference of the bodies
-  std::array<Vec3d, 4> of_a_{}, of_b_{};         // as points of the cores in the bodies' own frames
+  static constexpr int kMostPoints = 63, kMostFaces = 2 * kMostPoints - 4;
+
+  Vec3d normal_;       // unit, in A's frame, from A towards B; zero where nothing is known
+  Vec3d normal_in_b_;  // the same in B's
+  Vec3d x_, y_;        // across it, in A's frame; and how it turns along these (low_place.h)
+  float turn_x_ = 0.0f, turn_y_ = 0.0f;
+  std::uint8_t n_points_ = 0;           // of the nearest simplex, or of a hull that holds the origin
+  std::uint8_t n_faces_ = 0;            // of that hull
+  std::uint8_t n_points_at_first_ = 0;  // when the hull was last made from nothing
+  std::uint8_t n_failed_ = 0;           // how often in turn a hull was of no use, and how often none was kept since
+  std::uint8_t are_corners_ = 0;        // whether points are corners, each by its number, and no directions
+  std::array<std::uint32_t, kMostPoints> dirs_{};  // direction_code.h, about the normal
+  std::array<std::array<std::uint8_t, 3>, kMostFaces> faces_{};
 };
+static_assert(std::is_trivially_copyable_v<WarmStart>);
 
 struct SeparationSettings {
   /// The search ends once upper - lower is below this times |signed distance| + R_A + R_B, the circumradii. 0: as near

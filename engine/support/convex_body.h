@@ -3,6 +3,7 @@
 
 #include <concepts>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <utility>
@@ -10,6 +11,7 @@
 
 #include "engine/numeric/rounding.h"
 #include "engine/support/checked_input.h"
+#include "engine/support/corner_table.h"
 #include "engine/support/direction_table.h"
 #include "engine/support/exact_form.h"
 #include "engine/support/generators.h"
@@ -139,6 +141,11 @@ class ConvexBody {
   /// What the body is exactly; none where its class does not tell. Copies the vertices of a polytope.
   std::optional<ExactForm> exact_form() const { return model_->exact_form(); }
 
+  /// The corners of a core that is known to be the convex hull of finitely many points, as its exact form has them,
+  /// made when they are first asked for; empty of other bodies, and of more corners than such a table has. Safe from
+  /// several threads at once.
+  const CornerTable& corners() const { return model_->corners(); }
+
   /// Whether there may be a table of directions; and the table, which is made where it is not there yet (1 to 4 us a
   /// vertex), or none where the body's numbers allow of none. It lives as long as the shape. Whether it is there
   /// changes no bit of `support`.
@@ -173,6 +180,15 @@ class ConvexBody {
     virtual bool may_have_direction_table() const = 0;
     virtual std::optional<DirectionTable> direction_table() const = 0;
     std::vector<Vec3d> vertices;  // of a rounded polytope's core
+
+    const CornerTable& corners() const {
+      std::call_once(corners_once_, [&] { corners_ = std::make_unique<const CornerTable>(vertices); });
+      return *corners_;
+    }
+
+   private:
+    mutable std::once_flag corners_once_;
+    mutable std::unique_ptr<const CornerTable> corners_;
   };
   template <class Shape>
   struct ModelOf final : Model {

@@ -4,9 +4,7 @@
 
 #include "engine/query/exact/extended_difference.h"
 #include "engine/query/search/difference.h"
-#include "engine/query/search/nearest_simplex.h"
 #include "engine/query/search/query_error.h"
-#include "engine/query/separation.h"
 #include "engine/support/convex_body.h"
 
 namespace vex {
@@ -15,53 +13,41 @@ namespace vex {
 class CoreDifference {
  public:
   struct Point {
-    Vec3d w;      // a - b
-    Vec3d a, b;   // of the cores, in A's frame
-    Vec3d own_b;  // b in B's frame
+    Vec3d w;      // of the difference, without rolling balls
+    Vec3d a;      // of A's core, in A's frame
+    Vec3d own_b;  // of B's, in B's
+    Vec3d dir;    // along which the difference was asked for it: a unit vector
   };
+  static double height_of(const Point& point) { return dot(point.dir, point.w); }
 
   CoreDifference(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b)
       : difference_(a, b, a_from_b), rolling_a_(a.rolling_radius()), rolling_b_(b.rolling_radius()) {}
 
   Point support(const Vec3d& normal) const {
     const Difference::CorePoints cores = difference_.core_points(normal);
-    if (!has_rolling()) return {cores.a - cores.b, cores.a, cores.b, cores.own_b};
+    if (!has_rolling()) return {cores.a - cores.b, cores.a, cores.own_b, normal};
     const Vec3d a = cores.a - rolling_a_ * normal, b = cores.b + rolling_b_ * normal;
-    return {a - b, a, b, cores.own_b + rolling_b_ * difference_.a_from_b().direction_to_b(normal)};
+    return {a - b, cores.a, cores.own_b, normal};
   }
+  /// Of points of the cores that are known: along no direction, and of bodies without rolling balls.
   Point at(const Vec3d& of_a, const Vec3d& own_b) const {
-    const Vec3d b = difference_.a_from_b()(own_b);
-    return {of_a - b, of_a, b, own_b};
+    return {of_a - difference_.a_from_b()(own_b), of_a, own_b, {}};
   }
-  bool is_of(const WarmStart& warm_start) const {
-    return difference_.a().is_same_as(warm_start.body_a_) && difference_.b().is_same_as(warm_start.body_b_);
+  /// The points of the cores that make it.
+  Difference::CorePoints cores_of(const Point& point) const {
+    const Vec3d b = difference_.a_from_b()(point.own_b);
+    if (!has_rolling()) return {point.a, b, point.own_b};
+    return {point.a - rolling_a_ * point.dir, b + rolling_b_ * point.dir,
+            point.own_b + rolling_b_ * difference_.a_from_b().direction_to_b(point.dir)};
   }
-  /// The direction that a warm start tells, or zero.
-  static Vec3d dir_of(const WarmStart* warm_start) { return warm_start != nullptr ? warm_start->dir_ : Vec3d{}; }
-  /// Its points, if they are of these bodies and have no balls rolling on them.
-  NearestSimplex<double, Point> simplex_of(const WarmStart* warm_start) const {
-    NearestSimplex<double, Point> simplex;
-    if (warm_start == nullptr || has_rolling() || !is_of(*warm_start)) return simplex;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(warm_start->n_points_) && !simplex.is_around_origin(); ++k) {
-      simplex.add(at(warm_start->of_a_[k], warm_start->of_b_[k]));
-    }
-    return simplex;
+  /// Directions that turn with B, and back.
+  Vec3d turned_with_b(const Vec3d& own_dir) const {
+    const Transformd& pose = difference_.a_from_b();
+    return {dot(pose.row_x, own_dir), dot(pose.row_y, own_dir), dot(pose.row_z, own_dir)};
   }
-  /// Without its points.
-  void remember(WarmStart& warm_start, const Vec3d& dir) const {
-    if (!is_of(warm_start)) {
-      warm_start.body_a_ = difference_.a().identity();
-      warm_start.body_b_ = difference_.b().identity();
-    }
-    warm_start.dir_ = dir;
-    warm_start.n_points_ = 0;
-  }
-  void remember_point(WarmStart& warm_start, const Point& point) const {
-    if (has_rolling()) return;
-    const std::size_t k = static_cast<std::size_t>(warm_start.n_points_++);
-    warm_start.of_a_[k] = point.a;
-    warm_start.of_b_[k] = point.own_b;
-  }
+  Vec3d seen_from_b(const Vec3d& dir) const { return difference_.a_from_b().direction_to_b(dir); }
+  const ConvexBody& a() const { return difference_.a(); }
+  const ConvexBody& b() const { return difference_.b(); }
   bool has_rolling() const { return rolling_a_ > 0.0 || rolling_b_ > 0.0; }
 
   QueryError<double> error() const {

@@ -21,7 +21,8 @@ struct CoreSearchSettings {
   L relative_gap;
   int max_support_calls;
   int max_hull_points;
-  L max_distance;  // of the bodies; distances that are larger need not be known
+  L max_distance;      // of the bodies; distances that are larger need not be known
+  L allowed_gap{0.0};  // a relative gap that will do, if it is larger
 
   /// How near to each other bounds shall be for this signed distance of the cores.
   L wanted(const L& signed_distance) const { return relative_gap * (absolute(signed_distance - radii) + size); }
@@ -87,13 +88,20 @@ class CoreSearch {
   /// Whether the cores overlap, and how deep is asked.
   bool wants_depth() const { return wants_depth_; }
 
+  using Polytope = ExpandingPolytope<L, Point, Difference>;
+
   void find_depth() {
-    using Polytope = ExpandingPolytope<L, Point, Difference>;
+    find_depth([](const Polytope&) {});
+  }
+  /// `see(polytope)`, once it has ended with bounds that are as near as asked for.
+  template <class See>
+  void find_depth(const See& see) {
     thread_local PolytopeStore<L, Point> store;
     Polytope polytope(difference_, error_, settings_.max_hull_points, store);
     const typename Polytope::End end =
         polytope.run(descent_.simplex, [&](const L& depth) { return settings_.wanted(-depth); });
     n_support_calls_ += polytope.n_support_calls();
+    if (end == Polytope::End::converged) see(polytope);
     found_.is_capped = end == Polytope::End::capped;
     found_.normal = polytope.normal();
     found_.has_normal = true;

@@ -17,6 +17,8 @@
 #include "engine/query/search/growing_hull.h"
 #include "engine/query/search/nearest_simplex.h"
 #include "engine/query/search/portal_refinement.h"
+#include "engine/query/search/surface_bound.h"
+#include "engine/query/search/winding.h"
 
 namespace vex {
 
@@ -46,26 +48,51 @@ class ExpandingPolytope {
   template <class Wanted>
   End run(const NearestSimplex<L, Point>& simplex, const Wanted& wanted) {
     const bool has_volume = begin(simplex);
-    while (true) {
-      if (n_support_calls_ > 0 && height_ < -slack_) return End::separated;
-      if (!has_volume) return End::flat;
-      const std::optional<std::uint32_t> found = hull_.nearest_face();
-      if (!found) return End::stalled;
-      nearest_ = *found;
-      const L distance = faces()[nearest_].distance;
-      const Vec3<L> normal = unit_along(faces()[nearest_].normal);
-      const std::uint32_t added = add_support(normal);
-      const L height = dot(normal, at(added));
+    if (has_height_ && height_ < -slack_) return End::separated;
+    return has_volume ? grow_until(wanted) : End::flat;
+  }
+
+  /// A point that is known already: one of a surface to begin with, or the farthest along its direction.
+  void add_known(const Point& point, bool is_farthest) { is_farthest ? add(point, point.dir) : hull_.add_point(point); }
+  /// From a surface of the points that are known on, `corners(k)` for k below n_faces, whatever these are. `stalled`
+  /// where they do not go around the origin, proven.
+  template <class CornersOf, class Wanted>
+  End run_on(std::uint32_t n_faces, const CornersOf& corners, const Wanted& wanted) {
+    if (has_height_ && height_ < -slack_) return End::separated;
+    n_known_ = static_cast<std::uint32_t>(points().size());
+    const auto at = [this](std::uint32_t i) -> const Vec3<L>& { return hull_.at(i); };
+    surface_ = bound_by_surface<L>(n_known_, at, n_faces, corners, error_);
+    if (surface_) {
+      const L distance = surface_->distance;
+      if (has_height_ && height_ - distance <= wanted(distance)) return End::converged;
+      const Vec3<L> normal = unit_along(surface_->normal);
+      const L height = dot(normal, hull_.at(add_support(normal)));
       if (height - distance <= wanted(distance)) {
         is_of_face_ = true;
         normal_ = normal;
         answer_height_ = height;
         return End::converged;
       }
-      if (height_ - distance <= wanted(distance)) return End::converged;
-      if (goes_round(added)) return End::stalled;
-      if (static_cast<int>(hull_.points().size()) >= max_support_calls_) return End::capped;
-      if (!hull_.grow(nearest_, added)) return End::stalled;
+      surface_.reset();
+      if (height_ < -slack_) return End::separated;
+    }
+    return hull_.make_surface(n_known_, n_faces, corners) ? grow_until(wanted) : End::stalled;
+  }
+  /// How many points were known before any was asked for: the first ones.
+  std::uint32_t n_known() const { return n_known_; }
+  /// Whether that surface was as near as asked for as it was, and so has no triangles here.
+  bool is_as_known() const { return surface_.has_value(); }
+
+  const std::vector<Point>& points() const { return hull_.points(); }
+  /// The farthest along `normal()`.
+  const Point& point_along_normal() const { return hull_.points()[is_of_face_ ? hull_.points().size() - 1 : lowest_]; }
+  /// Of the triangle that is nearest to the origin.
+  const Corners& nearest_corners() const { return faces()[nearest_].corners; }
+  /// `visit(corners)` of each triangle.
+  template <class Visit>
+  void visit_faces(const Visit& visit) const {
+    for (const Face& face : faces()) {
+      if (face.is_alive) visit(face.corners);
     }
   }
 
@@ -77,30 +104,33 @@ class ExpandingPolytope {
   L depth_upper() const { return height_ + slack_; }
   /// The depth is not below it, rounding included; negative where nothing is known.
   L depth_lower() const {
+    if (surface_) return surface_->distance - slack_;
     if (faces().empty()) return -error_.reach;
     const L distance = -larger(-faces()[nearest_].distance, -height_) - slack_;
-    return distance > L(0.0) && goes_around_origin() ? distance : -error_.reach;
+    return distance > L(0.0) && goes_around_origin(hull_, nearest_) ? distance : -error_.reach;
   }
   int n_support_calls() const { return n_support_calls_; }
 
   /// Where the hull ends along the normal, as a combination of a face's corners: `visit(weight, point)`.
   template <class Visit>
-  void visit_foot(const Visit& visit) const {
+  void visit_foot(const Visit& visit) {
     visit_foot_along(normal_, visit);
   }
   /// The same along any direction.
   template <class Visit>
-  void visit_foot_along(const Vec3<L>& dir, const Visit& visit) const {
+  void visit_foot_along(const Vec3<L>& dir, const Visit& visit) {
     std::uint32_t at = nearest_;
     if (is_of_face_ && &dir == &normal_) {
       // Faces in one plane share a foot: it is in one of them, a few steps away.
       for (std::size_t step = 0; step < faces().size(); ++step) {
         const std::array<L, 3> weights = hull_.weights_along(faces()[at], normal_);
         const std::size_t least = static_cast<std::size_t>(std::ranges::min_element(weights) - weights.begin());
-        const std::uint32_t next = faces()[at].across[(least + 1) % 3].face;  // from that corner
+        if (!(weights[least] < L(0.0))) break;
+        hull_.link();
+        const std::uint32_t next = faces()[at].across[(least + 1) % 3].face();  // from that corner
         const bool is_coplanar =
             faces()[next].distance - faces()[nearest_].distance <= L(4.0) * hull_.coplanar() + gap();
-        if (!(weights[least] < L(0.0)) || !is_coplanar) break;
+        if (!is_coplanar) break;
         at = next;
       }
     } else {
@@ -126,14 +156,43 @@ class ExpandingPolytope {
 
   L gap() const { return larger(answer_height_ - faces()[nearest_].distance, L(0.0)); }
 
+  template <class Wanted>
+  End grow_until(const Wanted& wanted) {
+    while (true) {
+      const std::optional<std::uint32_t> found = hull_.nearest_face();
+      if (!found) return End::stalled;
+      nearest_ = *found;
+      const L distance = faces()[nearest_].distance;
+      const Vec3<L> normal = unit_along(faces()[nearest_].normal);
+      const std::uint32_t added = add_support(normal);
+      const L height = dot(normal, at(added));
+      if (height - distance <= wanted(distance)) {
+        is_of_face_ = true;
+        normal_ = normal;
+        answer_height_ = height;
+        return End::converged;
+      }
+      if (height_ - distance <= wanted(distance)) return End::converged;
+      if (goes_round(added)) return End::stalled;
+      if (static_cast<int>(hull_.points().size()) >= max_support_calls_) return End::capped;
+      if (!hull_.grow(nearest_, added)) return End::stalled;
+      if (height_ < -slack_) return End::separated;
+    }
+  }
+
   // Also keeps the least height.
   std::uint32_t add_support(const Vec3<L>& dir) {
     ++n_support_calls_;
-    const std::uint32_t added = hull_.add_point(difference_.support(dir));
+    return add(difference_.support(dir), dir);
+  }
+  std::uint32_t add(const Point& point, const Vec3<L>& dir) {
+    const std::uint32_t added = hull_.add_point(point);
     const L height = dot(dir, at(added));
-    if (n_support_calls_ == 1 || height < height_) {
+    if (!has_height_ || height < height_) {
+      has_height_ = true;
       height_ = height;
       normal_ = dir;
+      lowest_ = added;
       hull_.set_least_height(height);
     }
     return added;
@@ -233,58 +292,15 @@ class ExpandingPolytope {
            norm_1(face.normal) > L(0x1p33 * unit_roundoff<L>()) * face.edge_product;
   }
 
-  // --- what the hull proves
-
-  // A closed surface whose faces have the origin behind them goes around it. Else count how often a ray from the origin
-  // through the nearest face passes the surface: once, then it goes around every ball that it does not enter. By proven
-  // signs; another ray where one passes an edge.
-  bool goes_around_origin() const {
-    const auto is_clear = [](const Face& face) { return !face.is_alive || face.has_origin_behind; };
-    if (std::ranges::all_of(faces(), is_clear)) return true;
-    const Corners& corners = faces()[nearest_].corners;
-    for (const auto& [u, v, w] : {std::array{0.41, 0.26, 0.33}, std::array{0.22, 0.47, 0.31}}) {
-      const Vec3<L> ray = (L(u) * at(corners[0]) + L(v) * at(corners[1])) + L(w) * at(corners[2]);
-      int n_passed = 0;
-      const bool is_proven = std::ranges::all_of(faces(), [&](const Face& face) {
-        if (!face.is_alive) return true;
-        const std::optional<int> passed = times_passed(face, ray);
-        n_passed += passed.value_or(0);
-        return passed.has_value();
-      });
-      if (is_proven) return n_passed == 1;
-    }
-    return false;
-  }
-  // 1 where the ray passes the triangle outwards, -1 inwards, 0 where it passes beside it; none where rounding leaves
-  // that open. With s_i the products below, sum s_i p_i = det(p) ray.
-  std::optional<int> times_passed(const Face& face, const Vec3<L>& ray) const {
-    const L rounding = L(16.0 * unit_roundoff<L>());
-    int n_positive = 0, n_negative = 0;
-    bool is_behind = true;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3<L>&p = at(face.corners[k]), &q = at(face.corners[(k + 1) % 3]);
-      const L turn = dot(cross(p, q), ray), bound = rounding * ((norm_1(p) * norm_1(q)) * norm_1(ray));
-      n_positive += turn > bound ? 1 : 0;
-      n_negative += turn < -bound ? 1 : 0;
-      is_behind = is_behind && dot(p, ray) < -rounding * (norm_1(p) * norm_1(ray));
-    }
-    if (is_behind || (n_positive > 0 && n_negative > 0)) return 0;
-    if (n_positive < 3 && n_negative < 3) return std::nullopt;
-    const Vec3<L>&p = at(face.corners[0]), &q = at(face.corners[1]), &r = at(face.corners[2]);
-    const L volume = dot(cross(p, q), r), bound = rounding * ((norm_1(p) * norm_1(q)) * norm_1(r));
-    if (!(absolute(volume) > bound)) return std::nullopt;
-    const bool is_outwards = volume > L(0.0);
-    return is_outwards == (n_positive == 3) ? std::optional(is_outwards ? 1 : -1) : std::optional(0);
-  }
-
   GrowingHull<L, Point> hull_;
   const Difference& difference_;
   QueryError<L> error_;
   L slack_;
   int max_support_calls_;
   int n_support_calls_ = 0, n_repeated_ = 0;
-  std::uint32_t nearest_ = 0;
-  bool is_of_face_ = false;
+  std::optional<SurfaceBound<L>> surface_;
+  std::uint32_t nearest_ = 0, lowest_ = 0, n_known_ = 0;
+  bool is_of_face_ = false, has_height_ = false;
   Vec3<L> normal_;
   L height_{0.0}, answer_height_{0.0};
 };

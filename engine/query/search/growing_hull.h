@@ -4,64 +4,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "engine/numeric/directions.h"
+#include "engine/query/search/hull_face.h"
 #include "engine/query/search/query_error.h"
+#include "engine/query/search/surface_bound.h"
 
 namespace vex {
-
-namespace detail {
-
-/// A place in an array of faces, and an edge of that face: from corner k to the next one.
-struct FaceEdge {
-  std::uint32_t face = 0, edge = 0;
-};
-
-template <class L>
-struct HullFace {
-  std::array<std::uint32_t, 3> corners;  // outwards where it turns counter-clockwise
-  std::array<FaceEdge, 3> across;        // the other side of the edge from corner k to the next one
-  Vec3<L> normal;                        // outwards, of any length
-  L offset;                              // of the plane: normal . corner
-  L coplanar;                            // what is less above the plane, times the normal's length, is in it
-  L distance;  // no point of the triangle is nearer to the origin, by its computed products; of faces that are farther
-               // than K reaches in some direction, that reach
-  bool is_alive = true;
-  bool has_origin_behind = false;  // proven
-  std::uint32_t mark = 0;          // of the last search that came by
-};
-
-}  // namespace detail
-
-/// Memory that a hull grows in. One serves one query at a time, and then others.
-template <class L, class Point>
-struct PolytopeStore {
-  struct RimEdge {
-    std::uint32_t from, to;
-    detail::FaceEdge outside;
-  };
-  std::vector<Point> points;
-  std::vector<detail::HullFace<L>> faces;
-  std::vector<std::pair<L, std::uint32_t>> heap;  // of distances and faces, the nearest first
-  std::vector<std::uint32_t> hidden;
-  std::vector<RimEdge> rim;
-  struct Step {
-    std::uint32_t face, edge, n_left;
-  };
-  std::vector<Step> path;
-  std::vector<std::uint32_t> point_marks;  // of the last rim that passed
-
-  void clear() {
-    points.clear();
-    faces.clear();
-    heap.clear();
-    point_marks.clear();
-  }
-};
 
 /// Rounding may tear it: `grow` then says so. What the hull proves is told by who grows it (expanding_polytope.h).
 template <class L, class Point>
@@ -73,13 +28,13 @@ class GrowingHull {
   GrowingHull(PolytopeStore<L, Point>& store, const QueryError<L>& error)
       : points_(store.points),
         faces_(store.faces),
-        heap_(store.heap),
+        near_(store.near),
         hidden_(store.hidden),
         rim_(store.rim),
         path_(store.path),
         point_marks_(store.point_marks),
-        reach_of_error_(error.reach),
-        coplanar_(L(16.0 * unit_roundoff<L>()) * error.reach) {
+        coplanar_(L(16.0 * unit_roundoff<L>()) * error.reach),
+        rounding_sq_(L(1024.0 * (unit_roundoff<L>() * unit_roundoff<L>())) * (error.reach * error.reach)) {
     store.clear();
   }
 
@@ -97,6 +52,8 @@ class GrowingHull {
   void set_least_height(const L& height) {
     least_height_ = height;
     has_least_height_ = true;
+    const L farthest = L(1.0 + 0x1p-40) * height;
+    farthest_sq_ = farthest * farthest;
   }
 
   void make_tetrahedron(std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) {
@@ -106,6 +63,57 @@ class GrowingHull {
     add_face({i, k, l}, {{{0, 2}, {2, 2}, {3, 1}}});
     add_face({k, j, l}, {{{0, 1}, {3, 2}, {1, 1}}});
     add_face({j, i, l}, {{{0, 0}, {1, 2}, {2, 1}}});
+  }
+
+  /// Faces about the origin, of the first n_points: `corners(k)` for k below n_faces, whatever they are. Corners of a
+  /// face that are one point are taken for one. False, and the hull is of no use, where that makes no closed surface,
+  /// or where the origin is not behind each of its faces, proven.
+  template <class CornersOf>
+  bool make_surface(std::uint32_t n_points, std::uint32_t n_faces, const CornersOf& corners) {
+    if (n_points > kMostSurfaceCorners) return false;
+    std::array<std::uint32_t, kMostSurfaceCorners> same;
+    for (std::uint32_t i = 0; i < n_points; ++i) same[i] = i;
+    const auto first_same = [&same](std::uint32_t i) {
+      while (same[i] != i) i = same[i];
+      return i;
+    };
+    for (std::uint32_t f = 0; f < n_faces; ++f) {
+      const Corners of = corners(f);
+      if (std::max({of[0], of[1], of[2]}) >= n_points) return false;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (!is_same(at(of[k]), at(of[kNext[k]]))) continue;
+        const std::uint32_t i = first_same(of[k]), j = first_same(of[kNext[k]]);
+        same[std::max(i, j)] = std::min(i, j);
+      }
+    }
+    SurfaceEdges edges;
+    is_linked_ = false;
+    for (std::uint32_t f = 0; f < n_faces; ++f) {
+      Corners of = corners(f);
+      for (std::uint32_t& corner : of) corner = first_same(corner);
+      if (of[0] == of[1] || of[1] == of[2] || of[2] == of[0]) continue;
+      if (!edges.add(of)) return false;
+      if (!faces_[add_face(of, {FaceEdge(0, 0), FaceEdge(0, 0), FaceEdge(0, 0)})].has_origin_behind) return false;
+    }
+    return !faces_.empty() && edges.are_closed();
+  }
+  /// Has the faces of a surface that was made at once know each other.
+  void link() {
+    if (is_linked_) return;
+    is_linked_ = true;
+    std::array<std::array<std::uint16_t, kMostSurfaceCorners>, kMostSurfaceCorners>
+        of_edge;  // read where it was written, for it is closed
+    for (std::uint16_t f = 0; f < faces_.size(); ++f) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        of_edge[faces_[f].corners[k]][faces_[f].corners[kNext[k]]] = static_cast<std::uint16_t>(4 * f + k);
+      }
+    }
+    for (Face& face : faces_) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t other = of_edge[face.corners[kNext[k]]][face.corners[k]];
+        face.across[k] = FaceEdge(other / 4, other % 4);
+      }
+    }
   }
 
   /// A point that is not above a face that was chosen: of the faces that it is above, the one it is highest above.
@@ -125,16 +133,27 @@ class GrowingHull {
 
   /// None where all are farther than K reaches: by rounding only.
   std::optional<std::uint32_t> nearest_face() {
-    while (!heap_.empty() && !faces_[heap_.front().second].is_alive) {
-      std::pop_heap(heap_.begin(), heap_.end(), is_farther);
-      heap_.pop_back();
+    if (is_heap_ || n_near_ > kFew) return nearest_of_many();
+    // Few faces are nearer than K is known to reach: to look at all of them, without a branch, costs less than a heap.
+    std::size_t n = 0, best = 0;
+    L least(HUGE_VAL);
+    for (std::size_t k = 0; k < n_near_; ++k) {
+      const Entry entry = near_[k];
+      near_[n] = entry;
+      const bool is_alive = faces_[entry.second].is_alive;
+      const L distance = select(is_alive, entry.first, L(HUGE_VAL));
+      best = distance < least ? n : best;
+      least = smaller(distance, least);
+      n += is_alive ? 1 : 0;
     }
-    return heap_.empty() ? std::nullopt : std::optional(heap_.front().second);
+    n_near_ = n;
+    return n == 0 ? std::nullopt : std::optional(near_[best].second);
   }
 
   /// Takes a point into the hull: the faces that it is in front of give way to those from their rim to it. False, and
   /// nothing changes, where rounding has torn the rim.
   bool grow(std::uint32_t start, std::uint32_t added) {
+    link();
     // Faces in whose plane the point is stay: of a cap of many corners all of them would be made again with each new
     // one. Where that tears the rim they go too.
     for (const double side : {1.0, 0.0, -1.0}) {
@@ -147,7 +166,7 @@ class GrowingHull {
         const auto [from, to, outside] = rim_[k];
         const std::uint32_t next = k + 1 < n ? k + 1 : 0, last = k > 0 ? k - 1 : n - 1;
         add_face({from, to, added}, {{outside, {first + next, 2}, {first + last, 1}}});
-        faces_[outside.face].across[outside.edge] = {first + k, 0};
+        faces_[outside.face()].across[outside.edge()] = {first + k, 0};
       }
       return true;
     }
@@ -177,46 +196,60 @@ class GrowingHull {
   using FaceEdge = detail::FaceEdge;
   using Entry = std::pair<L, std::uint32_t>;
   static constexpr auto is_farther = [](const Entry& a, const Entry& b) { return a.first > b.first; };
+  static constexpr std::array<std::uint32_t, 3> kNext = {1, 2, 0};
+  static constexpr std::size_t kFew = 64;
+
+  static bool is_same(const Vec3<L>& p, const Vec3<L>& q) {
+    return !(p.x < q.x || q.x < p.x || p.y < q.y || q.y < p.y || p.z < q.z || q.z < p.z);
+  }
+  static L smaller(const L& a, const L& b) { return a < b ? a : b; }
+
+  auto end_of_near() { return near_.begin() + static_cast<std::ptrdiff_t>(n_near_); }
+  std::optional<std::uint32_t> nearest_of_many() {
+    if (!is_heap_) std::make_heap(near_.begin(), end_of_near(), is_farther);
+    is_heap_ = true;
+    while (n_near_ > 0 && !faces_[near_.front().second].is_alive) {
+      std::pop_heap(near_.begin(), end_of_near(), is_farther);
+      --n_near_;
+    }
+    return n_near_ == 0 ? std::nullopt : std::optional(near_.front().second);
+  }
 
   // Times the length of its normal.
   L height_above(const Face& face, std::uint32_t point) const { return dot(face.normal, at(point)) - face.offset; }
 
   std::uint32_t add_face(const Corners& corners, const std::array<FaceEdge, 3>& across) {
     const Vec3<L>&p = at(corners[0]), &q = at(corners[1]), &r = at(corners[2]);
-    // e x f = e x g = f x g, and that of the two shorter ones has no noise of the longest.
+    // e x f = e x g = f x g, and that of the two shorter ones, from the corner that they share, has no noise of the
+    // longest. Chosen without a branch: no guess at it would be good.
     const Vec3<L> e = q - p, f = r - p, g = r - q;
     const L square_e = dot(e, e), square_f = dot(f, f), square_g = dot(g, g);
-    const bool omits_e = square_e > square_f && square_e > square_g, omits_f = !omits_e && square_f > square_g;
-    const std::uint32_t index = static_cast<std::uint32_t>(faces_.size());
-    Face& face = faces_.emplace_back();
-    face.corners = corners;
-    face.across = across;
-    face.normal = cross(select<L>(omits_e, f, e), select<L>(omits_e || omits_f, g, f));
-    const L product = select(omits_e, square_f, square_e) * select(omits_e || omits_f, square_g, square_f);
-    L square = dot(face.normal, face.normal);
+    const bool omits_e = (square_e > square_f) & (square_e > square_g);
+    const bool omits_f = !omits_e & (square_f > square_g);
+    Vec3<L> normal = cross(select<L>(omits_e, f, e), select<L>(omits_e | omits_f, g, f));
+    const L product = select(omits_e, square_f, square_e) * select(omits_e | omits_f, square_g, square_f);
+    L square = dot(normal, normal);
     // All but a segment, whose normal would be noise: the direction of its nearest point will do, as any would.
     const L thinnest_sq(0x1p54 * (unit_roundoff<L>() * unit_roundoff<L>()));
     const bool is_sliver = !(square > thinnest_sq * product);
-    if (is_sliver) {
+    if (is_sliver) [[unlikely]] {
       const Vec3<L> nearest = nearest_on_longest_edge(p, q, r);
-      face.normal = norm_1(nearest) > L(0.0) ? unit_along(nearest) : least_axis(e);
+      normal = norm_1(nearest) > L(0.0) ? unit_along(nearest) : least_axis(e);
       square = L(1.0);
     }
-    const L of_p = dot(face.normal, p), of_q = dot(face.normal, q), of_r = dot(face.normal, r);
-    const L least = -larger(-of_p, larger(-of_q, -of_r));
-    face.offset = of_p;
-    face.coplanar = coplanar_ * norm_1(face.normal);
-    const L rounding_sq = L(1024.0 * (unit_roundoff<L>() * unit_roundoff<L>())) * (reach_of_error_ * reach_of_error_);
-    const L least_sq = least > L(0.0) ? least * least : L(0.0);
-    face.has_origin_behind = !is_sliver && least_sq > rounding_sq * product;  // E21
+    const L of_p = dot(normal, p), of_q = dot(normal, q), of_r = dot(normal, r);
+    const L least = smaller(smaller(of_p, of_q), of_r);
+    const L least_sq = larger(least, L(0.0)) * larger(least, L(0.0));
     // What is farther than the depth can be is never the nearest, and need not be told apart.
-    const L farthest = L(1.0 + 0x1p-40) * least_height_;
-    const bool is_far = has_least_height_ && least_sq > (farthest * farthest) * square;
-    face.distance = is_far ? least_height_ : least / square_root(square);
-    if (!is_far) {
-      heap_.push_back({face.distance, index});
-      std::push_heap(heap_.begin(), heap_.end(), is_farther);
-    }
+    const bool is_far = has_least_height_ & (least_sq > farthest_sq_ * square);
+    const L distance = least / square_root(square);
+    const bool has_origin_behind = !is_sliver & (least_sq > rounding_sq_ * product);  // E21
+    const std::uint32_t index = static_cast<std::uint32_t>(faces_.size());
+    faces_.push_back({corners, across, normal, of_p, coplanar_ * norm_1(normal), distance, 0, true, has_origin_behind});
+    if (near_.size() <= n_near_) near_.resize(2 * n_near_ + 16);
+    near_[n_near_] = {distance, index};
+    n_near_ += is_far ? 0 : 1;
+    if (is_heap_ && !is_far) std::push_heap(near_.begin(), end_of_near(), is_farther);
     return index;
   }
   static Vec3<L> nearest_on_longest_edge(const Vec3<L>& p, const Vec3<L>& q, const Vec3<L>& r) {
@@ -251,17 +284,17 @@ class GrowingHull {
         continue;
       }
       const FaceEdge entered = faces_[from].across[edge];
-      edge = (edge + 1) % 3;
+      edge = kNext[edge];
       --n_left;
-      Face& face = faces_[entered.face];
+      Face& face = faces_[entered.face()];
       if (face.mark == last_mark_) continue;
       if (!(height_above(face, added) > side * face.coplanar)) {
-        rim_.push_back({face.corners[(entered.edge + 1) % 3], face.corners[entered.edge], entered});
+        rim_.push_back({face.corners[kNext[entered.edge()]], face.corners[entered.edge()], entered});
         continue;
       }
       face.mark = last_mark_;
-      hidden_.push_back(entered.face);
-      path_.push_back({entered.face, (entered.edge + 1) % 3, 2});
+      hidden_.push_back(entered.face());
+      path_.push_back({entered.face(), kNext[entered.edge()], 2});
     }
   }
 
@@ -281,15 +314,17 @@ class GrowingHull {
 
   std::vector<Point>& points_;
   std::vector<Face>& faces_;
-  std::vector<Entry>& heap_;
+  std::vector<Entry>& near_;
   std::vector<std::uint32_t>& hidden_;
   std::vector<typename PolytopeStore<L, Point>::RimEdge>& rim_;
   std::vector<typename PolytopeStore<L, Point>::Step>& path_;
   std::vector<std::uint32_t>& point_marks_;
-  L reach_of_error_, coplanar_;
-  L least_height_{0.0};
-  bool has_least_height_ = false;
+  L coplanar_, rounding_sq_;
+  L least_height_{0.0}, farthest_sq_{0.0};
+  bool has_least_height_ = false, is_heap_ = false;
+  std::size_t n_near_ = 0;
   std::uint32_t last_mark_ = 0;
+  bool is_linked_ = true;
 };
 
 }  // namespace vex

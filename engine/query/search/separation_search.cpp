@@ -6,6 +6,7 @@
 #include "engine/numeric/directions.h"
 #include "engine/numeric/interval.h"
 #include "engine/query/search/core_difference.h"
+#include "engine/query/search/warm_memory.h"
 #include "engine/query/search/way_out.h"
 #include "engine/query/search/zonotope.h"
 
@@ -17,6 +18,8 @@ namespace {
 constexpr double kPolytopeGap = 0x1p-44, kExtendedPolytopeGap = 0x1p-60, kCurvedGap = 0x1p-32;
 // Where rounding makes faces of its own, a hull of more points than these is no better.
 constexpr int kCoarseHullPoints = 32;
+// After a place that is known well a descent has no more to ask than these.
+constexpr int kFewCalls = 4;
 
 // Points of the cores; B's also in its own frame.
 struct CorePoints {
@@ -60,7 +63,8 @@ class DoubleSearch {
                   query.relative_gap(kPolytopeGap, kCurvedGap),
                   query.settings.max_support_calls,
                   is_coarse_ ? std::min(kCoarseHullPoints, query.settings.max_support_calls) : query.max_hull_points(),
-                  query.settings.max_distance} {}
+                  query.settings.max_distance,
+                  0.9375 * query.settled_gap()} {}
 
   SearchedSeparation run(WarmStart* warm_start) const {
     SearchedSeparation result;
@@ -111,42 +115,66 @@ class DoubleSearch {
   }
 
   void search(const DifferenceZonotope* zonotope, WarmStart* warm_start, SearchedSeparation& searched) const {
-    const Vec3d warm_dir = CoreDifference::dir_of(warm_start);
-    Vec3d first_dir = norm_1(warm_dir) > 0.0 && is_finite(warm_dir) ? warm_dir : difference_.between_centres();
+    std::optional<WarmMemory> memory;
+    if (warm_start != nullptr) memory.emplace(*warm_start, difference_, error_);
+    Separation& result = searched.separation;
+    const bool is_smooth = !query_.are_rounded_polytopes();
+    NearestSimplex<double, CoreDifference::Point> simplex;
+    if (memory) {
+      if (memory->holds_hull() && settings_.goal != SeparationGoal::distance) {
+        CoreSeparation<double, CoreDifference::Point> core;
+        if (memory->find_depth(settings_, is_smooth, core)) {
+          take(core, result);
+          result.n_support_calls = memory->n_support_calls();
+          return;
+        }
+      } else {
+        simplex = memory->simplex(settings_, is_smooth);
+      }
+    }
+    const Vec3d parting_dir = memory ? memory->parting_dir() : Vec3d{};
+    Vec3d first_dir = norm_1(parting_dir) > 0.0 ? parting_dir : difference_.between_centres();
     first_dir = norm_1(first_dir) > 0.0 ? unit_along(first_dir) : kAnyUnitVector;
     CoreSearch<double, CoreDifference::Point, CoreDifference> search(difference_, error_, settings_, first_dir,
-                                                                     difference_.simplex_of(warm_start));
-    Separation& result = searched.separation;
+                                                                     simplex);
+    const int n_calls_before = memory ? memory->n_support_calls() : 0;
     if (search.wants_depth()) {
       if (zonotope != nullptr) {
         const std::optional<ZonotopeSeparation> deepest = deepest_of_faces(*zonotope, error_);
         if (deepest && deepest->bounds.upper < 0.0) {
-          // Of bodies that overlap neither the way out nor the corners of a face make a good start of the next hull.
-          if (warm_start != nullptr) difference_.remember(*warm_start, {});
+          if (memory) memory->forget();
           take(*deepest, result);
-          result.n_support_calls = search.n_support_calls();
+          result.n_support_calls = n_calls_before + search.n_support_calls();
           return;
         }
       }
-      search.find_depth();
+      if (memory) memory->forget();
+      search.find_depth([&](const WarmMemory::Polytope& polytope) {
+        if (memory) memory->remember_hull(polytope, is_smooth, settings_.size);
+      });
     }
     const CoreSeparation<double, CoreDifference::Point>& core = search.found();
-    if (warm_start != nullptr) remember(core, *warm_start);
-    take(core.normal, core.distance, core.bounds, result);
-    take_points(weighted_points(core, [](const auto& p) { return CorePoints{p.a, p.b, p.own_b}; }), result);
-    result.has_witnesses = core.has_normal;
-    result.n_support_calls = search.n_support_calls();
+    if (memory && core.distance > 0.0 && core.has_normal) {
+      const bool is_same = simplex.size() > 0 && search.n_support_calls() == 1 && memory->has_corners();
+      if (is_smooth && search.n_support_calls() > kFewCalls) memory->forget_place();
+      is_same ? memory->remember_same(core) : memory->remember_nearest(core, settings_, is_smooth);
+    }
+    take(core, result);
+    result.n_support_calls = (memory ? memory->n_support_calls() : 0) + search.n_support_calls();
     searched.is_capped = core.is_capped;
     searched.missing = core.missing;
     if (core.is_capped && search.wants_depth() && core.bounds.lower > -HUGE_VAL) look_for_shorter_way(core, result);
   }
 
-  void remember(const CoreSeparation<double, CoreDifference::Point>& core, WarmStart& warm_start) const {
-    const bool is_good_start = core.distance > 0.0;
-    difference_.remember(warm_start, is_good_start ? core.normal : Vec3d{});
-    for (int k = 0; is_good_start && core.has_normal && k < core.n_points; ++k) {
-      difference_.remember_point(warm_start, core.points[static_cast<std::size_t>(k)]);
-    }
+  void take(const CoreSeparation<double, CoreDifference::Point>& core, Separation& result) const {
+    take(core.normal, core.distance, core.bounds, result);
+    take_points(weighted_points(core,
+                                [this](const CoreDifference::Point& p) {
+                                  const Difference::CorePoints cores = difference_.cores_of(p);
+                                  return CorePoints{cores.a, cores.b, cores.own_b};
+                                }),
+                result);
+    result.has_witnesses = core.has_normal;
   }
 
   void look_for_shorter_way(const CoreSeparation<double, CoreDifference::Point>& core, Separation& result) const {

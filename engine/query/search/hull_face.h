@@ -1,0 +1,68 @@
+// The faces of a hull that grows (growing_hull.h), and the memory that it grows in.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "engine/numeric/vec3.h"
+
+namespace vex {
+
+namespace detail {
+
+/// A place in an array of faces, and an edge of that face: from corner k to the next one. In one word: of two that are
+/// written one after the other and read together the reader waits for the writer.
+class FaceEdge {
+ public:
+  FaceEdge(std::uint32_t face, std::uint32_t edge) : bits_(4 * face + edge) {}
+  std::uint32_t face() const { return bits_ / 4; }
+  std::uint32_t edge() const { return bits_ % 4; }
+
+ private:
+  std::uint32_t bits_;
+};
+
+template <class L>
+struct HullFace {
+  std::array<std::uint32_t, 3> corners;  // outwards where it turns counter-clockwise
+  std::array<FaceEdge, 3> across;        // the other side of the edge from corner k to the next one
+  Vec3<L> normal;                        // outwards, of any length
+  L offset;                              // of the plane: normal . corner
+  L coplanar;                            // what is less above the plane, times the normal's length, is in it
+  L distance;                            // no point of the triangle is nearer to the origin, by its computed products
+  std::uint32_t mark = 0;                // of the last search that came by
+  bool is_alive = true;
+  bool has_origin_behind = false;  // proven
+};
+
+}  // namespace detail
+
+/// Memory that a hull grows in. One serves one query at a time, and then others.
+template <class L, class Point>
+struct PolytopeStore {
+  struct RimEdge {
+    std::uint32_t from, to;
+    detail::FaceEdge outside;
+  };
+  std::vector<Point> points;
+  std::vector<detail::HullFace<L>> faces;
+  std::vector<std::pair<L, std::uint32_t>> near;  // distances and faces that may be the nearest
+  std::vector<std::uint32_t> hidden;
+  std::vector<RimEdge> rim;
+  struct Step {
+    std::uint32_t face, edge, n_left;
+  };
+  std::vector<Step> path;
+  std::vector<std::uint32_t> point_marks;  // of the last rim that passed
+
+  void clear() {
+    points.clear();
+    faces.clear();
+    near.clear();
+    point_marks.clear();
+  }
+};
+
+}  // namespace vex
