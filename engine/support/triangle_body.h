@@ -42,7 +42,7 @@ class TriangleBody {
   Vec3d centre() const { return centre_; }
   double circumradius() const { return circumradius_; }
   double inradius() const { return 0.0; }
-  ExactForm exact_form() const { return {{vertices_.begin(), vertices_.end()}, {}, 0.0}; }
+  ExactForm exact_form() const { return {{vertices_[0], vertices_[1], vertices_[2]}, {}, 0.0}; }
 
   const std::array<Vec3d, 3>& vertices() const { return vertices_; }
 

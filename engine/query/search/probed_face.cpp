@@ -21,10 +21,10 @@ constexpr double kStraight = 0x1p-26, kLeast = 0x1p-20;
 
 // Two unit vectors across a unit vector, which turn with the body: they change with the direction but a little, where
 // it does, unless it crosses 45 degrees from the x axis.
-struct Across {
+struct PlaneAxes {
   Vec3d x, y;
 
-  explicit Across(const Vec3d& unit) {
+  explicit PlaneAxes(const Vec3d& unit) {
     const Vec3d axis = std::fabs(unit.x) < 0.7071 ? Vec3d{1.0, 0.0, 0.0} : Vec3d{0.0, 1.0, 0.0};
     const Vec3d beside = axis - dot(axis, unit) * unit;
     x = (1.0 / norm(beside)) * beside;
@@ -46,7 +46,7 @@ class Probe {
     static constexpr double kCos1 = 0.92387953251128674, kCos2 = 0.70710678118654752, kCos3 = 0.38268343236508977;
     static constexpr std::array<double, 16> kCosines = {1.0,  kCos1,  kCos2,  kCos3,  0.0, -kCos3, -kCos2, -kCos1,
                                                         -1.0, -kCos1, -kCos2, -kCos3, 0.0, kCos3,  kCos2,  kCos1};
-    const Across across(unit_dir);
+    const PlaneAxes across(unit_dir);
     Ring points{};
     for (std::size_t k = 0; k < kCornersOfFace; k += every) {
       const Vec3d aside = kCosines[k] * across.x + kCosines[(k + 12) % 16] * across.y;

@@ -119,14 +119,14 @@ TEST(Sobol, ScramblesEachCoordinateIndependently) {
   for (const double product : {xy, xz, with_next, with_other}) EXPECT_LE(std::fabs(product), 4.0 * root / 12.0);
 }
 
-struct Integrand {
+struct TestFunction {
   const char* name;
   std::function<double(const CubePoint&)> f;
   double truth;
 };
 
 TEST(Sobol, ConvergesFasterThanRandomPointsAndIsUnbiased) {
-  const std::vector<Integrand> integrands = {
+  const std::vector<TestFunction> integrands = {
       {"smooth", [](const CubePoint& p) { return std::exp(p[0] + p[1] * p[2] - 0.5 * p[3]) * std::cos(p[4]); }, 0.0},
       {"kinked", [](const CubePoint& p) { return std::fabs(p[0] + p[1] + p[2] + p[3] - 2.0); }, 7.0 / 15.0},
   };
@@ -137,7 +137,7 @@ TEST(Sobol, ConvergesFasterThanRandomPointsAndIsUnbiased) {
     term /= k + 1.0;
   }
   const double smooth = (std::numbers::e - 1.0) * of_product * 2.0 * (1.0 - std::exp(-0.5)) * std::sin(1.0);
-  for (const Integrand& integrand : integrands) {
+  for (const TestFunction& integrand : integrands) {
     const double truth = integrand.truth == 0.0 ? smooth : integrand.truth;
     double z_coarse = 0.0, z_fine = 0.0;
     const double coarse = spread(integrand.f, truth, 5, 6, &z_coarse);
