@@ -85,8 +85,8 @@ class Scene {
   Transformd pose(BodyId body) const;
   ImageOffset image(BodyId body) const;
 
-  /// Of b's copy in a's frame: `vex::relative_pose` of both poses and the copy's shift. Verdicts, distances and contacts
-  /// of the pair are about this pose.
+  /// Of b's copy in a's frame: `vex::relative_pose` of both poses and the copy's shift. Verdicts, distances and
+  /// contacts of the pair are about this pose.
   Transformd relative_pose(const ScenePair& pair) const;
 
   /// The pairs that share a point.

@@ -56,7 +56,7 @@ TEST(SceneExamples, InTheOrderOfTheGuide) {
   vex::SceneDistances near;
   scene.distances_within(0.1, near);  // with bounds, points and normal of each, in a's frame
   vex::SceneManifolds touching;
-  scene.contact_manifolds(touching);                                           // where faces touch, and lines, and points
+  scene.contact_manifolds(touching);                                           // where faces touch, on lines, at points
   const bool is_free = scene.any_overlap().outcome == vex::Outcome::disjoint;  // ends at the first overlap
   // [end]
   EXPECT_GE(found.pairs.size(), n_overlapping);

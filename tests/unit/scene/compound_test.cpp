@@ -129,6 +129,36 @@ TEST(Compound, AnswersAsEveryPartDoes) {
   EXPECT_LT(n_pairs, kPoses * 10) << "the tree keeps far parts away";
 }
 
+TEST(Compound, AnswersAsEveryPartDoesWhereRotationsAreOnlyNearlyOnes) {
+  // Off by 2e-7 each, so that boxes, parts and bodies are where the compound's frame has them to no more than that; and
+  // large, so that it shows.
+  std::mt19937_64 random(318);
+  const auto stretched = [&](double far) {
+    Transformd pose = random_rotation(random);
+    for (Vec3d* const row : {&pose.row_x, &pose.row_y, &pose.row_z}) *row = (1.0 + 0.99e-7) * *row;
+    pose.translation = far * random_direction(random);
+    return pose;
+  };
+  std::vector<CompoundPart> parts;
+  const ConvexBody slab = parse_shape("box:1000,1000,1").body, ball = parse_shape("sphere:300").body;
+  for (int k = 0; k < 20; ++k) parts.push_back({k % 2 == 0 ? slab : ball, stretched(2500.0)});
+  const Compound a(std::move(parts));
+  int n_near = 0;
+  for (int k = 0; k < 60; ++k) {
+    Transformd pose = stretched(1.0);
+    pose.translation = (6000.0 / norm(pose.translation)) * pose.translation;
+    // Until the least gap of all is a billionth of what the bodies measure; parts see ways 1e-7 longer than they are.
+    for (const double gap : {1.0, 1e-3, 1e-6}) {
+      const Separation now = distance(a, slab, pose).separation;
+      if (now.has_witnesses) pose.translation = pose.translation - (now.signed_distance - gap) * now.normal;
+    }
+    expect_as_every_part(a, slab, pose);
+    const CompoundSeparation found = distance(a, slab, pose);
+    n_near += found.separation.has_witnesses && found.separation.signed_distance < 1e-3 ? 1 : 0;
+  }
+  EXPECT_GT(n_near, 10);
+}
+
 TEST(Compound, AnswersOfTwoCompoundsAreThoseOfEveryPairOfParts) {
   std::mt19937_64 random(312);
   const Compound a = random_compound(random, 12, 3.0), b = random_compound(random, 9, 2.0);
