@@ -7,12 +7,12 @@
 #include <numbers>
 #include <random>
 
+#include "engine/numeric/pose_algebra.h"
 #include "engine/query/contact_manifold.h"
 #include "shapes/any_shape.h"
 #include "shapes/box.h"
 #include "shapes/cylinder.h"
 #include "tests/referees/bodies.h"
-#include "tests/referees/inverse_pose.h"
 #include "tests/referees/random_poses.h"
 
 namespace vex {
