@@ -50,6 +50,7 @@ PercolateRun part_of(const Document& document, const std::vector<std::string>& o
     }
     part.sizes.push_back(std::move(one));
   }
+  if (part.sizes.empty()) refuse_document("a document without sizes", document.file, "it is damaged");
   const std::vector<std::string> lines = tally.at("state").get<std::vector<std::string>>();
   read_realisations(document.file + ", tally", lines, of, part);
   for (const SizeRun& size : part.sizes) {

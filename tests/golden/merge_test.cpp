@@ -124,6 +124,29 @@ TEST_F(Merge, RangesOfOtherProgramsInAnyOrderAreOneRun) {
   }
 }
 
+TEST_F(Merge, ADocumentWithoutSizesOrCoefficientsIsRefused) {
+  ASSERT_EQ(shell(kPercolate + "box:1,1,1 --sizes 3 --first-realisation 0 --realisations 5 --json p.json").exit_code,
+            0);
+  json changed = json::parse(read_file("p.json"));
+  changed["sizes"] = json::array();
+  json& lines = changed["tally"]["state"];
+  for (std::size_t k = lines.size(); k-- > 0;) {
+    const std::string line = lines[k];
+    if (line.starts_with("0,") || line.starts_with("# counts") || line.starts_with("# end")) lines.erase(k);
+  }
+  write_file("x.json", changed.dump());
+  expect_refused("x.json", 3, "without sizes (x.json)");
+  ASSERT_EQ(shell(kVirial + "box:1,1,1 --trials 5 --json v.json").exit_code, 0);
+  changed = json::parse(read_file("v.json"));
+  changed["coefficients"] = json::array();
+  write_file("x.json", changed.dump());
+  expect_refused("x.json", 3, "without coefficients (x.json)");
+  changed = json::parse(read_file("v.json"));
+  changed["coefficients"][0]["n"] = 900;
+  write_file("x.json", changed.dump());
+  expect_refused("x.json", 3, "a coefficient that is none");
+}
+
 TEST_F(Merge, PartsEndByTheirNumberAlone) {
   ASSERT_EQ(shell(kVirial + "box:1,1,1 --rel-error 1e-2 --json error.json").exit_code, 0);
   expect_refused("error.json", 3, "ended by \"rel-error\"");

@@ -5,7 +5,7 @@
 
 Every estimator, with random and with Sobol' points, and the default with a relative error: killed by SIGKILL at random
 moments and resumed on 1, 2, 3 or 8 threads until it ends; and cut into ranges of trials, put together in a random
-order. The final JSON must be that of one run, but for times. Then vex_percolate, killed likewise.
+order. The final JSON must be that of one run, but for times. Then vex_virial and vex_percolate likewise.
 """
 import argparse
 import json
@@ -25,18 +25,23 @@ TRIALS = {"hit-or-miss": 4e7, "hit-or-miss-fitted": 1.5e7, "stratified": 2e7, "r
           "mean-width": 2e7}
 
 
-def without_times(path):
+TIMES = ("command", "threads", "seconds", "trials_per_second", "seconds_to_this_error")
+# Of a state's lines, with the checksum of those that tell a time.
+LINES_OF_TIMES = ("seconds ", "# seconds: ", "# end, ")
+
+
+def without_times(part):
+    if isinstance(part, dict):
+        return {key: without_times(value) for key, value in part.items() if key not in TIMES}
+    if isinstance(part, list):
+        return [without_times(value) for value in part
+                if not (isinstance(value, str) and value.startswith(LINES_OF_TIMES))]
+    return part
+
+
+def document_without_times(path):
     with open(path) as file:
-        document = json.load(file)
-    for key in ("command", "threads", "seconds"):
-        document.pop(key)
-    for key in ("seconds", "trials_per_second"):
-        document.get("estimate", {}).pop(key, None)
-    for candidate in document.get("pilot", []):
-        candidate.pop("seconds_to_this_error")
-    if "tally" in document:
-        document["tally"]["state"] = [s for s in document["tally"]["state"] if not s.startswith("seconds ")]
-    return document
+        return without_times(json.load(file))
 
 
 def kill_until_it_ends(command, least_kills, longest):
@@ -64,42 +69,51 @@ def main():
     options = parser.parse_args()
     random.seed(options.seed)
     programs = os.path.abspath(options.programs)
-    mesh, merge, percolate = (os.path.join(programs, "vex_" + name) for name in ("mesh", "merge", "percolate"))
+    mesh, merge, percolate, virial = (os.path.join(programs, "vex_" + name)
+                                      for name in ("mesh", "merge", "percolate", "virial"))
     saving = ["--quiet", "--checkpoint", "state", "--resume", "state", "--checkpoint-every", "0.01", "--json",
               "parts.json"]
     runs = [([mesh] + BODIES + ["--estimator", e, "--sequence", s], ["--trials", str(int(TRIALS[e]))])
             for e, s in WAYS]
     runs += [([mesh] + BODIES, ["--rel-error", "2e-6"]),
              ([mesh] + BODIES + ["--estimator", "hit-or-miss"], ["--rel-error", "2e-4"])]
+    # Programs of their own words for a part: the command, how a part begins, how long it is, and of how many.
+    others = [([virial, "box:1,1,2", "--order", "6"], "--first-trial", "--trials", 40),
+              ([virial, "sphere:0.5", "box:1,1,1"], "--first-trial", "--trials", 40),
+              ([percolate, "box:1,1,1", "--sizes", "3,4,6"], "--first-realisation", "--realisations", 8)]
+    ranged = [(command, "--first-trial", "--trials", 320) for command, _ in runs[:len(WAYS)]] + others
+    runs += [([virial, "box:1,1,2", "--order", "6"], ["--trials", "6000"]),
+             ([virial, "cylinder:3,0.5"], ["--rel-error", "1e-3"]),
+             ([percolate, "box:1,1,1", "--sizes", "3,4,6"], ["--realisations", "2000"])]
     n_kills = n_merged = 0
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
-        for command, stop in runs + [([percolate, "box:1,1,1", "--sizes", "3,4,6"], ["--realisations", "2000"])]:
+        for command, stop in runs:
             subprocess.run(command + stop + ["--quiet", "--json", "whole.json"], check=True)
             seconds = json.load(open("whole.json"))["seconds"]
-            kills = kill_until_it_ends(command + stop + saving, -(-options.kills // (len(runs) + 1)),
+            kills = kill_until_it_ends(command + stop + saving, -(-options.kills // len(runs)),
                                        max(0.05, seconds / 3))
             os.remove("state")
-            same = without_times("parts.json") == without_times("whole.json")
+            same = document_without_times("parts.json") == document_without_times("whole.json")
             print(f"{kills:4} kills, {'the same' if same else 'ANOTHER RESULT'}: {' '.join(command[1:] + stop)}", flush=True)
             n_kills += kills
             if not same:
                 return 1
-        for command, _ in runs[:len(WAYS)]:
-            step = 320
-            subprocess.run(command + ["--trials", str(step * options.ranges), "--quiet", "--json", "whole.json"], check=True)
+        for command, first, number, step in ranged:
+            subprocess.run(command + [first, "0", number, str(step * options.ranges), "--quiet", "--json", "whole.json"],
+                           check=True)
             names = [f"{k}.json" for k in range(options.ranges)]
             for k in random.sample(range(options.ranges), options.ranges):
-                subprocess.run(command + ["--first-trial", str(step * k), "--trials", str(step), "--quiet", "--json",
+                subprocess.run(command + [first, str(step * k), number, str(step), "--quiet", "--json",
                                           names[k], "--threads", str(random.choice([1, 2, 3]))], check=True)
             random.shuffle(names)
             subprocess.run([merge, "--quiet", "--max-z", "20", "--json", "parts.json"] + names, check=True)
-            same = without_times("parts.json") == without_times("whole.json")
+            same = document_without_times("parts.json") == document_without_times("whole.json")
             print(f"{len(names):4} ranges, {'the same' if same else 'ANOTHER RESULT'}: {' '.join(command[1:])}", flush=True)
             n_merged += 1
             if not same:
                 return 1
-    print(f"{n_kills} kills in {len(runs) + 1} runs, {n_merged} merges of {options.ranges} ranges: all the same")
+    print(f"{n_kills} kills in {len(runs)} runs, {n_merged} merges of {options.ranges} ranges: all the same")
     return 0
 
 
