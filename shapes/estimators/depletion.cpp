@@ -1,158 +1,21 @@
 #include "shapes/estimators/depletion.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <numbers>
 #include <thread>
-#include <vector>
 
-#include "engine/numeric/elementary.h"
 #include "engine/numeric/errors.h"
 #include "engine/numeric/number_text.h"
-#include "engine/query/overlap.h"
+#include "engine/sampling/depletion/depletion_integrand.h"
 #include "shapes/sphere.h"
 
 namespace vex {
 namespace {
 
 using std::numbers::pi;
-
-/// A box along A's axes; empty where a width is not above 0.
-struct OverlapBox {
-  Vec3d low, width;
-  bool is_empty() const { return !(width.x > 0.0 && width.y > 0.0 && width.z > 0.0); }
-  double volume() const { return width.x * width.y * width.z; }
-};
-
-struct Interval {
-  double low, high;
-};
-
-/// How far a placed body with a ball about each point reaches along a unit axis of A's frame, widened by more than what
-/// its support mapping is off by.
-Interval reach_along(const ConvexBody& body, const Transformd& a_from_body, const Vec3d& axis, double ball_radius) {
-  const Vec3d dir = a_from_body.direction_to_b(axis);
-  const double at = dot(axis, a_from_body.translation);
-  const double margin = body.support_error() + 0x1p-40 * (body.reach() + std::fabs(at)) + ball_radius * (1.0 + 0x1p-40);
-  return {at + dot(dir, body.support(-dir)) - margin, at + dot(dir, body.support(dir)) + margin};
-}
-
-OverlapBox box_around(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, double ball_radius) {
-  const auto both = [&](const Vec3d& axis) -> Interval {
-    const Interval of_a = reach_along(a, Transformd{}, axis, ball_radius);
-    const Interval of_b = reach_along(b, a_from_b, axis, ball_radius);
-    return {std::max(of_a.low, of_b.low), std::min(of_a.high, of_b.high)};
-  };
-  const Interval x = both({1.0, 0.0, 0.0}), y = both({0.0, 1.0, 0.0}), z = both({0.0, 0.0, 1.0});
-  return {{x.low, y.low, z.low}, {x.high - x.low, y.high - y.low, z.high - z.low}};
-}
-
-/// Values are the box's volume or 0 (the overlap volume), or 1 and 0 (whether the bodies are apart).
-class DepletionIntegrand final : public Integrand {
- public:
-  enum class What { overlap_volume, freedom };
-
-  /// At one pose, bodies apart or not.
-  DepletionIntegrand(const ConvexBody& a, const ConvexBody& b, const Transformd& pose, double ball_radius)
-      : DepletionIntegrand(a, b, ball_radius, What::overlap_volume) {
-    pose_ = pose;
-  }
-  /// Over directions and orientations.
-  DepletionIntegrand(const ConvexBody& a, const ConvexBody& b, double distance, const OrientationLaw& law,
-                     double ball_radius, What what)
-      : DepletionIntegrand(a, b, ball_radius, what) {
-    is_average_ = true;
-    distance_ = distance;
-    law_ = law;
-  }
-
-  int dimension() const override { return (what_ == What::freedom ? 0 : 3) + (is_average_ ? 2 + law_.dimension() : 0); }
-  double scale() const override {
-    if (what_ == What::freedom) return 1.0;
-    const double edge = 2.0 * (std::min(a_.circumradius(), b_.circumradius()) + ball_.circumradius());
-    return edge * edge * edge;
-  }
-  double relative_rounding() const override { return 0x1p-46; }  // of a box's volume
-  /// A point is off by less than 8 u of the pair's reach where it is put into B's frame: a skin of the overlap as
-  /// thick.
-  double absolute_rounding() const override {
-    if (what_ == What::freedom) return 0.0;
-    const double radius = std::min(a_.circumradius(), b_.circumradius()) + ball_.circumradius();
-    return 4.0 * pi * radius * radius * 0x1p-50 * (a_.reach() + b_.reach() + ball_.reach() + distance_);
-  }
-  double cost() const override { return 800.0; }
-
-  Doubts evaluate(std::span<const double> points, std::span<double> values) override {
-    Doubts doubts;
-    const std::size_t n = values.size();
-    point_.resize(static_cast<std::size_t>(dimension()));
-    for (std::size_t k = 0; k < n; ++k) {
-      for (std::size_t c = 0; c < point_.size(); ++c) point_[c] = points[c * n + k];
-      double half_width = 0.0;
-      values[k] = value_at(&half_width);
-      if (half_width > 0.0) doubts.push_back({k, half_width});
-    }
-    return doubts;
-  }
-
- private:
-  DepletionIntegrand(const ConvexBody& a, const ConvexBody& b, double ball_radius, What what)
-      : a_(a), b_(b), ball_(Sphere(ball_radius)), what_(what) {}
-
-  /// Of three proven verdicts: all the volume where they say so, none, or the middle with half of it as the doubt.
-  double value_at(double* half_width) {
-    std::size_t at = 0;
-    Outcome is_free = Outcome::overlap;  // whether there is anything to count
-    if (is_average_) {
-      // Archimedes: the height of a uniform direction is uniform.
-      const double height = point_[0] + point_[0] - 1.0;
-      const double across = 2.0 * std::sqrt(point_[0] * (1.0 - point_[0]));
-      const SinCos<double> azimuth = sincospi(point_[1] + point_[1]);
-      const auto n_law = static_cast<std::size_t>(law_.dimension());
-      pose_ = law_.rotation(std::span<const double>(point_).subspan(2, n_law));
-      pose_.translation = {distance_ * (across * azimuth.cos), distance_ * (across * azimuth.sin), distance_ * height};
-      at = 2 + n_law;
-      const Outcome bodies = overlap(a_, b_, Pose::unchecked(pose_)).outcome;
-      is_free = bodies == Outcome::overlap    ? Outcome::disjoint
-                : bodies == Outcome::disjoint ? Outcome::overlap
-                                              : Outcome::undecided;
-      if (what_ == What::freedom) return share(1.0, is_free, half_width);
-      if (is_free == Outcome::disjoint) return 0.0;
-    }
-    const OverlapBox box = box_around(a_, b_, pose_, ball_.circumradius());
-    if (box.is_empty()) return 0.0;
-    const Vec3d p{box.low.x + point_[at] * box.width.x, box.low.y + point_[at + 1] * box.width.y,
-                  box.low.z + point_[at + 2] * box.width.z};
-    Transformd a_from_ball;
-    a_from_ball.translation = p;
-    const Outcome in_a = overlap(a_, ball_, Pose::unchecked(a_from_ball)).outcome;
-    if (in_a == Outcome::disjoint) return 0.0;
-    Transformd ball_from_b = pose_;
-    ball_from_b.translation = pose_.translation - p;
-    const Outcome in_b = overlap(ball_, b_, Pose::unchecked(ball_from_b)).outcome;
-    if (in_b == Outcome::disjoint) return 0.0;
-    const bool is_sure = in_a == Outcome::overlap && in_b == Outcome::overlap && is_free == Outcome::overlap;
-    return share(box.volume(), is_sure ? Outcome::overlap : Outcome::undecided, half_width);
-  }
-
-  static double share(double all, Outcome outcome, double* half_width) {
-    if (outcome == Outcome::disjoint) return 0.0;
-    if (outcome == Outcome::overlap) return all;
-    *half_width = 0.5 * all;
-    return 0.5 * all;
-  }
-
-  ConvexBody a_, b_, ball_;
-  What what_;
-  bool is_average_ = false;
-  Transformd pose_;
-  double distance_ = 0.0;
-  OrientationLaw law_;
-  std::vector<double> point_;
-};
 
 void require_settings(const Body& a, const Body& b, const DepletionSettings& settings) {
   if (!(settings.ball_radius > 0.0 && std::isfinite(settings.ball_radius))) {
@@ -227,9 +90,10 @@ double DepletionAverage::mean_of_free_error() const {
 
 DepletionAtPose depletion_at(const Body& a, const Body& b, const Pose& a_from_b, const DepletionSettings& settings) {
   require_settings(a, b, settings);
+  const ConvexBody ball(Sphere(settings.ball_radius));
   DepletionAtPose found;
-  found.bodies = overlap(a.body, b.body, a_from_b).outcome;
-  const OverlapBox box = box_around(a.body, b.body, a_from_b.a_from_b(), settings.ball_radius);
+  found.bodies = outcome_at(a.body, b.body, a_from_b.a_from_b());
+  const OverlapBox box = box_around_overlap(a.body, b.body, a_from_b.a_from_b(), settings.ball_radius);
   if (box.is_empty()) return found;  // surely none
   // Of shells that touch to within the box's own margins a bound is all there is to say.
   constexpr double kThin = 0x1p-30;
@@ -238,9 +102,8 @@ DepletionAtPose depletion_at(const Body& a, const Body& b, const Pose& a_from_b,
     found.overlap_volume.value = found.overlap_volume.std_error = 0.5 * box.volume();
     return found;
   }
-  found.overlap_volume = mean_of(a, b, settings, [&] {
-    return std::make_unique<DepletionIntegrand>(a.body, b.body, a_from_b.a_from_b(), settings.ball_radius);
-  });
+  found.overlap_volume = mean_of(
+      a, b, settings, [&] { return std::make_unique<DepletionIntegrand>(a.body, b.body, ball, a_from_b.a_from_b()); });
   return found;
 }
 
@@ -250,12 +113,13 @@ DepletionAverage depletion_average(const Body& a, const Body& b, double distance
   if (!(distance >= 0.0 && distance < 1e75)) {
     throw UsageError("no distance (" + shortest_number(distance) + ") - give one from 0 up");
   }
+  const ConvexBody ball(Sphere(settings.ball_radius));
   DepletionAverage found;
   // Beyond both circumspheres, measured from the origins, everything is apart.
   const double reach = (a.body.reach() + b.body.reach()) * (1.0 + 0x1p-40);
   const auto run = [&](DepletionIntegrand::What what) {
     return mean_of(a, b, settings, [&, what] {
-      return std::make_unique<DepletionIntegrand>(a.body, b.body, distance, law, settings.ball_radius, what);
+      return std::make_unique<DepletionIntegrand>(a.body, b.body, ball, distance, law, what);
     });
   };
   found.free_share = distance > reach ? certain(1.0) : run(DepletionIntegrand::What::freedom);

@@ -142,7 +142,7 @@ TEST_F(Usage, OrientationsThatMeanNothing) {
   }
   for (const char* law :
        {"cone", "fixed", "onsager", "cones:1", "Cone:1", ":1", "isotropic:", "isotropic:1", "fixed1"}) {
-    expect_refused(law, "there are isotropic, aligned, fixed:W,X,Y,Z, cone:DEG, angle:DEG, onsager:ALPHA");
+    expect_refused(law, "there are isotropic, aligned, fixed:W,X,Y,Z, angle:DEG, cone:DEG, onsager:ALPHA");
   }
 }
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <utility>
 
@@ -154,15 +155,21 @@ void require_density(const AxisTable& table) {
 /// From cos = 1 down, so that 1 - cos has all its digits where it is small.
 std::shared_ptr<const AxisPieces> pieces_of_table(AxisTable table) {
   require_density(table);
-  const double largest = std::ranges::max(table.densities);
-  for (double& density : table.densities) density /= largest;  // no overflow below
+  const int exponent = std::ilogb(std::ranges::max(table.densities));
+  if (std::abs(exponent) > 300) {  // no overflow below; and no rounding
+    for (double& density : table.densities) density = std::ldexp(density, -exponent);
+  }
   const std::size_t n = table.cosines.size();
   DoubleDouble all;
   for (std::size_t k = 0; k + 1 < n; ++k) {
     all +=
         DoubleDouble(0.5 * (table.cosines[k + 1] - table.cosines[k]) * (table.densities[k] + table.densities[k + 1]));
   }
-  for (double& density : table.densities) density /= all.value();
+  // Once normalised it stays what it is, to the last bit: so do its name and what is drawn.
+  constexpr double kNormalised = 0x1p-50;
+  if (!(std::fabs(all.value() - 1.0) <= kNormalised)) {
+    for (double& density : table.densities) density /= all.value();
+  }
 
   auto pieces = std::make_shared<AxisPieces>();
   DoubleDouble so_far, second;
