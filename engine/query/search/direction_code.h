@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <initializer_list>
 
 #include "engine/numeric/directions.h"
 #include "engine/numeric/vec3.h"

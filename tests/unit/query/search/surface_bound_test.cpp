@@ -34,7 +34,7 @@ TEST(SurfaceBound, IsTheDistanceOfTheNearestFace) {
   EXPECT_NEAR(found->distance, 1.0 / std::sqrt(3.0), 1e-15);
   const auto moved = bound(shifted(kCorners, {0.2, 0.2, 0.2}), kFaces);
   ASSERT_TRUE(moved);
-  EXPECT_NEAR(moved->distance, 0.6 / std::sqrt(3.0), 1e-15);
+  EXPECT_NEAR(moved->distance, (1.0 - 0.6) / std::sqrt(3.0), 1e-15);
   EXPECT_NEAR(norm(cross(moved->normal, Vec3d{1, 1, 1})), 0.0, 1e-14) << "the face away from where it went";
   EXPECT_LT(moved->normal.x, 0.0);
 }
