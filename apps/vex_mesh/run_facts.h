@@ -16,8 +16,8 @@ bool runs_gjk(const MeshRun& run);
 bool has_trials(const MeshRun& run);
 double relative_error_of(const MeshRun& run);
 
-/// By how much a trial of this run took longer than it was counted to: costs are counted in nanoseconds of some machine,
-/// the same everywhere, and the run tells what such a nanosecond is here.
+/// By how much a trial of this run took longer than it was counted to: costs are counted in nanoseconds of some
+/// machine, the same everywhere, and the run tells what such a nanosecond is here.
 double pace_of(const MeshRun& run);
 
 /// What the run's error cost, or would have cost with another estimator; on as many threads.

@@ -32,7 +32,10 @@ Transformd rotation_to_z(const Vec3d& axis) {
   }
   const Vec3d scaled{axis.x / largest, axis.y / largest, axis.z / largest};
   const double length = std::sqrt(dot(scaled, scaled));
-  const Vec3d z{scaled.x / length, scaled.y / length, scaled.z / length};
+  // What has length one stays what it is, to the last bit: so does the law that is made again from its axes.
+  constexpr double kNormalised = 0x1p-50;
+  const bool is_unit = std::fabs(dot(axis, axis) - 1.0) <= kNormalised;
+  const Vec3d z = is_unit ? axis : Vec3d{scaled.x / length, scaled.y / length, scaled.z / length};
   // The coordinate axis that comes next to the largest part of z is far from it.
   const Vec3d next = std::fabs(scaled.z) == 1.0   ? Vec3d{1.0, 0.0, 0.0}
                      : std::fabs(scaled.x) == 1.0 ? Vec3d{0.0, 1.0, 0.0}

@@ -29,10 +29,10 @@ Real integral(const F& f, Real from, Real to) {
   return sum;
 }
 
-/// exp(A P_2) over its largest value, as a function of |cos|.
-Real maier_saupe_density(double strength, Real cos) {
-  const Real a = 1.5L * strength;
-  return std::exp(a > 0 ? a * (cos * cos - 1) : a * cos * cos);
+/// exp(A P_2) over its largest value, at this distance of |cos| from where that is: 1 for A > 0, or 0.
+Real maier_saupe_density(double strength, Real distance) {
+  const Real a = 1.5L * std::fabs(Real(strength));
+  return std::exp(-a * distance * (strength >= 0.0 ? 2 - distance : distance));
 }
 
 const std::vector<double> kStrengths = {0.0, 1e-9, 0.5, 4.0, -3.0, 40.0, -200.0, 1000.0, -1000.0};
@@ -40,7 +40,7 @@ const std::vector<double> kStrengths = {0.0, 1e-9, 0.5, 4.0, -3.0, 40.0, -200.0,
 TEST(AxisLaw, OfMaierAndSaupeInvertsTheCumulatedDensity) {
   for (const double strength : kStrengths) {
     const AxisLaw law = AxisLaw::maier_saupe(strength);
-    const auto density = [strength](Real cos) { return maier_saupe_density(strength, cos); };
+    const auto density = [strength](Real distance) { return maier_saupe_density(strength, distance); };
     const Real all = integral(density, 0, 1);
     std::mt19937_64 random(1);
     Real worst = 0;
@@ -48,10 +48,11 @@ TEST(AxisLaw, OfMaierAndSaupeInvertsTheCumulatedDensity) {
       const double u = k == 0 ? 0.5 + 0x1p-53 : (k == 1 ? 1.0 - 0x1p-53 : random_in_unit_interval(random));
       const bool is_up = u > 0.5;
       const double v = is_up ? 2.0 * u - 1.0 : 2.0 * u;
-      const double cos = law.polar_angle(u).cos;
+      const auto [sin, cos] = law.polar_angle(u);
       ASSERT_TRUE(is_up ? cos > -1e-15 : cos < 1e-15) << cos;  // at the equator rounding may cross it
-      const Real size = std::fabs(cos);
-      const Real share = (strength >= 0.0 ? integral(density, size, 1) : integral(density, 0, size)) / all;
+      // 1 - |cos| with all its digits, which cos has not.
+      const Real size = std::fabs(cos), off = Real(sin) * sin / (1 + size);
+      const Real share = integral(density, 0, strength >= 0.0 ? off : size) / all;
       worst = std::max(worst, std::fabs(share - v));
     }
     EXPECT_LE(worst, 0x1p-43L) << strength;
@@ -61,8 +62,12 @@ TEST(AxisLaw, OfMaierAndSaupeInvertsTheCumulatedDensity) {
 
 TEST(AxisLaw, OfMaierAndSaupeHasTheOrderParameterThatAQuadratureGives) {
   for (const double strength : kStrengths) {
-    const auto density = [strength](Real cos) { return maier_saupe_density(strength, cos); };
-    const Real second = integral([&](Real cos) { return cos * cos * density(cos); }, 0, 1) / integral(density, 0, 1);
+    const auto density = [strength](Real distance) { return maier_saupe_density(strength, distance); };
+    const auto weighed = [&](Real distance) {
+      const Real cos = strength >= 0.0 ? 1 - distance : distance;
+      return cos * cos * density(distance);
+    };
+    const Real second = integral(weighed, 0, 1) / integral(density, 0, 1);
     EXPECT_NEAR(AxisLaw::maier_saupe(strength).order_parameter(), static_cast<double>(1.5L * second - 0.5L), 2e-14)
         << strength;
   }

@@ -474,6 +474,8 @@ TEST(OrientationLaw, AboutOtherAxesTurnsThemAsTheLawAboutZTurnsZ) {
   const OrientationLaw law = OrientationLaw::cone(30), turned = law.about(a, {3.0, 0.0, -4.0});
   EXPECT_EQ(turned.name(), "cone:30 about 1,0,0 and 0.6,0,-0.8");
   EXPECT_EQ(law.about({0, 0, 2}, {0, 0, 1}), law);
+  const OrientationLaw once = law.about({0, 3, 4}, {1, 2, 3});
+  EXPECT_EQ(law.about(once.axis_of(0), once.axis_of(1)), once) << "normalised once for all";
   EXPECT_EQ(law.about({0, 3, 0}, {0, 1, 0}).name(), "cone:30 about 0,1,0");
   std::mt19937_64 random(14);
   for (int k = 0; k < 1000; ++k) {
