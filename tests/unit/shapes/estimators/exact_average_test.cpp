@@ -99,8 +99,7 @@ TEST(AverageOfLawsOfAnAxis, IsThatOfMixedVolumesAtDrawnOrientations) {
        {OrientationLaw::maier_saupe(5), OrientationLaw::maier_saupe(-4), OrientationLaw::both_by(up),
         OrientationLaw::each(up, down), OrientationLaw::each(AxisLaw::aligned(), AxisLaw::onsager(4)),
         OrientationLaw::each(AxisLaw::maier_saupe(3), AxisLaw::cone(50))}) {
-    for (const auto& [a_text, b_text] :
-         {std::pair{"cone:2,0.5", "cone:1,0.7"}, std::pair{"box:1,1,3", "hemisphere:1"}}) {
+    for (const auto& [a_text, b_text] : {std::pair{"cone:2,0.5", "cone:1,0.7"}}) {
       const Body a = parse_shape(a_text), b = parse_shape(b_text);
       const ExactAverage series = exact_average(a, b, law), sums = exact_average(a, b, law, drawn);
       EXPECT_LE(std::fabs(series.excluded_volume - sums.excluded_volume), series.error + 5.0 * sums.error)
