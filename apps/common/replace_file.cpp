@@ -102,7 +102,6 @@ class NewFile {
     // Before the new name: a machine that loses its power must not find the name of a file whose bytes never came.
     if (fsync(file_.number()) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS) fail_with(errno);
   }
-  void close() { file_.close(); }
   int release() { return file_.release(); }
 
   void put_in_place(const std::string& name) {
@@ -149,15 +148,6 @@ struct Place {
 
 }  // namespace
 
-void replace_file(const fs::path& target, std::string_view text) {
-  const SignalsHeldBack held;
-  const Place place(target);
-  NewFile file(place.folder.number(), place.name, place.exists ? &place.old : nullptr);
-  file.write(text);
-  file.close();
-  file.put_in_place(place.name);
-}
-
 int replace_locked_file(const fs::path& target, std::string_view text, const FileNumber& expected) {
   const SignalsHeldBack held;
   const Place place(target);
@@ -196,6 +186,15 @@ void remove_leftovers(const fs::path& target) {
       unlinkat(folder, entry->d_name, 0);
     }
   }
+}
+
+void replace_file(const fs::path& target, std::string_view text) {
+  const SignalsHeldBack held;
+  remove_leftovers(target);
+  const Place place(target);
+  NewFile file(place.folder.number(), place.name, place.exists ? &place.old : nullptr);
+  file.write(text);
+  file.put_in_place(place.name);  // locked until it is
 }
 
 }  // namespace vex

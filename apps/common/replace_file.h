@@ -10,8 +10,9 @@ namespace vex {
 
 /// Puts `text` into `target`, a regular file or one that does not exist yet, by way of a new file in the same folder
 /// that takes its name. That file's own name cannot be foreseen, and it is made anew, so that no link that waits in a
-/// shared folder leads it elsewhere. A file that was there keeps its permissions, and its owner and group as far as
-/// this user may give files away; a new one has those that the user's mask leaves.
+/// shared folder leads it elsewhere. What processes that were killed in between left there goes (remove_leftovers). A
+/// file that was there keeps its permissions, and its owner and group as far as this user may give files away; a new
+/// one has those that the user's mask leaves.
 ///
 /// Whatever signals wait until it is done (EndHeldBack, interrupt.h; those that this program does not handle, as
 /// SIGQUIT, only where no other thread is there to take them). Throws std::system_error where the disk or the folder

@@ -6,7 +6,7 @@
 
 namespace vex {
 
-RadialMap::RadialMap(const ConvexBody& a, const ConvexBody& b, const OrientationLaw& law)
+RadialNumbers::RadialNumbers(const ConvexBody& a, const ConvexBody& b, const OrientationLaw* law)
     : law_(law), a_(radial_body(a)), b_(radial_body(b)) {
   using Form = RadialBody::Form;
   is_swapped_ = a_.form == Form::lump && b_.form != Form::lump;
@@ -20,7 +20,7 @@ RadialMap::RadialMap(const ConvexBody& a, const ConvexBody& b, const Orientation
   }
 }
 
-bool RadialMap::is_too_thin() const {
+bool RadialNumbers::is_too_thin() const {
   constexpr int kRays = 63;
   constexpr double kThinnest = 0x1p-44;  // of squares
   int n_thin = 0;

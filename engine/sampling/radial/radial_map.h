@@ -10,8 +10,10 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <numbers>
 #include <span>
+#include <utility>
 
 #include "engine/numeric/elementary.h"
 #include "engine/numeric/transform.h"
@@ -33,10 +35,11 @@ struct RadialRay {
   L weight{0.0};  // times r(dir)^3: the volume whose mean is V_ex
 };
 
-/// What a pair's rays are made of.
-class RadialMap {
+/// What a pair's rays are made of, but for the law, which is somebody else's: a copy is made of numbers alone.
+class RadialNumbers {
  public:
-  RadialMap(const ConvexBody& a, const ConvexBody& b, const OrientationLaw& law);
+  /// The law must outlive this.
+  RadialNumbers(const ConvexBody& a, const ConvexBody& b, const OrientationLaw* law);
 
   /// Of each body the point that coincides with the other's where rays begin.
   BodyPoints points() const {
@@ -45,15 +48,15 @@ class RadialMap {
 
   static constexpr int kMaxDimension = 3 + OrientationLaw::kMaxDimension;
   /// Coordinates of the unit cube: two for e, those of the law, and the pick.
-  int dimension() const { return 3 + law_.dimension(); }
+  int dimension() const { return 3 + law_->dimension(); }
 
   template <class L>
   RadialRay<L> operator()(std::span<const L> point) const {
     RadialRay<L> ray;
-    ray.pick = point[2 + static_cast<std::size_t>(law_.dimension())];
+    ray.pick = point[2 + static_cast<std::size_t>(law_->dimension())];
     Transform<L> own;  // R as the bodies' own axes see it
     Frame<L> at;       // about e, in A's axes
-    if (law_.kind() == OrientationLaw::Kind::isotropic) {
+    if (law_->kind() == OrientationLaw::Kind::isotropic) {
       if (has_block()) {
         // Where B's axis is as A sees it, and how B is turned about it.
         const L azimuth = in_some_sector(a_.n_sectors, point[3], ray.pick);
@@ -67,7 +70,7 @@ class RadialMap {
       }
       ray.rotation = in_frames(own);
     } else {
-      const Transform<L> r = law_.rotation(point.subspan(2, static_cast<std::size_t>(law_.dimension())));
+      const Transform<L> r = law_->rotation(point.subspan(2, static_cast<std::size_t>(law_->dimension())));
       ray.rotation = is_swapped_ ? transposed(r) : r;
       own = in_own_axes(ray.rotation);
       if (!has_block()) at = frame(point[0], point[1]);
@@ -281,10 +284,23 @@ class RadialMap {
     return (L(1.0) / norm(v)) * v;
   }
 
-  OrientationLaw law_;
+  const OrientationLaw* law_;
   RadialBody a_, b_;         // A and B throughout; of the caller's it is B and A if they are swapped
   bool is_swapped_ = false;  // to begin with the body that has an axis: rays are told apart by the angle with it
   LongBody long_body_ = LongBody::none;
+};
+
+/// The same with a law of its own.
+class RadialMap : public RadialNumbers {
+ public:
+  RadialMap(const ConvexBody& a, const ConvexBody& b, const OrientationLaw& law)
+      : RadialMap(std::make_shared<const OrientationLaw>(law), a, b) {}
+
+ private:
+  RadialMap(std::shared_ptr<const OrientationLaw> law, const ConvexBody& a, const ConvexBody& b)
+      : RadialNumbers(a, b, law.get()), law_of_all_copies_(std::move(law)) {}
+
+  std::shared_ptr<const OrientationLaw> law_of_all_copies_;
 };
 
 }  // namespace vex

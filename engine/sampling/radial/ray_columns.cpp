@@ -3,7 +3,7 @@
 namespace vex {
 namespace {
 
-void make_rays_one_by_one(const RadialMap& map, std::size_t n, RayColumns& columns) {
+void make_rays_one_by_one(const RadialNumbers& map, std::size_t n, RayColumns& columns) {
   make_rays_over<double>(
       map, n, columns, [](const double* from) { return *from; }, [](double* to, double x) { *to = x; });
 }

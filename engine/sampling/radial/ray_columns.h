@@ -13,35 +13,36 @@ namespace vex {
 struct RayColumns {
   static constexpr std::size_t kStride = PacketRays::kStride;
 
-  alignas(64) double coordinates[RadialMap::kMaxDimension][kStride] = {};
+  alignas(64) double coordinates[RadialNumbers::kMaxDimension][kStride] = {};
   alignas(64) double rays[RayTable::kColumns][kStride] = {};
   alignas(64) double weights[kStride] = {};
 
   RayTable table(std::size_t n) const { return {rays[0], kStride, n}; }
 };
 
-using MakeRays = void (*)(const RadialMap& map, std::size_t n, RayColumns& columns);
+using MakeRays = void (*)(const RadialNumbers& map, std::size_t n, RayColumns& columns);
 
 /// One point after the other where there is no kernel: for `scalar`.
 MakeRays ray_maker(InstructionSet set);
 
 namespace sse2 {
-void make_rays(const RadialMap& map, std::size_t n, RayColumns& columns);
+void make_rays(const RadialNumbers& map, std::size_t n, RayColumns& columns);
 }
 namespace avx2 {
-void make_rays(const RadialMap& map, std::size_t n, RayColumns& columns);
+void make_rays(const RadialNumbers& map, std::size_t n, RayColumns& columns);
 }
 namespace avx512 {
-void make_rays(const RadialMap& map, std::size_t n, RayColumns& columns);
+void make_rays(const RadialNumbers& map, std::size_t n, RayColumns& columns);
 }
 
 /// The rays of packets of L, a packet after the other. There is room for a packet behind the last.
 template <class L, class Load, class Store>
-void make_rays_over(const RadialMap& map, std::size_t n, RayColumns& columns, const Load& load, const Store& store) {
+void make_rays_over(const RadialNumbers& map, std::size_t n, RayColumns& columns, const Load& load,
+                    const Store& store) {
   const auto dimension = static_cast<std::size_t>(map.dimension());
   constexpr auto kWidth = static_cast<std::size_t>(LaneTraits<L>::width);
   for (std::size_t k = 0; k < n; k += kWidth) {
-    std::array<L, RadialMap::kMaxDimension> point;
+    std::array<L, RadialNumbers::kMaxDimension> point;
     for (std::size_t c = 0; c < dimension; ++c) point[c] = load(columns.coordinates[c] + k);
     const RadialRay<L> ray = map(std::span<const L>(point));
     std::size_t column = 0;

@@ -7,9 +7,9 @@
 namespace vex {
 namespace VEX_ISA {
 
-__attribute__((flatten)) void make_rays(const RadialMap& map, std::size_t n, RayColumns& columns) {
+__attribute__((flatten)) void make_rays(const RadialNumbers& map, std::size_t n, RayColumns& columns) {
   using L = Packet<kRegisterLanes>;
-  const RadialMap of_its_own = map;  // which no store can change
+  const RadialNumbers of_its_own = map;  // which no store can change
   make_rays_over<L>(
       of_its_own, n, columns, [](const double* from) { return L::load(from); },
       [](double* to, const L& x) { x.store(to); });
