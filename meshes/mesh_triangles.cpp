@@ -27,8 +27,12 @@ bool is_convex(const std::vector<Vec3d>& polygon) {
   for (std::size_t k = 0; k < n; ++k) {
     const Vec3d here = polygon[(k + 1) % n] - polygon[k], next = polygon[(k + 2) % n] - polygon[(k + 1) % n];
     if (!turns_left(here, next, unit_normal)) return false;
-    // Sides that go around twice turn left everywhere, and their fan does not.
-    if (k >= 2 && !turns_left(polygon[k - 1] - polygon[0], polygon[k] - polygon[0], unit_normal)) return false;
+    // Sides that go around twice turn left everywhere; their fan does not, or opens by more than half a turn.
+    if (k < 2) continue;
+    const Vec3d first = polygon[1] - polygon[0], last = polygon[k] - polygon[0];
+    if (!turns_left(polygon[k - 1] - polygon[0], last, unit_normal) || !turns_left(first, last, unit_normal)) {
+      return false;
+    }
   }
   return true;
 }

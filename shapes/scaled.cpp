@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,17 +20,37 @@ Vec3d times_each(const Vec3d& a, const Vec3d& b) { return {a.x * b.x, a.y * b.y,
 Vec3d magnitudes(const Vec3d& v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
 bool is_zero(const Vec3d& v) { return v.x == 0.0 && v.y == 0.0 && v.z == 0.0; }
 
+// What was a size and is one no more.
+void check_kept(double before, double after) {
+  if ((before == 0.0) == (after == 0.0) && std::isfinite(after)) return;
+  throw InputError("a size of a scaled body is out of a double's range (" + shortest_number(before) + " becomes " +
+                   shortest_number(after) + ") - give factors nearer to 1");
+}
+Vec3d kept(const Vec3d& before, const Vec3d& after) {
+  check_kept(before.x, after.x);
+  check_kept(before.y, after.y);
+  check_kept(before.z, after.z);
+  return after;
+}
+
+// A volume or an area that is out of range is not known.
+double known_size(double before, double after) {
+  const bool is_known = before == 0.0 || (after >= std::numeric_limits<double>::min() && std::isfinite(after));
+  return is_known ? after : std::numeric_limits<double>::quiet_NaN();
+}
+
 std::optional<ExactForm> scaled_form(std::optional<ExactForm> form, const Vec3d& factors, bool is_even) {
   if (!form) return std::nullopt;
   const Vec3d sizes = magnitudes(factors);
-  for (Vec3d& p : form->points) p = times_each(factors, p);
+  for (Vec3d& p : form->points) p = kept(p, times_each(factors, p));
   for (ExactForm::Piece& piece : form->pieces) {
     if (piece.is_dome && factors.z < 0.0) return std::nullopt;
-    piece.centre = times_each(factors, piece.centre);
-    piece.semi_axes = times_each(sizes, piece.semi_axes);
+    piece.centre = kept(piece.centre, times_each(factors, piece.centre));
+    piece.semi_axes = kept(piece.semi_axes, times_each(sizes, piece.semi_axes));
   }
   if (form->ball_radius == 0.0) return form;
   if (is_even) {
+    check_kept(form->ball_radius, form->ball_radius * sizes.x);
     form->ball_radius *= sizes.x;
     return form;
   }
@@ -48,6 +69,8 @@ class Scaled {
       : body_(body), factors_(factors), sizes_(magnitudes(factors)), unit_factors_(scaled_to_unit_exponent(factors)) {
     is_even_ = sizes_.x == sizes_.y && sizes_.y == sizes_.z;
     largest_ = std::max({sizes_.x, sizes_.y, sizes_.z});
+    check_kept(body.circumradius(), largest_ * body.circumradius());
+    check_kept(body.ball_radius(), largest_ * body.ball_radius());
     form_ = scaled_form(body.exact_form(), factors, is_even_);
   }
 
@@ -93,10 +116,11 @@ class Scaled {
 
 Measures scaled_measures(const Measures& of_body, const Vec3d& sizes) {
   Measures measures = Measures::unknown();
-  measures.volume = of_body.volume * (sizes.x * sizes.y * sizes.z);
+  measures.volume = known_size(of_body.volume, of_body.volume * (sizes.x * sizes.y * sizes.z));
   if (sizes.x == sizes.y && sizes.y == sizes.z) {
-    measures.surface_area = of_body.surface_area * (sizes.x * sizes.x);
-    measures.integrated_mean_curvature = of_body.integrated_mean_curvature * sizes.x;
+    measures.surface_area = known_size(of_body.surface_area, of_body.surface_area * (sizes.x * sizes.x));
+    measures.integrated_mean_curvature =
+        known_size(of_body.integrated_mean_curvature, of_body.integrated_mean_curvature * sizes.x);
   }
   return measures;
 }
@@ -169,17 +193,29 @@ Body mapped(const Body& polytope, const std::array<Vec3d, 3>& rows) {
   }
   double size = 0.0;
   for (const Vec3d& row : rows) size = std::max(size, norm_1(row));
-  const double determinant = dot(rows[0], cross(rows[1], rows[2]));
-  // Six products of three numbers and their sums.
-  if (!std::isfinite(determinant) || !(std::fabs(determinant) > 16.0 * kUnitRoundoff * size * size * size)) {
+  // In units of a power of two near the largest entry, so that a map of any size has a determinant.
+  const int unit = std::isfinite(size) && size > 0.0 ? std::ilogb(size) : 0;
+  std::array<Vec3d, 3> r = rows;
+  for (Vec3d& row : r) row = times_power_of_two(row, -unit);
+  const double determinant = dot(r[0], cross(r[1], r[2]));
+  // Six products of three numbers and their sums: rounded by less than 16 u of the sum of their magnitudes.
+  const Vec3d a = magnitudes(r[0]), b = magnitudes(r[1]), c = magnitudes(r[2]);
+  const double products = dot(a, Vec3d{b.y * c.z + b.z * c.y, b.z * c.x + b.x * c.z, b.x * c.y + b.y * c.x});
+  if (!std::isfinite(size) || !(std::fabs(determinant) > 16.0 * kUnitRoundoff * products)) {
     throw InputError("a linear map is not finite, or flattens bodies to rounding (its determinant is " +
-                     shortest_number(determinant) + ") - give a matrix that has an inverse");
+                     shortest_number(dot(rows[0], cross(rows[1], rows[2]))) + ") - give a matrix that has an inverse");
   }
   const auto image = [&rows](const Vec3d& p) -> Vec3d { return {dot(rows[0], p), dot(rows[1], p), dot(rows[2], p)}; };
   std::vector<Vec3d> vertices;
   for (const Vec3d& p : form->points) vertices.push_back(image(p));
   Measures measures = Measures::unknown();
-  measures.volume = polytope.measures.volume * std::fabs(determinant);
+  // A map that nearly flattens has nothing left of the products: then neither the determinant nor the vertices, which
+  // are rounded, tell the volume.
+  constexpr double kLeastShare = 1e-3;
+  if (std::fabs(determinant) >= kLeastShare * products) {
+    const double volume = polytope.measures.volume;
+    measures.volume = known_size(volume, std::ldexp(volume * std::fabs(determinant), 3 * unit));
+  }
   return {"mapped " + polytope.kind, polytope_of(vertices, image(polytope.body.centre()), 0.0, polytope.body), measures,
           polytope.n_faces};
 }

@@ -18,7 +18,8 @@ inline constexpr double kLeastFactor = 1e-100, kLargestFactor = 1e100;
 /// that have one: a body of curved parts with a ball, stretched unevenly, and one with a dome (hemisphere), mirrored
 /// along z.
 ///
-/// V, S and M are known where all factors have one magnitude, and of boxes and ellipsoids; of others V is.
+/// V, S and M are known where all factors have one magnitude, and of boxes and ellipsoids; of others V is; none that is
+/// out of range.
 /// Throws InputError where a factor is 0, not finite, or out of range, or where sizes become so.
 Body scaled(const Body& body, const Vec3d& factors);
 /// By one factor along all axes.
@@ -28,7 +29,8 @@ inline Body scaled(const Body& body, double factor) { return scaled(body, {facto
 inline Body mirrored(const Body& body) { return scaled(body, {-1.0, 1.0, 1.0}); }
 
 /// A polytope under a linear map with these rows: its vertices go to (r1 . x, r2 . x, r3 . x), sums of products from
-/// left to right, each operation rounded, and those are the body exactly. V is known. Throws InputError for a body that
+/// left to right, each operation rounded, and those are the body exactly. V is known to some 1e-12, but of maps that nearly flatten bodies (their determinant is less
+/// than a thousandth of the sum of the magnitudes of its products). Throws InputError for a body that
 /// is no polytope, and for a matrix that is not finite or whose determinant, to rounding, is 0.
 Body mapped(const Body& polytope, const std::array<Vec3d, 3>& rows);
 

@@ -96,12 +96,22 @@ Pose relative_pose(const Pose& world_from_a, const Pose& world_from_b) {
   return relative_pose(world_from_a.a_from_b(), world_from_b.a_from_b(), {});
 }
 
-double relative_pose_error(const Pose& world_from_a, const Pose& world_from_b, double reach_b) {
+double relative_pose_error(const Pose& world_from_a, const Pose& world_from_b, double reach_b, double ball_radius_a) {
   const Vec3d way = world_from_b.a_from_b().translation - world_from_a.a_from_b().translation;
   // No rounding is as small as that of a number that underflows.
   const double size = reach_b + norm_1(way) + 0x1p-1000;
-  const double off = 3.01 * distance_from_rotation(world_from_a.a_from_b());
-  return (48.0 * kUnitRoundoff + off) * size;
+  const double off = distance_from_rotation(world_from_a.a_from_b());
+  return (48.0 * kUnitRoundoff + 3.01 * off) * size + 1.51 * off * ball_radius_a;
+}
+
+Vec3d motion_seen_from(const Transformd& world_from_a, const Vec3d& motion) {
+  constexpr double kShortest = 1e-290;
+  const double length = norm_1(motion);
+  if (length > 0.0 && length < kShortest) {
+    throw InputError("a motion is too short to be turned into another frame (" + shortest_number(length) +
+                     ") - give a longer one and a shorter time");
+  }
+  return world_from_a.direction_to_b(motion);
 }
 
 }  // namespace vex

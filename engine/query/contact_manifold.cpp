@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <utility>
 
@@ -226,16 +227,25 @@ void find_contacts_of_faces(const ContactQuestion& question, Memory& memory,
   merge(contacts, memory.places, resolution.of_edges);
 }
 
-// Whether there is a contact about as deep as the separation, and its point about between them.
+// What the feature angle makes of the bodies' size.
+double slack_of(const ContactQuestion& question) {
+  const double slope = std::sin(std::fmin(question.asked.feature_angle, 1.0));
+  return slope * question.units.length(question.a.circumradius() + question.b.circumradius());
+}
+
+// Whether there is a contact about as deep as the separation.
+bool have_the_deepest(const ContactQuestion& question, const std::vector<ContactManifold::Contact>& contacts) {
+  if (contacts.empty()) return false;
+  const double deepest = std::ranges::min(contacts, {}, &ContactManifold::Contact::signed_distance).signed_distance;
+  return deepest <= question.units.length(question.found.signed_distance) + 0x1p-10 * slack_of(question);
+}
+
+// And the separation's point about between them.
 bool have_the_nearest(const ContactQuestion& question, const Memory& memory,
                       const std::vector<ContactManifold::Contact>& contacts) {
-  if (contacts.empty()) return false;
-  const double slope = std::sin(std::fmin(question.asked.feature_angle, 1.0));
-  const double size = question.units.length(question.a.circumradius() + question.b.circumradius());
-  const double deepest = std::ranges::min(contacts, {}, &ContactManifold::Contact::signed_distance).signed_distance;
-  if (deepest > question.units.length(question.found.signed_distance) + 0x1p-10 * slope * size) return false;
+  if (!have_the_deepest(question, contacts)) return false;
   // The separation's point is at the origin.
-  return memory.common_hull.size() < 3 || distance_to(memory.common_hull, {}) <= slope * size;
+  return memory.common_hull.size() < 3 || distance_to(memory.common_hull, {}) <= slack_of(question);
 }
 
 // The contacts of two faces, if both bodies have one; in A's frame.
@@ -286,17 +296,11 @@ void find_contacts(const ConvexBody& a, const ConvexBody& b, const Transformd& a
     if (is_probed_a) add_nearest(memory.corners_a, memory.face_a, 1.0, place_a(nearest_a));
     if (is_probed_b) add_nearest(memory.corners_b, memory.face_b, -1.0, place_b(nearest_b));
     find_contacts_of_faces(question, memory, contacts);
+    // What bends so that its middle is the deepest has no polygon that is as deep: its contact is one.
+    if (!have_the_deepest(question, contacts)) contacts.clear();
   }
   name_features(memory, contacts);
-  if (asked.four_at_most && contacts.size() > 4) {
-    PlanarPoint least = memory.places[0], most = least;
-    for (const PlanarPoint& place : memory.places) {
-      least = {std::fmin(least.x, place.x), std::fmin(least.y, place.y)};
-      most = {std::fmax(most.x, place.x), std::fmax(most.y, place.y)};
-    }
-    const double width = std::fmin(most.x - least.x, most.y - least.y);
-    keep_four(contacts, memory.places, 0x1p-6 * std::sin(std::fmin(angle, 1.0)) * width);
-  }
+  if (asked.four_at_most) keep_four(contacts, memory.places, 0x1p-6 * std::sin(std::fmin(angle, 1.0)));
   for (ContactManifold::Contact& contact : contacts) {
     contact.point_a = units.point(contact.point_a);
     contact.point_b = units.point(contact.point_b);
@@ -308,8 +312,11 @@ void find_contacts(const ConvexBody& a, const ConvexBody& b, const Transformd& a
 
 void contact_manifold(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const ManifoldSettings& settings,
                       ManifoldMemory& memory, ContactManifold& manifold, WarmStart* warm_start) {
-  if (!(settings.margin >= 0.0) || !(settings.feature_angle >= 0.0)) {
-    throw UsageError("the margin or the angle of a contact manifold is negative or no number - give one from 0 up");
+  if (!(settings.margin >= 0.0) ||
+      !(settings.feature_angle >= 0.0 && settings.feature_angle <= 0.5 * std::numbers::pi)) {
+    throw UsageError(
+        "the margin or the angle of a contact manifold is negative or no number, or the angle above pi/2 - give a "
+        "length from 0 up, and radians from 0 to pi/2");
   }
   manifold.contacts.clear();
   manifold.separation = signed_distance(a, b, pose, {}, warm_start);

@@ -199,11 +199,12 @@ FirstContact linear_cast(const HalfSpace& a, const ConvexBody& b, const Pose& a_
     contact.normal = contact.point_a = contact.point_b = contact.point_b_in_b = {};
     return contact;
   };
+  const bool is_in_range = std::isfinite(height.value) && std::isfinite(height.error);
   if (contact.verdict.outcome == Outcome::overlap) {
-    place(0.0);
+    if (is_in_range) place(0.0);
     return contact;
   }
-  if (contact.verdict.outcome == Outcome::undecided) return open(0.0);
+  if (contact.verdict.outcome == Outcome::undecided || !is_in_range) return open(0.0);
   const Interval<double> speed = falling_speed(a, motion);
   if (!(speed.upper > 0.0)) return never();
   contact.lower = std::fmax(next_below(std::fmax(height.lower(), 0.0) / speed.upper), 0.0);

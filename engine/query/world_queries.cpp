@@ -22,7 +22,7 @@ Answer with_points_in_world(Answer in_a, const Pose& world_from_a) {
 
 RigidMotion seen_from(const Pose& world_from_a, const RigidMotion& motion) {
   const Transformd& pose = world_from_a.a_from_b();
-  return {pose.direction_to_b(motion.velocity), pose.direction_to_b(motion.angular_velocity)};
+  return {motion_seen_from(pose, motion.velocity), motion_seen_from(pose, motion.angular_velocity)};
 }
 
 }  // namespace
@@ -68,14 +68,14 @@ ContactManifold contact_manifold(const ConvexBody& a, const Pose& world_from_a, 
 FirstContact cast_ray(const ConvexBody& a, const Pose& world_from_a, const Vec3d& origin, const Vec3d& dir,
                       double until) {
   const Transformd& pose = world_from_a.a_from_b();
-  return in_world(cast_ray(a, pose.direction_to_b(origin - pose.translation), pose.direction_to_b(dir), until),
+  return in_world(cast_ray(a, pose.direction_to_b(origin - pose.translation), motion_seen_from(pose, dir), until),
                   world_from_a);
 }
 
 FirstContact linear_cast(const ConvexBody& a, const Pose& world_from_a, const ConvexBody& b, const Pose& world_from_b,
                          const Vec3d& motion_of_b, double until) {
   const Pose pose = relative_pose(world_from_a, world_from_b);
-  return in_world(linear_cast(a, b, pose, world_from_a.a_from_b().direction_to_b(motion_of_b), until), world_from_a);
+  return in_world(linear_cast(a, b, pose, motion_seen_from(world_from_a.a_from_b(), motion_of_b), until), world_from_a);
 }
 
 FirstContact time_of_impact(const ConvexBody& a, const Pose& world_from_a, const RigidMotion& motion_of_a,

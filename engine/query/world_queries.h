@@ -36,7 +36,9 @@ ContactManifold contact_manifold(const ConvexBody& a, const Pose& world_from_a, 
                                  const Pose& world_from_b, double margin = 0.0, double feature_angle = 0.01);
 
 /// Rays and motions of the world's frame. A's frame sees R_a^T (origin - t_a), R_a^T dir and R_a^T of velocities, each
-/// operation rounded: these are what is answered about, so times are off by some 8 u of themselves besides.
+/// operation rounded: these are what is answered about, bounds and verdict. Of a way that grazes a body, the time for the
+/// one as given may be another one by much more than a rounding. Motions shorter than 1e-290 are refused
+/// (motion_seen_from).
 FirstContact cast_ray(const ConvexBody& a, const Pose& world_from_a, const Vec3d& origin, const Vec3d& dir,
                       double until = HUGE_VAL);
 FirstContact linear_cast(const ConvexBody& a, const Pose& world_from_a, const ConvexBody& b, const Pose& world_from_b,

@@ -116,13 +116,16 @@ class LeastDistance {
     CompoundSeparation answer = best_;
     Separation& found = answer.separation;
     if (is_over()) return answer;
-    if (!is_any()) {
-      found.verdict = Verdict::disjoint(DecidedBy::outer_bound);
+    if (!undecided_ && least_lower_ >= settings_.max_distance) {  // boxes beyond it were not opened
+      answer = {};
+      answer.n_pairs = best_.n_pairs;
+      found.verdict = Verdict::disjoint(by_);
       found.signed_distance = found.lower = settings_.max_distance;
       return answer;
     }
     found.verdict = undecided_ ? *undecided_ : Verdict::disjoint(by_);
     found.lower = std::fmin(least_lower_, found.upper);
+    if (found.upper > settings_.max_distance) found.lower = std::fmin(found.lower, settings_.max_distance);
     found.is_rough = found.is_rough || !(found.upper - found.lower <= promised_);
     return answer;
   }
@@ -254,6 +257,11 @@ CompoundSeparation signed_distance(const HalfSpace& a, const Compound& b, const 
   least.separation.verdict = verdict;
   least.separation.lower = std::fmin(least_lower, least.separation.upper);
   if (verdict.outcome == Outcome::disjoint) least.separation.lower = std::fmax(least.separation.lower, 0.0);
+  const ConvexBody& deepest = b.body(least.part_b);
+  const double promised = (deepest.is_rounded_polytope() ? 1e-12 : 1e-9) *
+                          (std::fabs(least.separation.signed_distance) + deepest.circumradius());
+  least.separation.is_rough =
+      least.separation.is_rough || !(least.separation.upper - least.separation.lower <= promised);
   return least;
 }
 

@@ -102,7 +102,8 @@ struct CompoundSeparation {
 
 /// As `distance` of two bodies: 0, without witnesses, where the unions overlap; bounds are on both sides of the true
 /// distance of the unions, undecided pairs among it. With `max_distance`, `disjoint` with an infinite `upper` and no
-/// witnesses says that no box of a part is nearer; `lower` is then that distance.
+/// witnesses says that no part is nearer; `lower` is then that distance. It never is more where `upper` is, for parts
+/// whose boxes are farther away are not asked.
 ///
 /// There is no penetration depth: the way out of a union leads past all of its parts, so it is no shorter than the
 /// largest depth of a pair of parts, and may be any amount longer. `overlapping_parts` tells whose depths there are.
@@ -124,8 +125,8 @@ struct CompoundContact {
   std::uint32_t n_pairs = 0;
 };
 
-/// As the functions of two bodies with these names, motions in A's frame. A part sees them turned by R^T, rounded, so
-/// times are off by some 8 u of themselves besides. Of a compound B every part goes through A's tree.
+/// As the functions of two bodies with these names, motions in A's frame. A part that is not in place sees them turned by
+/// R^T, rounded: these are what is answered about (world_queries.h). Of a compound B every part goes through A's tree.
 CompoundContact cast_ray(const Compound& a, const Vec3d& origin, const Vec3d& dir, double until = HUGE_VAL);
 CompoundContact linear_cast(const Compound& a, const ConvexBody& b, const Pose& a_from_b, const Vec3d& motion,
                             double until = HUGE_VAL);

@@ -107,7 +107,7 @@ void cast_part(const Compound& a, const ConvexBody& b, const Pose& a_from_b, con
                EarliestContact& earliest) {
   along_way(a, moving_box(box_seen(b, a_from_b)), motion, part_b, earliest, [&](std::uint32_t part, double until) {
     const Transformd& pose = a.compound_from_part(part).a_from_b();
-    const Vec3d seen = a.is_in_place(part) ? motion : pose.direction_to_b(motion);
+    const Vec3d seen = a.is_in_place(part) ? motion : motion_seen_from(pose, motion);
     return linear_cast(a.body(part), b, a.part_from_b(part, a_from_b), seen, until);
   });
 }
@@ -121,7 +121,7 @@ CompoundContact cast_ray(const Compound& a, const Vec3d& origin, const Vec3d& di
   along_way(a, {origin, {}}, dir, 0, earliest, [&](std::uint32_t part, double last) {
     const Transformd& pose = a.compound_from_part(part).a_from_b();
     if (a.is_in_place(part)) return cast_ray(a.body(part), origin, dir, last);
-    return cast_ray(a.body(part), pose.direction_to_b(origin - pose.translation), pose.direction_to_b(dir), last);
+    return cast_ray(a.body(part), pose.direction_to_b(origin - pose.translation), motion_seen_from(pose, dir), last);
   });
   return earliest.answer();
 }
@@ -159,8 +159,8 @@ CompoundContact time_of_impact(const Compound& a, const ConvexBody& b, const Pos
   const auto ask = [&](std::uint32_t part, double last) {
     const Transformd& pose = a.compound_from_part(part).a_from_b();
     const RigidMotion seen = a.is_in_place(part) ? motion
-                                                 : RigidMotion{pose.direction_to_b(motion.velocity),
-                                                               pose.direction_to_b(motion.angular_velocity)};
+                                                 : RigidMotion{motion_seen_from(pose, motion.velocity),
+                                                               motion_seen_from(pose, motion.angular_velocity)};
     return time_of_impact(a.body(part), b, a.part_from_b(part, a_from_b), seen, last);
   };
   along_way(a, {origin, half}, motion.velocity, 0, earliest, ask);

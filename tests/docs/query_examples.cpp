@@ -137,7 +137,7 @@ TEST(QueryExamples, ContactManifold) {
   // [manifold]
   const vex::ConvexBody table = vex::Box(4.0, 4.0, 1.0), can = vex::Cylinder(1.0, 0.5);
   const vex::Transformd on_it{.translation = {0.5, 0.0, 0.999}};
-  vex::ManifoldMemory memory;  // which a thread keeps: nothing is allocated once it has seen manifolds as large
+  vex::ManifoldMemory memory;  // which a thread keeps: it grows no more once it has seen manifolds as large
   vex::ContactManifold touching;
   vex::contact_manifold(table, can, on_it, {.margin = 0.02, .four_at_most = true}, memory, touching);
   double deepest = 0.0;

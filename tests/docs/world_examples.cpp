@@ -38,7 +38,7 @@ TEST(WorldExamples, TwoPoses) {
   const vex::Pose at_box = vex::Transformd{.translation = {1e6, 0.0, 0.0}};
   const vex::Pose at_can = vex::Transformd{.translation = {1e6, 0.0, 1.25}};
   const vex::Separation found = vex::signed_distance(box, at_box, can, at_can);  // 0.25; normal and points in the world
-  const double error = vex::relative_pose_error(at_box, at_can, can.reach());    // 2e-14, a million from the origin
+  const double error = vex::relative_pose_error(at_box, at_can, can.reach());    // 1e-14, a million from the origin
   const bool are_apart_as_given = found.lower > error;
   const vex::FirstContact hit = vex::cast_ray(box, at_box, {1e6, 0.0, 5.0}, {0.0, 0.0, -1.0});  // at 4.5
   // [end]

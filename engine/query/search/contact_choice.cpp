@@ -96,8 +96,14 @@ void find_outermost(const std::vector<PlanarPoint>& places, std::vector<std::siz
   outermost.erase(std::unique(outermost.begin(), outermost.end()), outermost.end());
 }
 
-void keep_four(std::vector<Contact>& contacts, const std::vector<PlanarPoint>& places, double shallower) {
+void keep_four(std::vector<Contact>& contacts, const std::vector<PlanarPoint>& places, double slope) {
   if (contacts.size() <= 4) return;
+  PlanarPoint lower = places[0], upper = lower;
+  for (const PlanarPoint& place : places) {
+    lower = {std::fmin(lower.x, place.x), std::fmin(lower.y, place.y)};
+    upper = {std::fmax(upper.x, place.x), std::fmax(upper.y, place.y)};
+  }
+  const double shallower = slope * std::fmin(upper.x - lower.x, upper.y - lower.y);
   Four four = largest_four(contacts, places);
   std::ranges::sort(four);
   const auto distance = [&](std::size_t k) { return contacts[k].signed_distance; };

@@ -17,9 +17,8 @@ void find_outermost(const std::vector<PlanarPoint>& places, std::vector<std::siz
 /// Of more than four contacts, corners of a convex polygon at these places, four that span the largest area but for 3
 /// %; at least 2/pi of the polygon's, less as much (E. Sas, Compositio Mathematica 6, 1939): of those that do the ones
 /// of the least features, so that the same ones are kept from step to step. Where the deepest is deeper than these by
-/// more than `shallower`, it takes the place of the one that loses least; at least half of the area is then left. Order
-/// stays.
-void keep_four(std::vector<ContactManifold::Contact>& contacts, const std::vector<PlanarPoint>& places,
-               double shallower);
+/// more than `slope` times the smaller side of the places' box, it takes the place of the one that loses least; at
+/// least half of the area is then left. Order stays.
+void keep_four(std::vector<ContactManifold::Contact>& contacts, const std::vector<PlanarPoint>& places, double slope);
 
 }  // namespace vex

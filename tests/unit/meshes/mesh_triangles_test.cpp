@@ -49,6 +49,15 @@ TEST(MeshTriangles, WhatIsNotItsFanIsRefused) {
   }
   EXPECT_THROW(triangles_of(polygon(star)), InputError);
   EXPECT_THROW(triangles_of(polygon({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}})), InputError);
+  // A limacon, whose sides cross where it goes around its inner loop; from there on its fan turns left everywhere.
+  for (const int n : {23, 25}) {
+    std::vector<Vec3d> limacon;
+    for (int k = 0; k < n; ++k) {
+      const double angle = std::numbers::pi + 2.0 * k * std::numbers::pi / n, r = 1.0 + 2.0 * std::cos(angle);
+      limacon.push_back({r * std::cos(angle), r * std::sin(angle), 0.0});
+    }
+    EXPECT_THROW(triangles_of(polygon(limacon)), InputError);
+  }
   EXPECT_THROW(triangles_of(polygon({{0, 0, 0}, {1, 1, 0}, {HUGE_VAL, 0, 0}})), InputError);
   EXPECT_THROW(triangles_of(PolygonSoup()), InputError);
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "engine/numeric/errors.h"
 #include "engine/numeric/pose_algebra.h"
 #include "engine/query/contact_manifold.h"
 #include "shapes/any_shape.h"
@@ -272,6 +273,35 @@ TEST(CurvedManifold, OfABodyOfOnesOwnIsFoundByItsSupportMappingAlone) {
 }
 
 // All bodies, upon each other as they fall.
+// Their faces bend so that the middle is the deepest, and corners may be clear of the slab.
+TEST(CurvedManifold, OfABodyThatIsDeepestInItsMiddleIsAsDeepAsTheSeparation) {
+  for (const char* text : {"superball:3,0.5", "superball:4,0.5", "superball:10,0.5", "superellipsoid:1,1,1,4,4",
+                           "ellipsoid:1,1,0.001", "rounded:0.01,superball:4,0.5"}) {
+    const ConvexBody body = body_of(text);
+    const double height = body.support({0.0, 0.0, 1.0}).z + 0.5;
+    for (const double depth : {1e-5, 1e-4, 1e-3}) {
+      const Transformd pose{.translation = {0.3, 0.2, height - depth}};
+      for (const bool four : {false, true}) {
+        ManifoldMemory memory;
+        ContactManifold manifold;
+        contact_manifold(wide_table(), body, pose, {.margin = 0.02, .four_at_most = four}, memory, manifold);
+        const double bound = 0x1p-10 * 0.01 * (wide_table().circumradius() + body.circumradius());
+        double deepest = HUGE_VAL;
+        for (const auto& contact : manifold.contacts) deepest = std::fmin(deepest, contact.signed_distance);
+        EXPECT_LE(deepest, manifold.separation.signed_distance + 1.01 * bound) << text << ", depth " << depth;
+        EXPECT_LT(deepest, 0.0) << text << ", depth " << depth;
+      }
+    }
+  }
+}
+
+TEST(CurvedManifold, OfAnAngleAboveARightOneIsRefused) {
+  const ConvexBody box = body_of("box:1,1,1");
+  for (const double angle : {-0.1, 1.6, 3.2, HUGE_VAL, std::nan("")}) {
+    EXPECT_THROW(contact_manifold(box, box, Transformd{.translation = {0.1, 0.2, 0.999}}, 0.0, angle), UsageError);
+  }
+}
+
 TEST(CurvedManifold, OfAnyTwoBodiesIsSound) {
   std::mt19937_64 random(7);
   int n_manifolds = 0, n_several = 0;

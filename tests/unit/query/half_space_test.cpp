@@ -252,6 +252,14 @@ TEST(HalfSpace, TimesBeyondDoublesAreUndecidedAndNeverHits) {
   EXPECT_EQ(until.verdict.outcome, Outcome::disjoint);
 }
 
+TEST(HalfSpace, HeightsBeyondDoublesAreUndecided) {
+  const HalfSpace slope({1.0, 1.0, 1.9}, 0.0);
+  for (const double until : {0.0, 1.0, 1e300, HUGE_VAL}) {
+    const FirstContact found = cast_ray(slope, {1.7e308, 1.7e308, -1.7e308}, {0.0, 0.0, -1.0}, until);
+    EXPECT_EQ(found.verdict.outcome, Outcome::undecided) << until;
+  }
+}
+
 TEST(HalfSpace, WhatIsNoPlaneIsRefused) {
   EXPECT_THROW(HalfSpace({0.0, 0.0, 0.0}, 1.0), InputError);
   EXPECT_THROW(HalfSpace({0.0, HUGE_VAL, 0.0}, 1.0), InputError);

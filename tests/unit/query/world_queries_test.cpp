@@ -8,6 +8,7 @@
 
 #include "engine/numeric/errors.h"
 #include "engine/numeric/rounding.h"
+#include "engine/support/point_body.h"
 #include "shapes/any_shape.h"
 #include "tests/referees/exact_distance.h"
 #include "tests/referees/polytopes.h"
@@ -167,6 +168,26 @@ TEST(WorldQueries, TurningMotionsAreSeenFromA) {
     const FirstContact hit = time_of_impact(box, world, {}, bar, world * Pose(start), in_world_frame);
     EXPECT_EQ(hit.verdict.outcome, Outcome::overlap);
     EXPECT_NEAR(hit.time, time, 1e-8);
+  }
+}
+
+TEST(WorldQueries, TheErrorToldHasTheBallOfABodyWhoseRotationIsOff) {
+  const ConvexBody a = with_margin(PointBody{{1.0 + 1.1e-6, 0.0, 0.0}}, 1.0), b = parse_shape("sphere:1e-9").body;
+  const double shrunk = 1.0 - 4e-7;
+  const Pose at_a = Transformd{{shrunk, 0.0, 0.0}, {0.0, shrunk, 0.0}, {0.0, 0.0, shrunk}, {}};
+  const Pose at_b = Transformd{.translation = {0.9e-6, 0.0, 0.0}};
+  const Separation one = signed_distance(a, at_a, b, at_b), other = signed_distance(b, at_b, a, at_a);
+  EXPECT_NE(one.verdict.outcome, other.verdict.outcome);
+  EXPECT_LT(one.lower, relative_pose_error(at_a, at_b, b.reach(), a.ball_radius()));
+}
+
+TEST(WorldQueries, RefuseMotionsThatTurningWouldChange) {
+  const ConvexBody box = parse_shape("box:1,1,1").body;
+  const Pose turned = pose_of({0.9, 0.1, 0.2, 0.3}, {});
+  for (const double tiny : {5e-324, 1e-320, 1e-291}) {
+    EXPECT_THROW(cast_ray(box, turned, {5.0, 0.0, 0.0}, {-tiny, 0.0, 0.0}), InputError);
+    EXPECT_THROW(linear_cast(box, turned, box, Transformd{.translation = {5.0, 0.0, 0.0}}, {-tiny, 0.0, 0.0}),
+                 InputError);
   }
 }
 

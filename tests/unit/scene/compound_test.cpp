@@ -366,6 +366,33 @@ TEST(Compound, DistanceWithAnEndStopsThere) {
   EXPECT_GT(distance(mesh, ball, far).separation.lower, 4.0);
 }
 
+// A part whose box is near and that is far itself said nothing of the parts whose boxes are farther than the end.
+TEST(Compound, DistanceWithAnEndBoundsPartsThatWereNotAsked) {
+  const double eighth = std::acos(-1.0) / 8.0;
+  const Compound two(
+      {{parse_shape("capsule:20,0.01").body, pose_of({std::cos(eighth), 0.0, std::sin(eighth), 0.0}, {})},
+       {parse_shape("sphere:0.1").body, Transformd{.translation = {9.5, 0.0, -5.2}}}});
+  const ConvexBody ball = parse_shape("sphere:0.5").body;
+  const Pose at = Transformd{.translation = {7.0, 0.0, -7.0}};
+  const double truth = std::hypot(2.5, 1.8) - 0.6;
+  EXPECT_NEAR(distance(two, ball, at).separation.signed_distance, truth, 1e-9);
+  for (const double end : {0.0, 1.0, 2.0, 2.4, 2.5, 3.0, 9.0, 20.0}) {
+    const Separation found = distance(two, ball, at, {.max_distance = end}).separation;
+    EXPECT_LE(found.lower, truth) << end;
+    EXPECT_GE(found.upper, truth) << end;
+    EXPECT_EQ(found.has_witnesses, end > truth) << end;
+  }
+}
+
+TEST(Compound, OnAFloorBoundsThatAreWideAreSaidToBe) {
+  const ConvexBody ball = parse_shape("sphere:1").body;
+  const Compound two({{ball, Transformd{.translation = {1.5, 1.5, 0.0}}},
+                      {ball, Transformd{.translation = {1e12, -1e12 + 3.0005, 0.0}}}});
+  const Separation found = signed_distance(HalfSpace({1.0, 1.0, 0.0}, 0.0), two, Pose()).separation;
+  EXPECT_GT(found.upper - found.lower, 1e-6);
+  EXPECT_TRUE(found.is_rough);
+}
+
 TEST(Compound, ManyPosesAreAnsweredAsOneByOne) {
   std::mt19937_64 random(316);
   const Compound mesh = compound_of_triangles(bowl(8));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -126,6 +127,28 @@ TEST(Scaled, ACapsuleStretchedIsTheHullOfTwoEllipsoids) {
   // Its top is at 4 (1/2 + 1/4), its side at 2/4.
   EXPECT_NEAR(distance(capsule, ball, Transformd{.translation = {0.0, 0.0, 5.0}}).signed_distance, 1.5, 1e-9);
   EXPECT_NEAR(distance(capsule, ball, Transformd{.translation = {0.0, 5.0, 0.0}}).signed_distance, 4.0, 1e-9);
+}
+
+TEST(Scaled, VolumesOfMapsAreRightOrNotKnown) {
+  const Body tetrahedron = parse_shape("tetrahedron:1");
+  const std::array<Vec3d, 3> small = {Vec3d{1.5e-108, 0.0, 0.0}, Vec3d{0.0, 1.5e-108, 0.0}, Vec3d{0.0, 0.0, 1.5e-108}};
+  const double truth = tetrahedron.measures.volume * 3.375e-24;
+  EXPECT_NEAR(mapped(scaled(tetrahedron, 1e100), small).measures.volume, truth, 1e-12 * truth);
+  const std::array<Vec3d, 3> flat = {Vec3d{0.04034813428436524, -0.57525543059635198, -0.55342563601271633},
+                                     Vec3d{-0.8688643407579264, 0.065656620224555651, 0.071543691102779139},
+                                     Vec3d{-0.050973868269808313, 0.42022789565520302, 0.4044895124150143}};
+  EXPECT_TRUE(std::isnan(mapped(tetrahedron, flat).measures.volume));
+  const std::array<Vec3d, 3> stretched = {Vec3d{1.0, 0.0, 0.0}, Vec3d{0.0, 1e6, 0.0}, Vec3d{0.0, 0.0, 1e-6}};
+  EXPECT_NEAR(mapped(tetrahedron, stretched).measures.volume, tetrahedron.measures.volume, 1e-13);
+}
+
+TEST(Scaled, SizesOutOfRangeAreRefusedOrNotKnown) {
+  EXPECT_THROW(scaled(parse_shape("cylinder:1e-250,1e-250"), 1e-100), InputError);
+  EXPECT_THROW(scaled(parse_shape("cylinder:1e-2,1e-250"), 1e-100), InputError);
+  EXPECT_THROW(scaled(parse_shape("capsule:1e-2,1e-250"), 1e-100), InputError);
+  const Body box = parse_shape("tetrahedron:1");
+  EXPECT_TRUE(std::isnan(scaled(scaled(scaled(box, 1e-100), 1e-100), 1e100).measures.volume));
+  EXPECT_TRUE(std::isnan(scaled(scaled(scaled(box, 1e100), 1e100), 1e-100).measures.volume));
 }
 
 TEST(Scaled, WhatIsNoScaleIsRefused) {
