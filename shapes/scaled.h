@@ -29,8 +29,8 @@ inline Body scaled(const Body& body, double factor) { return scaled(body, {facto
 inline Body mirrored(const Body& body) { return scaled(body, {-1.0, 1.0, 1.0}); }
 
 /// A polytope under a linear map with these rows: its vertices go to (r1 . x, r2 . x, r3 . x), sums of products from
-/// left to right, each operation rounded, and those are the body exactly. V is known to some 1e-12, but of maps that nearly flatten bodies (their determinant is less
-/// than a thousandth of the sum of the magnitudes of its products). Throws InputError for a body that
+/// left to right, each operation rounded, and those are the body exactly. V is known to some 1e-12, but not of maps that
+/// nearly flatten bodies: whose determinant is less than a thousandth of the sum of its products' magnitudes. Throws InputError for a body that
 /// is no polytope, and for a matrix that is not finite or whose determinant, to rounding, is 0.
 Body mapped(const Body& polytope, const std::array<Vec3d, 3>& rows);
 

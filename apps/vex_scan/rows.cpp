@@ -1,8 +1,10 @@
 #include "apps/vex_scan/rows.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <optional>
 
@@ -216,27 +218,54 @@ std::string jsonl_text(const Scan& scan, const std::vector<ScanRow>& rows) {
 }
 
 void require_rows_or_nothing(const std::string& csv, const std::string& jsonl) {
-  const auto look_at = [](const std::string& path, const char* option, const auto& is_of_a_scan) {
+  // Every line, for what is no row would be gone; but the last one of a run that was ended while it wrote.
+  const auto look_at = [](const std::string& path, const char* option, const auto& is_first_line, const auto& is_row) {
     std::error_code error;
     if (path.empty() || path == "-" || !std::filesystem::is_regular_file(path, error)) return;
     if (std::filesystem::file_size(path, error) == 0) return;
-    bool is_known = false;
-    for_each_line(path, [&](std::string_view line) {
-      is_known = is_of_a_scan(line);
-      return false;
-    });
-    if (is_known) return;
-    throw UsageError("a file that is no table of vex_scan, which would take its place (" + path + " for " + option +
-                     ") - choose another name, or remove the file");
+    std::ifstream file(path, std::ios::binary);
+    std::size_t n = 0;
+    for (std::string line; std::getline(file, line);) {
+      ++n;
+      if (n == 1 ? is_first_line(line) : is_row(line)) continue;
+      if (n > 1 && file.eof()) return;  // without an end of line
+      n = 0;
+      break;
+    }
+    if (n > 0) return;
+    throw UsageError("a file that is no table of vex_scan, or has more in it, which would take its place (" + path +
+                     " for " + option + ") - choose another name, or remove the file");
   };
-  look_at(csv, "--csv", [](std::string_view line) {
-    const std::string columns = "," + std::string(line) + ",";
-    return columns.find(",excluded_volume,") != std::string::npos && columns.find(",input,") != std::string::npos;
-  });
-  look_at(jsonl, "--jsonl", [](std::string_view line) {
+  std::size_t n_cells = 0, of_value = 0;
+  const auto cells_of = [](const std::string& line) {
+    std::vector<std::string> cells;
+    CsvCells rest(line);
+    while (const std::optional<std::string_view> cell = rest.next()) cells.emplace_back(*cell);
+    return cells;
+  };
+  look_at(
+      csv, "--csv",
+      [&](const std::string& line) {
+        const std::string columns = "," + line + ",";
+        if (columns.find(",excluded_volume,") == std::string::npos || !line.ends_with(",input")) return false;
+        const std::vector<std::string> names = cells_of(line);
+        n_cells = names.size();
+        of_value = static_cast<std::size_t>(std::ranges::find(names, "excluded_volume") - names.begin());
+        return true;
+      },
+      [&](const std::string& line) {
+        try {
+          const std::vector<std::string> cells = cells_of(line);
+          return cells.size() == n_cells && number_of_cell(cells[of_value]).has_value();
+        } catch (const InputError&) {
+          return false;
+        }
+      });
+  const auto is_object = [](const std::string& line) {
     const Json row = Json::parse(line, nullptr, false);
     return row.is_object() && row.contains("excluded_volume") && row.contains("input");
-  });
+  };
+  look_at(jsonl, "--jsonl", is_object, is_object);
 }
 
 std::map<std::string, ScanRow> rows_of_csv(const std::string& path, const Scan& scan) {

@@ -23,8 +23,9 @@ struct PlaneContact {
 ///
 /// Of a polytope, rounded or not, its vertices. Of a curved part its lowest point, and where it is flat, or has a flat
 /// face (the caps of a cylinder, a disc, the base of a cone, the face of a hemisphere), four points of the rim, a
-/// quarter apart (of a face that leans by less than 2^-40 these alone, so that up to 2^-41 of its radius may be missing): a cylinder stands on the four of its cap and lies on the lowest ones of both. Of a body without an
-/// exact form the support point alone.
+/// quarter apart: a cylinder stands on the four of its cap and lies on the lowest ones of both. Of a face that leans by
+/// less than 2^-40 these alone, so that up to 2^-41 of its radius may be missing. Of a body without an exact form the
+/// support point alone.
 class PlaneContacts {
  public:
   explicit PlaneContacts(const ConvexBody& b);

@@ -125,8 +125,8 @@ struct CompoundContact {
   std::uint32_t n_pairs = 0;
 };
 
-/// As the functions of two bodies with these names, motions in A's frame. A part that is not in place sees them turned by
-/// R^T, rounded: these are what is answered about (world_queries.h). Of a compound B every part goes through A's tree.
+/// As the functions of two bodies with these names, motions in A's frame. A part that is not in place sees them turned
+/// by R^T, rounded: these are what is answered about (world_queries.h). Of a compound B every part goes through A's tree.
 CompoundContact cast_ray(const Compound& a, const Vec3d& origin, const Vec3d& dir, double until = HUGE_VAL);
 CompoundContact linear_cast(const Compound& a, const ConvexBody& b, const Pose& a_from_b, const Vec3d& motion,
                             double until = HUGE_VAL);

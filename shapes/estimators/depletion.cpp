@@ -32,7 +32,9 @@ void require_settings(const Body& a, const Body& b, const DepletionSettings& set
   }
 }
 
-DepletionValue mean_of(const Body& a, const Body& b, const DepletionSettings& settings, const MakeIntegrand& make) {
+// `largest`: of the values.
+DepletionValue mean_of(const Body& a, const Body& b, const DepletionSettings& settings, double largest,
+                       const MakeIntegrand& make) {
   MonteCarloSettings driver;
   driver.seed = settings.seed;
   const unsigned n_cores = std::max(1u, std::thread::hardware_concurrency());
@@ -55,6 +57,12 @@ DepletionValue mean_of(const Body& a, const Body& b, const DepletionSettings& se
     const VolumeEstimate estimate = volume_estimate(found.record.tally, driver.domain);
     found.value = estimate.excluded_volume;
     found.std_error = estimate.std_error;
+    // Where no point hits, or every one does, values that do not differ tell nothing of the error; one point that did
+    // otherwise would be worth this.
+    const double one_point = largest / static_cast<double>(found.record.tally.n_trials);
+    const bool do_all_alike = !(found.value > 0.0 && found.value < largest * (1.0 - 0x1p-30));
+    if (do_all_alike || !std::isfinite(found.std_error)) found.std_error = std::fmax(estimate.std_error, one_point);
+    if (!std::isfinite(found.std_error)) found.std_error = largest;  // of a single point
   }
   return found;
 }
@@ -102,8 +110,9 @@ DepletionAtPose depletion_at(const Body& a, const Body& b, const Pose& a_from_b,
     found.overlap_volume.value = found.overlap_volume.std_error = 0.5 * box.volume();
     return found;
   }
-  found.overlap_volume = mean_of(
-      a, b, settings, [&] { return std::make_unique<DepletionIntegrand>(a.body, b.body, ball, a_from_b.a_from_b()); });
+  found.overlap_volume = mean_of(a, b, settings, box.volume(), [&] {
+    return std::make_unique<DepletionIntegrand>(a.body, b.body, ball, a_from_b.a_from_b());
+  });
   return found;
 }
 
@@ -118,9 +127,10 @@ DepletionAverage depletion_average(const Body& a, const Body& b, double distance
   // Beyond both circumspheres, measured from the origins, everything is apart.
   const double reach = (a.body.reach() + b.body.reach()) * (1.0 + 0x1p-40);
   const auto run = [&](DepletionIntegrand::What what) {
-    return mean_of(a, b, settings, [&, what] {
+    const auto make = [&, what] {
       return std::make_unique<DepletionIntegrand>(a.body, b.body, ball, distance, law, what);
-    });
+    };
+    return mean_of(a, b, settings, make()->scale(), make);
   };
   found.free_share = distance > reach ? certain(1.0) : run(DepletionIntegrand::What::freedom);
   if (!(found.free_share.value > 0.0)) return found;  // no orientation was free, or none was drawn

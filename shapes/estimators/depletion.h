@@ -54,7 +54,8 @@ struct DepletionAverage {
   DepletionValue free_share;      // of the orientations at which the bodies do not overlap
   DepletionValue overlap_volume;  // of the shells, where the bodies do not overlap and 0 where they do; length^3
 
-  /// The mean over orientations at which the bodies do not overlap, and its standard error; NaN where there are none.
+  /// The mean over orientations at which the bodies do not overlap, and a bound of its standard error, which
+  /// the errors of both runs add up to (twice as large as it is, in runs of cubes); NaN where there are none.
   double mean_of_free() const;
   double mean_of_free_error() const;
 };

@@ -255,6 +255,24 @@ TEST_F(ScanProgram, ReplacesNoFileThatIsNoTableOfItsOwn) {
     EXPECT_EQ(run(with(option, "rows.txt")).exit_code, 0) << "its own";
     EXPECT_EQ(run(with(option, "/dev/null")).exit_code, 0);
   }
+  // A table of its own with anything in it that is no row.
+  for (const char* const option : {"--csv", "--jsonl"}) {
+    write_file("rows.txt", "");
+    ASSERT_EQ(run(with(option, "rows.txt")).exit_code, 0);
+    const std::string own = read_file("rows.txt");
+    const std::string header = own.substr(0, own.find('\n') + 1);
+    std::vector<std::string> more = {own + "my note\n", own + "1,2,3\n", own + "\n" + own, own + "{\"a\":1}\n",
+                                     own + "[]\n"};
+    if (option == std::string("--csv")) more.push_back(own + header);
+    for (const std::string& text : more) {
+      write_file("rows.txt", text);
+      expect_refused(with(option, "rows.txt"), 2, "or has more in it");
+      EXPECT_EQ(read_file("rows.txt"), text);
+    }
+    write_file("rows.txt", own.substr(0, own.size() - 5));
+    EXPECT_EQ(run(with(option, "rows.txt")).exit_code, 0) << "a line that was cut off";
+    EXPECT_TRUE(read_file("rows.txt").ends_with('\n'));
+  }
   // Rows of other variables are those of another scan: they give way, as they always did.
   ASSERT_EQ(run({"sphere:{R}", "--for", "R=1:2:1", "--trials", "512", "--csv", "own.csv", "--quiet"}).exit_code, 0);
   EXPECT_EQ(run(with("--csv", "own.csv")).exit_code, 0);

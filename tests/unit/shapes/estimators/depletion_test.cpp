@@ -75,6 +75,26 @@ TEST(Depletion, OfSpheresFollowsTheClosedForm) {
   }
 }
 
+// Nearly touching shells: of few points most runs have no hit, and their values do not differ.
+TEST(Depletion, OfPointsThatAllMissTheErrorIsThatOfOneThatDoesNot) {
+  const Body sphere = parse_shape("sphere:1");
+  const double truth = equal_lens(1.2, 2.39);
+  int n_without = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (const std::uint64_t trials : {1, 60, 300}) {
+      const DepletionValue found =
+          depletion_at(sphere, sphere, moved(0.0, 2.39, 0.0), settings_of(0.2, trials, seed)).overlap_volume;
+      EXPECT_LE(std::fabs(found.value - truth), kZ * found.std_error) << "seed " << seed << ", " << trials;
+      n_without += found.value == 0.0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(n_without, 0);
+  OrientationLaw any;
+  const DepletionAverage mean =
+      depletion_average(parse_shape("box:1,1,1"), parse_shape("box:1,1,1"), 1.4, any, settings_of(0.05, 60, 3));
+  EXPECT_GT(mean.overlap_volume.std_error, 1e-4);
+}
+
 TEST(Depletion, OfParallelCapsulesIsALensLongerByTheirStraightPart) {
   const Body rod = parse_shape("capsule:4,0.5");
   const double s = 0.7, d = 1.1;
