@@ -81,7 +81,7 @@ TEST(Depletion, OfPointsThatAllMissTheErrorIsThatOfOneThatDoesNot) {
   const double truth = equal_lens(1.2, 2.39);
   int n_without = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    for (const std::uint64_t trials : {1, 60, 300}) {
+    for (const std::uint64_t trials : {1u, 60u, 300u}) {
       const DepletionValue found =
           depletion_at(sphere, sphere, moved(0.0, 2.39, 0.0), settings_of(0.2, trials, seed)).overlap_volume;
       EXPECT_LE(std::fabs(found.value - truth), kZ * found.std_error) << "seed " << seed << ", " << trials;
