@@ -57,6 +57,11 @@ bool has_run_to_resume(const CheckpointOptions& options, const std::string& prog
   std::error_code error;
   // Empty it is where a run was killed before it saved itself.
   const bool is_there = std::filesystem::exists(options.resume, error) || error;
+  // A pipe would be waited for, and a device has no end.
+  if (is_there && !error && !std::filesystem::is_regular_file(options.resume, error)) {
+    throw InputError("a state is no regular file (" + printable(options.resume) +
+                     " for --resume) - name the one that was saved");
+  }
   if (!options.is_own_file() || (is_there && std::filesystem::file_size(options.resume, error) > 0)) return true;
   if (!quiet) std::cerr << program << ": no run to go on from yet (" << printable(options.resume) << "): it begins\n";
   return false;

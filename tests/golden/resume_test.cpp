@@ -164,6 +164,12 @@ TEST_F(Resume, NoOtherRunOverwritesAState) {
     write_file("begun", "");
     EXPECT_EQ(run_of(one, one.short_run + " --checkpoint begun --resume begun").exit_code, 0);
     EXPECT_NE(run_of(one, "missing.obj --checkpoint refused").exit_code, 0);
+    ASSERT_EQ(shell("mkfifo pipe").exit_code, 0);
+    for (const char* const file : {"pipe", "/dev/zero", "."}) {
+      const Finished refused = run_of(one, one.short_run + " --resume " + file);
+      EXPECT_EQ(refused.exit_code, 3) << one.program << " " << file;
+      EXPECT_NE(refused.err.find("a state is no regular file"), std::string::npos) << refused.err;
+    }
     for (const std::string& name : files()) {
       EXPECT_NE(name, "refused");
       std::filesystem::remove(path(name));
