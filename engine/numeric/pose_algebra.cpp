@@ -18,12 +18,8 @@ Pose operator*(const Pose& a_from_b, const Pose& b_from_c) {
 }
 
 Transformd inverse(const Transformd& a_from_b) {
-  Transformd b_from_a;
-  b_from_a.row_x = {a_from_b.row_x.x, a_from_b.row_y.x, a_from_b.row_z.x};
-  b_from_a.row_y = {a_from_b.row_x.y, a_from_b.row_y.y, a_from_b.row_z.y};
-  b_from_a.row_z = {a_from_b.row_x.z, a_from_b.row_y.z, a_from_b.row_z.z};
-  b_from_a.translation = -a_from_b.direction_to_b(a_from_b.translation);
-  return b_from_a;
+  const auto& [x, y, z, translation] = a_from_b;
+  return {{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}, -a_from_b.direction_to_b(translation)};
 }
 
 Pose inverse(const Pose& a_from_b) { return inverse(a_from_b.a_from_b()); }
@@ -84,12 +80,9 @@ Pose interpolated(const Pose& from, const Pose& to, double part) {
 
 Transformd relative_pose(const Transformd& world_from_a, const Transformd& world_from_b, const Vec3d& shift) {
   const Transformd &a = world_from_a, &b = world_from_b;
-  const auto product = [&b](double x, double y, double z) -> Vec3d {
-    return {(x * b.row_x.x + y * b.row_y.x) + z * b.row_z.x, (x * b.row_x.y + y * b.row_y.y) + z * b.row_z.y,
-            (x * b.row_x.z + y * b.row_y.z) + z * b.row_z.z};
-  };
-  return {product(a.row_x.x, a.row_y.x, a.row_z.x), product(a.row_x.y, a.row_y.y, a.row_z.y),
-          product(a.row_x.z, a.row_y.z, a.row_z.z), a.direction_to_b((b.translation - a.translation) + shift)};
+  return {b.direction_to_b({a.row_x.x, a.row_y.x, a.row_z.x}), b.direction_to_b({a.row_x.y, a.row_y.y, a.row_z.y}),
+          b.direction_to_b({a.row_x.z, a.row_y.z, a.row_z.z}),
+          a.direction_to_b((b.translation - a.translation) + shift)};
 }
 
 Pose relative_pose(const Pose& world_from_a, const Pose& world_from_b) {

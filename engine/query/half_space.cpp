@@ -141,6 +141,12 @@ HalfSpace HalfSpace::through(const Vec3d& point, const Vec3d& dir_normal) {
   return {dir_normal, dot(dir_normal, point)};
 }
 
+bool detail::are_wide_beside(const ConvexBody& b, const Separation& found) {
+  const double promised =
+      (b.is_rounded_polytope() ? 1e-12 : 1e-9) * (std::fabs(found.signed_distance) + b.circumradius());
+  return !(found.upper - found.lower <= promised);
+}
+
 Verdict overlap(const HalfSpace& a, const ConvexBody& b, const Pose& a_from_b) {
   return verdict_of(a, b, a_from_b.a_from_b(), least_height(a, b, a_from_b.a_from_b()));
 }
@@ -160,8 +166,7 @@ Separation signed_distance(const HalfSpace& a, const ConvexBody& b, const Pose& 
   if (found.verdict.outcome == Outcome::disjoint) found.lower = std::fmax(found.lower, 0.0);
   if (found.verdict.outcome == Outcome::overlap) found.upper = std::fmin(found.upper, 0.0);
   found.signed_distance = std::fmax(found.lower, std::fmin(value, found.upper));
-  const double promised = (b.is_rounded_polytope() ? 1e-12 : 1e-9) * (std::fabs(value) + b.circumradius());
-  found.is_rough = !(found.upper - found.lower <= promised);
+  found.is_rough = detail::are_wide_beside(b, found);
   found.has_witnesses = true;
   found.normal = a.unit_normal();
   found.point_b = height.point_b;

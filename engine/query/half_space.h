@@ -51,6 +51,11 @@ Verdict overlap(const HalfSpace& a, const ConvexBody& b, const Pose& a_from_b);
 /// they are wider than 1e-12 of |signed distance| + R_B, of curved bodies 1e-9.
 Separation signed_distance(const HalfSpace& a, const ConvexBody& b, const Pose& a_from_b);
 
+namespace detail {
+/// Whether the bounds of B and a half-space are wider than an answer that is not rough may have.
+bool are_wide_beside(const ConvexBody& b, const Separation& found);
+}  // namespace detail
+
 /// B moving without turning. Bodies with an exact form are undecided only where a time or a coordinate is larger than
 /// any double. Times are as near as the height at the start and the speed along the normal are known. Throws
 /// InputError for a motion that is zero or not finite, UsageError for an end that is negative or no number.

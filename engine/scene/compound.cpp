@@ -257,11 +257,8 @@ CompoundSeparation signed_distance(const HalfSpace& a, const Compound& b, const 
   least.separation.verdict = verdict;
   least.separation.lower = std::fmin(least_lower, least.separation.upper);
   if (verdict.outcome == Outcome::disjoint) least.separation.lower = std::fmax(least.separation.lower, 0.0);
-  const ConvexBody& deepest = b.body(least.part_b);
-  const double promised = (deepest.is_rounded_polytope() ? 1e-12 : 1e-9) *
-                          (std::fabs(least.separation.signed_distance) + deepest.circumradius());
   least.separation.is_rough =
-      least.separation.is_rough || !(least.separation.upper - least.separation.lower <= promised);
+      least.separation.is_rough || detail::are_wide_beside(b.body(least.part_b), least.separation);
   return least;
 }
 
