@@ -13,12 +13,22 @@
 namespace vex {
 namespace {
 
+// A tally names its seed, too; the merged document takes over what stands beside the tally, so that has to agree as
+// well.
+void require_same_seed(const Document& first, const Document& other) {
+  const auto seed_of = [](const Document& one) { return std::vector{"seed: " + one.json.at("seed").dump()}; };
+  require_same_run(seed_of(first), first.file, seed_of(other), other.file);
+}
+
 MergedReport merge(const MergeOptions& options, const std::string& command) {
   std::vector<Document> documents;
   try {
     for (const std::string& path : options.files) {
       documents.push_back(read_document(path));
-      if (documents.back().kind == documents.front().kind) continue;
+      if (documents.back().kind == documents.front().kind) {
+        require_same_seed(documents.front(), documents.back());
+        continue;
+      }
       throw InputError("documents of unlike programs (" + printable(documents.front().file) + " is of " +
                        std::string(program_of(documents.front().kind)) + ", " + printable(path) + " of " +
                        std::string(program_of(documents.back().kind)) + ") - give those of one run");

@@ -217,9 +217,11 @@ PercolateOptions interpret(const PercolateCommandLine& words) {
   options.sizes = sizes_of(words.sizes);
   if (!words.realisations.empty()) {
     options.realisations = parse_positive_count(words.realisations, "--realisations");
-    if (*options.realisations < 2 || *options.realisations > kMostRealisations) {
-      throw UsageError("out of range (" + words.realisations + " for --realisations) - give 2 to " +
-                       std::to_string(kMostRealisations));
+    // One alone has no error; as a part of a run, for vex_merge, it needs none.
+    const std::uint64_t fewest = words.first_realisation.empty() ? 2 : 1;
+    if (*options.realisations < fewest || *options.realisations > kMostRealisations) {
+      throw UsageError("out of range (" + words.realisations + " for --realisations) - give " + std::to_string(fewest) +
+                       " to " + std::to_string(kMostRealisations));
     }
   }
   if (!words.std_error.empty()) options.std_error = parse_positive_number(words.std_error, "--std-error");

@@ -220,6 +220,12 @@ void resume_from(const std::string& path, PercolateRun& run) {
   Realisations(
       lines.name(), [&lines](std::string_view& line) { return lines.next(line); }, system_lines(run), run)
       .read();
+  const std::uint64_t most = run.options.realisations.value_or(kMostRealisations);
+  for (const SizeRun& size : run.sizes) {
+    if (size.found.size() <= most) continue;
+    throw InputError("the state to go on from has more realisations than the run may have (" + printable(path) + ": " +
+                     std::to_string(size.found.size()) + " of " + std::to_string(most) + ") - give as many or more");
+  }
 }
 
 void read_realisations(const std::string& name, std::span<const std::string> lines, std::span<const std::string> of,

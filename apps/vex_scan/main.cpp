@@ -1,8 +1,10 @@
 // vex_scan BODIES...: excluded volumes of many bodies, or of one that changes, a row a case.
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <set>
 
 #include "apps/common/command_files.h"
@@ -70,13 +72,19 @@ class RowsSaver {
   /// whoever stops it, or kills it, loses none.
   std::vector<ScanRow> rows(bool is_at_end) const {
     std::vector<ScanRow> all = run_.rows;
-    if (is_at_end) return all;
-    std::set<std::string> done;
-    for (const ScanRow& row : all) done.insert(row.input);
-    for (const auto& [input, row] : earlier_) {
-      if (!done.contains(input)) all.push_back(row);
-    }
+    if (!is_at_end) std::ranges::copy(rows_of_no_case(), std::back_inserter(all));
     return all;
+  }
+
+  /// Rows of an earlier scan that this one has not, so far.
+  std::vector<ScanRow> rows_of_no_case() const {
+    std::set<std::string> done;
+    for (const ScanRow& row : run_.rows) done.insert(row.input);
+    std::vector<ScanRow> left;
+    for (const auto& [input, row] : earlier_) {
+      if (!done.contains(input)) left.push_back(row);
+    }
+    return left;
   }
 
   void save_if_due() {
@@ -130,12 +138,16 @@ int run_vex_scan(const ScanCommandLine& words, const std::string& command) {
   run.options = interpret_common(words);
   require_a_case_that_means_something(run.scan);
   const ScanOutputs outputs = output_files(run.scan, run.options.quiet);
-  require_rows_or_nothing(run.scan.words.csv, run.scan.words.jsonl);
+  require_rows_or_nothing(run.scan);
   const std::map<std::string, ScanRow> earlier = earlier_rows(run.scan);
   catch_interrupts();
   RowsSaver saver(run, earlier, outputs);
   run_scan(run, earlier, [&saver] { saver.save_if_due(); });
 
+  if (const std::size_t n_left = saver.rows_of_no_case().size(); run.complete && n_left > 0) {
+    std::cerr << kProgram << ": " << plural(n_left, "row", "rows") << " of an earlier scan in the same file "
+              << (n_left == 1 ? "is" : "are") << " of no case of this one, and not kept\n";
+  }
   Results results(kProgram, outputs.own_standard_output);
   results.write(outputs.csv, Results::Kind::numbers, [&] { return csv_text(run.scan, saver.rows(run.complete)); });
   results.write(outputs.jsonl, Results::Kind::numbers, [&] { return jsonl_text(run.scan, saver.rows(run.complete)); });

@@ -32,8 +32,9 @@ void declare_options(OptionParser& options, ScanCommandLine& words) {
       .add_option(
           "--csv", words.csv,
           "Write a row a case. Rows that this file already holds are kept and not run again, where their input "
-          "is the same: so an interrupted scan goes on, and a finer or longer one runs what is new. A file with "
-          "anything else in it is refused")
+          "is the same: so an interrupted scan goes on, and a finer or longer one runs what is new. Rows of no case "
+          "of this scan are left out at its end, which is said. A file with anything else in it, or other variables, "
+          "is refused")
       .type_name("FILE")
       .group(output);
   options.add_option("--jsonl", words.jsonl, "The same as JSON, an object a line, with more of each run")

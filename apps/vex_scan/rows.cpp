@@ -217,7 +217,7 @@ std::string jsonl_text(const Scan& scan, const std::vector<ScanRow>& rows) {
   return text;
 }
 
-void require_rows_or_nothing(const std::string& csv, const std::string& jsonl) {
+void require_rows_or_nothing(const Scan& scan) {
   // Every line, for what is no row would be gone; but the last one of a run that was ended while it wrote.
   const auto look_at = [](const std::string& path, const char* option, const auto& is_first_line, const auto& is_row) {
     std::error_code error;
@@ -233,39 +233,36 @@ void require_rows_or_nothing(const std::string& csv, const std::string& jsonl) {
       break;
     }
     if (n > 0) return;
-    throw UsageError("a file that is no table of vex_scan, or has more in it, which would take its place (" + path +
-                     " for " + option + ") - choose another name, or remove the file");
+    throw UsageError(
+        "a file that is no table of a scan over these variables, or has more in it, which would take its "
+        "place (" +
+        path + " for " + option + ") - choose another name, or remove the file");
   };
-  std::size_t n_cells = 0, of_value = 0;
-  const auto cells_of = [](const std::string& line) {
-    std::vector<std::string> cells;
-    CsvCells rest(line);
-    while (const std::optional<std::string_view> cell = rest.next()) cells.emplace_back(*cell);
-    return cells;
-  };
+  const auto n_cells = scan.variables.size() + 4 + std::size(kNumbers);
+  const auto of_value = scan.variables.size() + 2;
   look_at(
-      csv, "--csv",
-      [&](const std::string& line) {
-        const std::string columns = "," + line + ",";
-        if (columns.find(",excluded_volume,") == std::string::npos || !line.ends_with(",input")) return false;
-        const std::vector<std::string> names = cells_of(line);
-        n_cells = names.size();
-        of_value = static_cast<std::size_t>(std::ranges::find(names, "excluded_volume") - names.begin());
-        return true;
-      },
+      scan.words.csv, "--csv", [&](const std::string& line) { return line == csv_header(scan); },
       [&](const std::string& line) {
         try {
-          const std::vector<std::string> cells = cells_of(line);
+          std::vector<std::string> cells;
+          CsvCells rest(line);
+          while (const std::optional<std::string_view> cell = rest.next()) cells.emplace_back(*cell);
           return cells.size() == n_cells && number_of_cell(cells[of_value]).has_value();
         } catch (const InputError&) {
           return false;
         }
       });
-  const auto is_object = [](const std::string& line) {
+  const auto is_object = [&scan](const std::string& line) {
     const Json row = Json::parse(line, nullptr, false);
-    return row.is_object() && row.contains("excluded_volume") && row.contains("input");
+    if (!row.is_object() || !row.contains("excluded_volume") || !row.contains("input")) return false;
+    auto key = row.begin();
+    for (const auto& variable : scan.variables) {
+      if (key.key() != variable.name) return false;
+      ++key;
+    }
+    return key.key() == "a";
   };
-  look_at(jsonl, "--jsonl", is_object, is_object);
+  look_at(scan.words.jsonl, "--jsonl", is_object, is_object);
 }
 
 std::map<std::string, ScanRow> rows_of_csv(const std::string& path, const Scan& scan) {

@@ -35,9 +35,9 @@ std::string csv_text(const Scan& scan, const std::vector<ScanRow>& rows);
 std::string jsonl_text(const Scan& scan, const std::vector<ScanRow>& rows);
 nlohmann::ordered_json row_json(const Scan& scan, const ScanRow& row);
 
-/// A scan's rows take the place of what these files hold: throws UsageError where that is anything but rows of a scan,
-/// told by the column `input`, which no other table has. Devices, pipes and empty files hold nothing.
-void require_rows_or_nothing(const std::string& csv, const std::string& jsonl);
+/// A scan's rows take the place of what its --csv and --jsonl hold: throws UsageError where that is anything but rows
+/// of a scan over the same variables. Devices, pipes and empty files hold nothing.
+void require_rows_or_nothing(const Scan& scan);
 
 /// Rows by their input. Lines that are no rows of these variables, or have no input, are passed over: their cases are
 /// run again. Nothing where there is no such file, or where it is no regular one.

@@ -157,6 +157,14 @@ TEST_F(Merge, PartsEndByTheirNumberAlone) {
   EXPECT_EQ(shell(kPercolate + "box:1,1,1 --sizes 3 --first-realisation 5").exit_code, 2);
   EXPECT_EQ(shell(kPercolate + "box:1,1,1 --sizes 3 --first-realisation 5 --realisations 5 --std-error 1").exit_code,
             2);
+  // A remainder of one is a part as well.
+  const auto part = [](int first, int n) {
+    return kPercolate + "box:1,1,1 --sizes 3 --first-realisation " + std::to_string(first) + " --realisations " +
+           std::to_string(n) + " --json " + std::to_string(n) + ".json";
+  };
+  for (const auto& [first, n] : {std::pair{0, 5}, {5, 1}, {0, 6}}) ASSERT_EQ(shell(part(first, n)).exit_code, 0);
+  ASSERT_EQ(merge("1.json 5.json --quiet --json all.json").exit_code, 0);
+  EXPECT_EQ(without_times(json::parse(read_file("all.json"))), without_times(json::parse(read_file("6.json"))));
   // A part's state is of that part.
   ASSERT_EQ(shell(kPercolate + "box:1,1,1 --sizes 3 --first-realisation 5 --realisations 5 --checkpoint s").exit_code,
             0);
@@ -192,6 +200,10 @@ TEST_F(Merge, WhatIsNoWholeIsRefused) {
   expect_refused("0.json other.json", 3, "documents of unlike runs (other.json has \"A: box");
   make_range({"box:1,1,1", "--estimator", "hit-or-miss", "--seed", "2"}, "seed.json", 1000, 1000);
   expect_refused("0.json seed.json", 3, "has \"seed: 2\", and 0.json \"seed: 1\"");
+  json changed = json::parse(read_file("1.json"));
+  changed["seed"] = 7;
+  write_file("seed.json", changed.dump());
+  expect_refused("0.json seed.json", 3, "has \"seed: 7\", and 0.json \"seed: 1\"");
   make_range({"box:1,1,1", "--estimator", "hit-or-miss-fitted"}, "fitted.json", 1000, 1000);
   expect_refused("0.json fitted.json", 3, "documents of unlike runs");
   ASSERT_EQ(run({"box:1,1,1", "--rel-error", "1e-2", "--quiet", "--json", "error.json"}).exit_code, 0);

@@ -95,6 +95,8 @@ TEST_F(Percolate, GoesOnFromNothingElse) {
   expect_refused(with(kSmall, {"--scale", "2", "--resume", "state.csv"}), 3, "of another system");
   expect_refused(with(kSmall, {"--orientations", "aligned", "--resume", "state.csv"}), 3, "of another system");
   expect_refused(with(kSmall, {"--resume", "missing.csv"}), 3, "missing.csv");
+  expect_refused({"box:1,1,1", "--sizes", "3,4,6", "--realisations", "59", "--resume", "state.csv"}, 3,
+                 "more realisations than the run may have (state.csv: 60 of 59)");
   const std::string whole = read_file("state.csv");
   const auto broken = [&](const std::string& content, const std::string& part) {
     write_file("broken.csv", content);
@@ -225,7 +227,8 @@ TEST_F(Percolate, RefusesWhatMakesNoSense) {
   expect_refused({"disc:1", "--orientations", "aligned", "--sizes", "2,3", "--realisations", "2"}, 3,
                  "bodies that never overlap with orientations aligned");
   expect_refused({"box:1,1,2", "--orientations", "aligned", "--sizes", "4"}, 2, "one size says nothing");
-  expect_refused({"sphere:1", "--orientations", "bogus"}, 2, "cone:DEG, onsager:ALPHA, maier-saupe:A, table:FILE, uniform-angle");
+  expect_refused({"sphere:1", "--orientations", "bogus"}, 2,
+                 "cone:DEG, onsager:ALPHA, maier-saupe:A, table:FILE, uniform-angle");
   expect_refused({"sphere:1:1.7e308", "sphere:2:1.7e308"}, 2, "a fraction out of range");
 }
 

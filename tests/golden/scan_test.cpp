@@ -245,7 +245,7 @@ TEST_F(ScanProgram, ReplacesNoFileThatIsNoTableOfItsOwn) {
   for (const std::string text : {"x,y\n1,2\n", "my thesis\n", "{\"a\": 1}\n", "a,b,excluded_volume\n", "[1]\n"}) {
     for (const char* const option : {"--csv", "--jsonl"}) {
       write_file("data.txt", text);
-      expect_refused(with(option, "data.txt"), 2, "a file that is no table of vex_scan");
+      expect_refused(with(option, "data.txt"), 2, "a file that is no table of a scan");
       EXPECT_EQ(read_file("data.txt"), text);
     }
   }
@@ -274,9 +274,22 @@ TEST_F(ScanProgram, ReplacesNoFileThatIsNoTableOfItsOwn) {
     EXPECT_EQ(run(with(option, "rows.txt")).exit_code, 0) << "a line that was cut off";
     EXPECT_TRUE(read_file("rows.txt").ends_with('\n'));
   }
-  // Rows of other variables are those of another scan: they give way, as they always did.
-  ASSERT_EQ(run({"sphere:{R}", "--for", "R=1:2:1", "--trials", "512", "--csv", "own.csv", "--quiet"}).exit_code, 0);
-  EXPECT_EQ(run(with("--csv", "own.csv")).exit_code, 0);
+  // Rows of another scan: of other variables, and of other cases.
+  const auto over = [&](const char* values, const char* option, const char* file) {
+    return run({"sphere:{R}", "--for", values, "--trials", "512", option, file, "--quiet"});
+  };
+  for (const auto& [option, file] : {std::pair{"--csv", "own.csv"}, {"--jsonl", "own.jsonl"}}) {
+    ASSERT_EQ(over("R=1:3:1", option, file).exit_code, 0);
+    const std::string text = read_file(file);
+    expect_refused(with(option, file), 2, "no table of a scan over these variables");
+    EXPECT_EQ(read_file(file), text);
+    const Finished other = over("R=3:4:1", option, file);
+    EXPECT_EQ(other.exit_code, 0);
+    EXPECT_NE(other.err.find("2 rows of an earlier scan in the same file are of no case of this one, and not kept"),
+              std::string::npos)
+        << other.err;
+    EXPECT_EQ(over("R=3:5:1", option, file).err, "");
+  }
 }
 
 TEST_F(ScanProgram, LawsOfEachBodyAxesAndTablesMakeCases) {

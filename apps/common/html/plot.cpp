@@ -118,7 +118,8 @@ class PlotDrawing {
   void grid() {
     for (const double value : x_.ticks(6.0)) {
       svg_.line({x_.pixel(value), kPlotTop}, {x_.pixel(value), kPlotBottom}, "class=\"grid\"");
-      svg_.label({x_.pixel(value), kPlotBottom + 16.0}, plot_.log_x ? short_count(value) : short_number(value, 6),
+      const bool is_count = plot_.log_x && value >= 1e5;
+      svg_.label({x_.pixel(value), kPlotBottom + 16.0}, is_count ? short_count(value) : short_number(value, 6),
                  "class=\"tick\"");
     }
     for (const double value : y_.ticks(5.0)) {
