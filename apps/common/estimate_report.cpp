@@ -105,4 +105,18 @@ Json verification_json(const RunRecord& record) {
   return json;
 }
 
+std::string why_incomplete(StopReason reason) {
+  switch (reason) {
+    case StopReason::trials:
+    case StopReason::relative_error:
+    case StopReason::seconds: return "";
+    case StopReason::max_trials: return "incomplete: --max-trials was reached first";
+    case StopReason::undecided: return "incomplete: undecided trials alone keep the error above what was asked for";
+    case StopReason::rounding: return "incomplete: rounding alone keeps the error above what was asked for";
+    case StopReason::in_vain: return "incomplete: more than --max-trials would be needed";
+    case StopReason::interrupted: return "interrupted: this is what was done until then";
+  }
+  return "";
+}
+
 }  // namespace vex

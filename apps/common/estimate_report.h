@@ -29,6 +29,9 @@ nlohmann::ordered_json tally_json(const std::vector<std::string>& of, const RunS
 /// `names`: of the run's backend, then of those it was checked against.
 nlohmann::ordered_json disagreements_json(const RunRecord& record, const std::vector<std::string>& names);
 
+/// Why an incomplete run ended, for a line of a report; empty of a complete one.
+std::string why_incomplete(StopReason reason);
+
 nlohmann::ordered_json verification_json(const RunRecord& record);
 
 }  // namespace vex

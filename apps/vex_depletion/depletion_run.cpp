@@ -31,6 +31,7 @@ Transformd pose_of(const DepletionOptions& options, double distance, double degr
 void add_record(DepletionCase& one, const DepletionValue& value) {
   one.trials += value.record.tally.n_trials;
   one.undecided += value.record.tally.n_undecided;
+  if (one.complete) one.stopped_by = value.record.stopped_by;
   one.complete = one.complete && value.complete;
 }
 

@@ -24,6 +24,7 @@ struct DepletionCase {
   double z = kNone;
   std::uint64_t trials = 0, undecided = 0;
   bool complete = true;
+  StopReason stopped_by = StopReason::trials;  // why it ended; of a mean's two runs the one that is incomplete
   double seconds = 0.0;
 };
 

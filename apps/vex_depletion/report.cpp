@@ -1,9 +1,11 @@
 // What vex_depletion says: a table on the screen, JSON, CSV.
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "apps/common/append_number.h"
 #include "apps/common/body_report.h"
+#include "apps/common/estimate_report.h"
 #include "apps/common/numbers.h"
 #include "apps/common/text.h"
 #include "apps/vex_depletion/depletion_run.h"
@@ -55,7 +57,12 @@ std::string report_text(const DepletionRun& run) {
     lines.push_back(std::move(line));
   }
   text += table_text(lines, 2);
-  if (!run.complete) text += "NOT COMPLETE: interrupted, or given up before the error that was asked for.\n";
+  std::set<std::string> reasons;
+  for (const DepletionCase& one : run.cases) {
+    if (!one.complete) reasons.insert(why_incomplete(one.stopped_by));
+  }
+  for (const std::string& reason : reasons) text += "NOT COMPLETE - " + reason + "\n";
+  if (!run.complete && reasons.empty()) text += "NOT COMPLETE - interrupted between two cases\n";
   return text + short_number(run.seconds, 3) + " s on " +
          plural(static_cast<std::uint64_t>(options.n_threads), "thread", "threads") + "\n";
 }
@@ -86,6 +93,7 @@ std::string report_json(const DepletionRun& run) {
     row["trials"] = one.trials;
     row["undecided"] = one.undecided;
     row["complete"] = one.complete;
+    row["stopped_by"] = name_of(one.stopped_by);
     row["seed"] = one.seed;
     row["seconds"] = one.seconds;
     json["rows"].push_back(std::move(row));

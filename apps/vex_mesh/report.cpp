@@ -219,18 +219,8 @@ std::string report_text(const MeshRun& run) {
           (run.options.n_threads == 1 ? " thread, " : " threads, ") +
           short_count(static_cast<double>(tally.n_trials) / run.result.record.seconds) +
           (has_hits ? " trials/s" : " values/s");
-  if (run.result.record.stopped_by == StopReason::interrupted)
-    text += " - interrupted: this is what was done until then";
-  if (run.result.record.stopped_by == StopReason::undecided) {
-    text += " - incomplete: undecided trials alone keep the error above what was asked for";
-  }
-  if (run.result.record.stopped_by == StopReason::rounding) {
-    text += " - incomplete: rounding alone keeps the error above what was asked for";
-  }
-  if (run.result.record.stopped_by == StopReason::in_vain) {
-    text += " - incomplete: more than --max-trials would be needed";
-  }
-  if (run.result.record.stopped_by == StopReason::max_trials) text += " - incomplete: --max-trials was reached first";
+  const std::string why = why_incomplete(run.result.record.stopped_by);
+  if (!why.empty()) text += " - " + why;
   text += "\n";
   if (!run.control_bodies.empty()) text += control_text(run);
   if (has_trials(run) && !run.result.candidates.empty()) text += pilot_text(run);

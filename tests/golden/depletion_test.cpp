@@ -36,6 +36,13 @@ TEST_F(DepletionProgram, HoldsTwoSpheresAgainstTheClosedForm) {
   EXPECT_EQ(found["rows"][2]["overlap_volume"], 0.0);
 }
 
+TEST_F(DepletionProgram, SaysWhyItGaveUp) {
+  const Words words = {"box:1,1,1", "--depletant",  "1",  "--distance", "1.5", "--rel-error",
+                       "1e-9",      "--max-trials", "1e4"};
+  EXPECT_EQ(json_of(words)["rows"][0]["stopped_by"], "max-trials");
+  EXPECT_NE(run(words).out.find("NOT COMPLETE - incomplete: --max-trials was reached first"), std::string::npos);
+}
+
 TEST_F(DepletionProgram, TurnsTheSecondBodyAboutTheLineBetweenThem) {
   const Words words = {"capsule:4,0.5", "--depletant", "0.2", "--distance", "1.1", "--trials", "40000"};
   const auto rows = [&](const Words& more) {
