@@ -16,8 +16,8 @@ constexpr double kKeyLine = 18.0;
 // From data to pixels.
 class PlotAxis {
  public:
-  PlotAxis(double from, double to, bool is_log, double begin, double end)
-      : is_log_(is_log), from_(place(from)), to_(place(to)), begin_(begin), end_(end) {}
+  PlotAxis(double from, double to, bool is_log, bool is_whole, double begin, double end)
+      : is_log_(is_log), is_whole_(is_whole), from_(place(from)), to_(place(to)), begin_(begin), end_(end) {}
 
   double pixel(double value) const {
     const double t = (place(value) - from_) / (to_ - from_);
@@ -43,7 +43,8 @@ class PlotAxis {
     }
     const double low = is_log_ ? std::pow(10.0, from_) : from_, high = is_log_ ? std::pow(10.0, to_) : to_;
     const double rough = (high - low) / n, power = std::pow(10.0, std::floor(std::log10(rough)));
-    const double step = power * (rough > 5.0 * power ? 10.0 : rough > 2.0 * power ? 5.0 : rough > power ? 2.0 : 1.0);
+    double step = power * (rough > 5.0 * power ? 10.0 : rough > 2.0 * power ? 5.0 : rough > power ? 2.0 : 1.0);
+    if (is_whole_) step = std::max(step, 1.0);  // there is nothing between two orders, or two cases
     for (double k = std::ceil(low / step); k * step <= high; ++k) values.push_back(k * step);
     return values;
   }
@@ -51,7 +52,7 @@ class PlotAxis {
  private:
   double place(double value) const { return is_log_ ? std::log10(value) : value; }
 
-  bool is_log_;
+  bool is_log_, is_whole_;
   double from_, to_, begin_, end_;
 };
 
@@ -77,13 +78,20 @@ bool fits(const Plot& plot, const PlotPoint& p) {
          (!plot.log_y || p.y > 0.0);
 }
 
+bool is_whole(const Plot& plot) {
+  return std::ranges::all_of(plot.series, [&plot](const PlotSeries& series) {
+    return std::ranges::all_of(series.points,
+                               [&plot](const PlotPoint& p) { return !fits(plot, p) || p.x == std::floor(p.x); });
+  });
+}
+
 class PlotDrawing {
  public:
   PlotDrawing(const Plot& plot, const PlotRange& x, const PlotRange& y, double left)
       : plot_(plot),
         left_(left),
-        x_(x.low, x.high, plot.log_x, left, kPlotRight),
-        y_(y.low, y.high, plot.log_y, kPlotBottom, kPlotTop),
+        x_(x.low, x.high, plot.log_x, is_whole(plot), left, kPlotRight),
+        y_(y.low, y.high, plot.log_y, false, kPlotBottom, kPlotTop),
         range_y_(y),
         svg_(Svg::in_page(kPlotWidth, kPlotHeight + height_of_key(plot), in_xml(plot.title))) {}
 
@@ -205,7 +213,7 @@ std::string plot_svg(const Plot& plot) {
   x = widened(x, plot.log_x);
   y = widened(y, plot.log_y);
   std::vector<std::string> labels;
-  for (const double value : PlotAxis(y.low, y.high, plot.log_y, 0.0, 1.0).ticks(5.0))
+  for (const double value : PlotAxis(y.low, y.high, plot.log_y, false, 0.0, 1.0).ticks(5.0))
     labels.push_back(short_number(value, 7));
   return PlotDrawing(plot, x, y, PlotDrawing::left_of(labels)).text();
 }
