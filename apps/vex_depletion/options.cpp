@@ -5,6 +5,7 @@
 
 #include "apps/common/number_range.h"
 #include "apps/common/numbers.h"
+#include "apps/common/pose_numbers.h"
 #include "engine/numeric/errors.h"
 #include "engine/sampling/poses/orientation_law_text.h"
 
@@ -17,18 +18,9 @@ std::vector<std::string> numbers_of(const std::string& word, const char* option)
   return {word};
 }
 
-/// Four numbers with commas between them.
 std::array<double, 4> quaternion_of(const std::string& word) {
   std::array<double, 4> found{};
-  std::size_t begin = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const std::size_t comma = word.find(',', begin);
-    if ((comma == std::string::npos) != (k == 3)) {
-      throw UsageError("not a quaternion (\"" + word + "\" for --rotation) - write W,X,Y,Z, as in 1,0,0,0");
-    }
-    found[k] = parse_number(word.substr(begin, comma - begin), "--rotation");
-    begin = comma + 1;
-  }
+  read_numbers(word, "--rotation", found);
   if (found == std::array<double, 4>{}) {
     throw UsageError("a quaternion of length 0 (\"" + word + "\" for --rotation) - give another");
   }

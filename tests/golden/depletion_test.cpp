@@ -102,7 +102,7 @@ TEST_F(DepletionProgram, RefusesWhatMakesNoSense) {
   expect_refused({"sphere:1", "--depletant", "0.2", "--distance", "1:2"}, 2, "not a range");
   expect_refused(with({"--fraction", "1"}), 2, "not below 1");
   expect_refused(with({"--orientations", "isotropic", "--angle", "30"}), 2, "leave out one of them");
-  expect_refused(with({"--rotation", "1,0,0"}), 2, "not a quaternion");
+  expect_refused(with({"--rotation", "1,0,0"}), 2, "wrong number of numbers (3 for --rotation)");
   expect_refused(with({"--rotation", "0,0,0,0"}), 2, "length 0");
   expect_refused(with({"--direction", "0,0,0"}), 2, "a direction of length 0");
   expect_refused(with({"--csv", "a.obj"}), 2, "a.obj");
