@@ -78,7 +78,13 @@ std::string report_text(const NematicMixtureRun& run) {
   }
   if (lines.size() > 1) text += table_text(lines);
   if (!run.result.reason.empty()) text += "   NOT TO THE END: " + run.result.reason + "\n";
-  text += "   whether the nematic fluid splits in two of its own is not looked for\n";
+  for (const ThreeFluids& three : run.result.three) {
+    text += "   three fluids in equilibrium at P / kT " + short_number(three.isotropic.pressure, 7) +
+            ": an isotropic one with a share of B of " + short_number(three.isotropic.composition(), 6) +
+            ", and nematic ones with " + short_number(three.nematic[0].composition(), 6) + " and " +
+            short_number(three.nematic[1].composition(), 6) + "\n";
+  }
+  text += "   equilibria of two nematic fluids without an isotropic one are not looked for\n";
   return text;
 }
 
@@ -96,6 +102,13 @@ std::string report_json(const NematicMixtureRun& run) {
                                {"pressure", one.nematic.pressure},
                                {"chemical_potentials", one.nematic.chemical_potentials},
                                {"residual", one.residual}});
+  }
+  json["three_fluids"] = Json::array();
+  for (const ThreeFluids& three : run.result.three) {
+    json["three_fluids"].push_back(
+        {{"isotropic", phase_json(run, three.isotropic, false)},
+         {"nematic", {phase_json(run, three.nematic[0], true), phase_json(run, three.nematic[1], true)}},
+         {"pressure", three.isotropic.pressure}});
   }
   json["reason"] = run.result.reason.empty() ? Json(nullptr) : Json(run.result.reason);
   return document_text(json);

@@ -51,15 +51,24 @@ struct MixtureCoexistence {
   double residual = 0.0;
 };
 
+/// An isotropic fluid and two nematic ones, all three in equilibrium.
+struct ThreeFluids {
+  MixturePhase isotropic;
+  std::array<MixturePhase, 2> nematic;  // the one with less of B first
+};
+
 struct MixtureResult {
   std::vector<MixtureCoexistence> found;  // as far as the branch was followed
+  std::vector<ThreeFluids> three;         // of bodies that are unlike enough; from there on two nematic fluids exist
   std::string reason;                     // why not to the end
 };
 
 /// For each share of B in the isotropic fluid, ascending from 0 to 1: a branch of equilibria that begins at the fluid
-/// of A alone and is followed by Newton's method. Shares of 0 and 1 stand for 1e-7 of the other kind, which changes the
-/// fluids by as little. Equal pressures and chemical potentials to 1e-9 of their size. Whether the two fluids split
-/// further (two nematic ones) is not looked for.
+/// of A alone and is followed to that of B alone by the nematic fluid's share, with Newton's method. Where the branch
+/// turns back there are several at one share, and the one of the least dense isotropic fluid is given: it is the first
+/// that a fluid which grows denser meets. Shares of 0 and 1 stand for at most 1e-7 of the other kind in both fluids,
+/// which changes them by as little. Equal pressures and chemical potentials to 1e-9 of their size. Equilibria of two
+/// nematic fluids without an isotropic one are not looked for.
 MixtureResult coexistence_of_mixture(const NematicMixture& mixture, const std::vector<double>& compositions);
 
 }  // namespace vex

@@ -12,7 +12,7 @@ namespace vex {
 namespace {
 
 NematicMixture::Pair pair_of(const Body& a, const Body& b) {
-  const LegendreSeries series = excluded_volume_series(a, b, 128).value();
+  const LegendreSeries series = excluded_volume_series(a, b, 256).value();
   NematicMixture::Pair pair;
   pair.excluded_volume = series[0];
   for (std::size_t l = 0; l < series.size(); l += 2) pair.series.push_back(series[l] / series[0]);
@@ -90,6 +90,38 @@ TEST(NematicMixture, AlongTheBranchPressureAndPotentialsObeyGibbsAndDuhem) {
     EXPECT_GT(result.found[1].nematic.composition(), 0.35) << "the longer rods order first";
     EXPECT_GT(result.found[1].nematic.order_parameters[1], result.found[1].nematic.order_parameters[0]);
   }
+}
+
+TEST(NematicMixture, OfUnlikeRodsHasTwoNematicFluidsBesideAnIsotropicOne) {
+  const NematicMixture mixture = mixture_of("capsule:1000,0.5", "capsule:3000,0.5", NematicTheory::onsager);
+  // On either side of the three fluids, where the branch has three equilibria, and far from there.
+  const MixtureResult result = coexistence_of_mixture(mixture, {0.0, 1.25e-4, 1.27e-4, 0.3, 1.0});
+  ASSERT_EQ(result.found.size(), 5u) << result.reason;
+  EXPECT_EQ(result.reason, "");
+  ASSERT_EQ(result.three.size(), 1u);
+  const ThreeFluids& three = result.three.front();
+  for (const MixturePhase& nematic : three.nematic) {
+    EXPECT_NEAR(nematic.pressure, three.isotropic.pressure, 1e-9 * three.isotropic.pressure);
+    const MixturePhase again = mixture_phase(mixture, nematic.number_densities, true).value();
+    EXPECT_NEAR(again.pressure, nematic.pressure, 1e-9 * nematic.pressure);
+    for (const std::size_t kind : {0u, 1u}) {
+      EXPECT_NEAR(nematic.chemical_potentials[kind], three.isotropic.chemical_potentials[kind], 1e-8);
+    }
+  }
+  const double split = three.isotropic.composition();
+  EXPECT_GT(split, 1.25e-4);
+  EXPECT_LT(split, 1.27e-4);
+  EXPECT_LT(result.found[1].nematic.composition(), three.nematic[0].composition());
+  EXPECT_GT(result.found[2].nematic.composition(), three.nematic[1].composition());
+  EXPECT_GT(result.found[3].nematic.composition(), 0.69);
+}
+
+TEST(NematicMixture, GivesNoRowsOfABranchThatItLost) {
+  const MixtureResult result = coexistence_of_mixture(
+      mixture_of("capsule:1000,0.5", "capsule:10000,0.5", NematicTheory::onsager), {0.0, 1e-6, 0.5});
+  EXPECT_NE(result.reason.find("the branch was lost at a share of"), std::string::npos) << result.reason;
+  ASSERT_EQ(result.found.size(), 1u) << "of A alone";
+  EXPECT_EQ(result.found[0].composition, 0.0);
 }
 
 TEST(NematicMixture, PotentialsAreTheSlopesOfTheFreeEnergy) {
