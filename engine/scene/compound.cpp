@@ -207,7 +207,10 @@ Pose Compound::frame_from_part(std::size_t part, const Pose& frame_from_compound
 Compound compound_of_triangles(std::span<const std::array<Vec3d, 3>> triangles) {
   std::vector<CompoundPart> parts;
   parts.reserve(triangles.size());
-  for (const std::array<Vec3d, 3>& triangle : triangles) parts.push_back({TriangleBody(triangle), Pose()});
+  for (const std::array<Vec3d, 3>& triangle : triangles) {
+    if (parts.size() % 256 == 0) end_if_interrupted();
+    parts.push_back({TriangleBody(triangle), Pose()});
+  }
   return Compound(std::move(parts));
 }
 

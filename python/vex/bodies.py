@@ -243,7 +243,9 @@ class Body:
             factors = _three(factor, "factors")
             body = self.scaled(1.0, unit_volume=True) if unit_volume else self
             return Body._from_recipe(("scaled", factors, body))
-        factor = float(factor)  # type: ignore[arg-type]
+        return self._evenly_scaled(float(factor), unit_volume)  # type: ignore[arg-type]
+
+    def _evenly_scaled(self, factor: float, unit_volume: bool) -> "Body":
         kind = self._recipe[0]
         if kind == "named":
             _, text, scale, unit = self._recipe

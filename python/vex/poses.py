@@ -31,13 +31,15 @@ class Pose(NamedTuple):
     rotation: Floats  #: (3, 3) or (N, 3, 3)
     translation: Floats  #: length, (3,) or (N, 3)
 
-    __array_ufunc__ = None  # rows * pose is a product of poses, and not NumPy's
-
     def __mul__(self, other: Poses) -> "Pose":  # type: ignore[override]
-        return NotImplemented if np.isscalar(other) else product(self, other)
+        if np.isscalar(other):
+            return NotImplemented
+        return product(self, other)
 
     def __rmul__(self, other: Poses) -> "Pose":  # type: ignore[override]
-        return NotImplemented if np.isscalar(other) else product(other, self)
+        if np.isscalar(other):
+            return NotImplemented
+        return product(other, self)
 
     def inverse(self) -> "Pose":
         """b_from_a of a_from_b: see `vex.inverse`."""
@@ -50,16 +52,19 @@ class Pose(NamedTuple):
         return np.concatenate([self.translation, quaternion_of(self)], axis=-1)
 
 
-def _pose(arrays: Tuple[Floats, Floats], single: bool) -> Pose:
+Pose.__array_ufunc__ = None  # type: ignore[attr-defined]  # rows * pose is a product of poses, and not NumPy's
+
+
+def _pose(arrays: Any, single: bool) -> Pose:
     rotations, translations = arrays
     return Pose(rotations[0], translations[0]) if single else Pose(rotations, translations)
 
 
-def _pairs(first: Poses, second: Poses) -> Tuple[Tuple[Any, ...], bool]:
+def _pairs(first: Poses, second: Poses) -> Tuple[Any, bool]:
     """Rows and translations of both, as many of either, and whether either was one pose alone."""
     given = [as_poses(first), as_poses(second)]
     n = max(len(rows) for rows, _, _ in given) if all(len(rows) for rows, _, _ in given) else 0
-    arrays: Tuple[Any, ...] = ()
+    arrays: Any = ()
     for rows, translations, _ in given:
         arrays += (repeated(rows, n, "poses"), None if translations is None else repeated(translations, n, "poses"))
     return arrays, all(single for _, _, single in given)
@@ -136,7 +141,8 @@ def interpolated(from_: Poses, to: Poses, part: npt.ArrayLike) -> Pose:
     single, parts = single and parts.ndim == 0, parts.reshape(-1)
     n = max(len(arrays[0]), len(parts)) if min(len(arrays[0]), len(parts)) > 0 else 0
     first, first_t, second, second_t = (None if array is None else repeated(array, n, "poses") for array in arrays)
-    return _pose(_vex.interpolated(first, first_t, second, second_t, repeated(parts, n, "part")), single)
+    return _pose(_vex.interpolated(first, first_t, second, second_t, repeated(parts, n, "part")),  # type: ignore[arg-type]
+                 single)
 
 
 def relative_pose(world_from_a: Poses, world_from_b: Poses) -> Pose:
@@ -165,5 +171,6 @@ def relative_pose_error(world_from_a: Poses, world_from_b: Poses, reach_b: float
     A length, or an array (N,) of them: some 60 roundings of the bodies' sizes and of how far they are from each other.
     """
     arrays, single = _pairs(world_from_a, world_from_b)
-    found = _vex.relative_pose_error(*arrays, float(reach_b), float(ball_radius_a))
+    first, first_t, second, second_t = arrays
+    found = _vex.relative_pose_error(first, first_t, second, second_t, float(reach_b), float(ball_radius_a))
     return float(found[0]) if single else found
