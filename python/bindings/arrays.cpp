@@ -68,12 +68,14 @@ void transpose(const double* rows, std::size_t n, double* columns) {
   }
 }
 
-bool are_finite(const double* columns, std::size_t stride, std::size_t n) {
-  double sum = 0.0;  // 0 times what is not finite is NaN
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < n; ++k) sum += 0.0 * columns[i * stride + k];
+VEX_ANY_PROCESSOR bool are_finite(const double* columns, std::size_t stride, std::size_t n) {
+  const double *x = columns, *y = columns + stride, *z = columns + 2 * stride;
+  int n_others = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double nothing = 0.0 * x[k] + 0.0 * y[k] + 0.0 * z[k];  // 0 times what is not finite is NaN
+    n_others += nothing == 0.0 ? 0 : 1;
   }
-  return sum == 0.0;
+  return n_others == 0;
 }
 
 void prefetch(const double* from, const double* to) {
