@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/numeric/errors.h"
+#include "engine/numeric/interruption.h"
 #include "engine/numeric/rounding.h"
 #include "meshes/determinant.h"
 #include "meshes/exact_sign.h"
@@ -292,6 +293,7 @@ std::optional<Triangles> exact_hull(std::span<const Vec3d> points) {
     }
     GrowingHull hull(std::move(*start), {points[a], step}, most_steps_of_a_point);
     for (std::size_t i = 0; i < order.size() && !hull.failed(); ++i) {
+      if (i % 64 == 0) end_if_interrupted();
       hull.join(order[i]);
     }
     is_too_slow = hull.is_too_slow();

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/numeric/interruption.h"
 #include "engine/numeric/rounding.h"
 #include "meshes/exact_hull.h"
 #include "meshes/facet_distance.h"
@@ -157,6 +158,7 @@ class GrowingChoice {
     std::vector<Farthest> farthest(hull.size());
     std::vector<std::uint32_t> undecided;
     for (const std::uint32_t v : undecided_) {
+      end_if_interrupted();
       const auto [facet, outside] = distance.to(corners_.vertices[v]);
       if (outside <= tolerance_) {
         farthest_outside_ = std::max(farthest_outside_, outside);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/numeric/errors.h"
+#include "engine/numeric/interruption.h"
 #include "engine/query/world_queries.h"
 #include "engine/scene/compound_boxes.h"
 #include "engine/scene/threads.h"
@@ -180,6 +181,7 @@ Compound::Compound(std::vector<CompoundPart> parts) : parts_(std::move(parts)) {
   std::vector<Aabb> boxes;
   boxes.reserve(parts_.size());
   for (std::size_t k = 0; k < parts_.size(); ++k) {
+    if (k % 256 == 0) end_if_interrupted();
     boxes.push_back(box_seen(parts_[k].body, parts_[k].compound_from_part));
     const auto is_near = [](double x) { return std::fabs(x) <= kFarthestCorner; };
     const auto& [lower, upper] = boxes.back();
@@ -205,7 +207,10 @@ Pose Compound::frame_from_part(std::size_t part, const Pose& frame_from_compound
 Compound compound_of_triangles(std::span<const std::array<Vec3d, 3>> triangles) {
   std::vector<CompoundPart> parts;
   parts.reserve(triangles.size());
-  for (const std::array<Vec3d, 3>& triangle : triangles) parts.push_back({TriangleBody(triangle), Pose()});
+  for (const std::array<Vec3d, 3>& triangle : triangles) {
+    if (parts.size() % 256 == 0) end_if_interrupted();
+    parts.push_back({TriangleBody(triangle), Pose()});
+  }
   return Compound(std::move(parts));
 }
 

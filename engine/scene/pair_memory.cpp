@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/numeric/interruption.h"
 #include "engine/numeric/interval.h"
 #include "engine/scene/threads.h"
 
@@ -35,6 +36,7 @@ void PairMemory::build(SceneBodies& bodies, const BroadPhases& phases, const Sce
   if (!keeps_old) rounding_ = rounding;
   skin_ = skin;
   bodies_ = &bodies;
+  is_there_ = false;  // nor is it where the search ends by an exception
   find_pairs_within_skin(phases, kernel, n_threads);
   list(keeps_old);
   is_there_ = true;
@@ -48,6 +50,7 @@ void PairMemory::find_pairs_within_skin(const BroadPhases& phases, const SceneKe
     thread_local NearPairs near;
     near.n = 0;
     phases.find_near(part, kernel, near, [&] {
+      end_if_interrupted();
       for (std::size_t k = 0; k < near.n; ++k) {
         BodyId a = phases.bodies().id[near.places[k] & 0xffffffffu], b = phases.bodies().id[near.places[k] >> 32];
         ImageOffset image = phases.shifts().image(near.shift[k]);

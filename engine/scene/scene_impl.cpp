@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/numeric/errors.h"
+#include "engine/numeric/interruption.h"
 #include "engine/numeric/number_text.h"
 #include "engine/scene/pair_order.h"
 #include "engine/scene/threads.h"
@@ -172,6 +173,7 @@ void Scene::Impl::find_pairs(double margin, const OnBatch& on_batch, const OnBeg
   const auto work = [&](PairSearch& search, int thread) {
     if (on_begin) on_begin(search, thread);
     const auto tell = [&] {
+      end_if_interrupted();
       if (on_batch && !on_batch(search)) is_over = true;
       return !is_over;
     };
@@ -180,6 +182,7 @@ void Scene::Impl::find_pairs(double margin, const OnBatch& on_batch, const OnBeg
       return tell();
     };
     for (std::size_t part = next_part++; part < phases_.n_parts(); part = next_part++) {
+      end_if_interrupted();
       if (is_over || !phases_.find_near(part, asked.kernel, search.near, take)) return;
     }
     search.finish();
@@ -215,6 +218,7 @@ void Scene::Impl::find_remembered_pairs() {
   std::atomic<std::size_t> next = 0;
   const auto work = [&](PairSearch& search, int) {
     for (std::size_t first = next.fetch_add(kBlock); first < memory_.size(); first = next.fetch_add(kBlock)) {
+      end_if_interrupted();
       memory_.look(first, std::min(first + kBlock, memory_.size()), search);
     }
     search.finish();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/numeric/errors.h"
+#include "engine/numeric/interruption.h"
 #include "engine/scene/scene_impl.h"
 #include "engine/scene/threads.h"
 
@@ -21,6 +22,7 @@ void for_each(std::size_t n, int n_threads, const Work& work) {
   const std::size_t n_blocks = (n + kBlock - 1) / kBlock;
   on_threads(static_cast<int>(std::min(static_cast<std::size_t>(n_threads), n_blocks)), [&](int thread) {
     for (std::size_t block = next++; block < n_blocks; block = next++) {
+      end_if_interrupted();
       for (std::size_t k = block * kBlock; k < std::min((block + 1) * kBlock, n); ++k) work(k, thread);
     }
   });

@@ -10,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "engine/numeric/interruption.h"
+
 namespace vex {
 
 /// Fewer threads than were asked for.
@@ -36,8 +38,8 @@ void start_threads(std::vector<std::jthread>& threads, int n_wanted, const Work&
   }
 }
 
-/// work(k) for k = 0 ... n - 1, each on a thread of its own, the first on the caller's. The first exception is thrown
-/// again once all have ended.
+/// work(k) for k = 0 ... n - 1, each on a thread of its own, the first on the caller's, whose Interruption all of them
+/// heed. The first exception is thrown again once all have ended.
 template <class Work>
 void on_threads(int n, Work&& work) {
   if (n <= 1) {
@@ -54,7 +56,10 @@ void on_threads(int n, Work&& work) {
   };
   {
     std::vector<std::jthread> threads;
-    start_threads(threads, n - 1, [&](int k) { guarded(k + 1); });
+    start_threads(threads, n - 1, [&, interruption = Interruption::current()](int k) {
+      const SharedInterruption shared(interruption);
+      guarded(k + 1);
+    });
     note_threads(n, static_cast<int>(threads.size()) + 1);
     guarded(0);
     // What a thread that cannot be had would have done is done here, after the caller's own part.

@@ -9,6 +9,7 @@
 
 #include "engine/numeric/double_double.h"
 #include "engine/numeric/errors.h"
+#include "engine/numeric/interruption.h"
 #include "engine/numeric/number_text.h"
 
 namespace vex {
@@ -69,10 +70,16 @@ class Validation {
     add_axes();
     for (std::size_t k = 0; k < settings.n_directions; ++k) add(directions.any());
     for (std::size_t k = 0; k < settings.n_directions; k += 4) add_hard(&directions);
-    for (const Asked& asked : asked_) check_alone(asked);
+    for (const Asked& asked : asked_) {
+      end_if_interrupted();
+      check_alone(asked);
+    }
     check_form();
     check_rolling_radius();
-    for (const Asked& asked : asked_) check_against_others(asked);
+    for (const Asked& asked : asked_) {
+      end_if_interrupted();
+      check_against_others(asked);
+    }
     std::vector<Violation> found;
     for (std::optional<Violation>& worst : worst_) {
       if (worst) found.push_back(described(*std::move(worst)));
@@ -98,6 +105,7 @@ class Validation {
   }
 
   std::optional<Vec3d> add(const Vec3d& dir) {
+    end_if_interrupted();
     const double length = norm(dir);
     if (!(length > 0x1p-300 && length < 0x1p300)) return std::nullopt;
     const Vec3d point = body_.support(dir);
@@ -187,6 +195,7 @@ class Validation {
     std::vector<Vec3d> inner;
     for (const Asked& asked : asked_) inner.push_back(core_of(asked.dir) - (radius / asked.length) * asked.dir);
     for (std::size_t i = 0; i < inner.size(); ++i) {
+      end_if_interrupted();
       for (std::size_t j = 0; j < inner.size(); ++j) {
         const double farther = dot(asked_[i].dir, inner[j] - inner[i]) / asked_[i].length;
         if (farther > kAllowed * radius + 2.0 * core_error_ + 0x1p-45) {
@@ -202,6 +211,7 @@ class Validation {
     if (!form_) return;
     const std::size_t stride = 1 + asked_.size() * form_->points.size() / kMostProducts;
     for (std::size_t k = 0; k < asked_.size(); k += stride) {
+      end_if_interrupted();
       const auto& [dir, length, point] = asked_[k];
       const Exact off =
           (height_of_form(dir) - product(dir, exactly(point))) / norm(exactly(dir)) + Exact(scaled(form_->ball_radius));

@@ -1,6 +1,6 @@
 #include "python/bindings/arrays.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <thread>
 
@@ -18,26 +18,69 @@ std::string shape_text(const py::array& array) {
   return text + (array.ndim() == 1 ? ",)" : ")");
 }
 
-/// Pose's own check of columns of rotations: whether all pass it. What is near the tolerance may fail here, by rounding
-/// in another order, and is looked at one by one then.
-bool are_rotations(const double* columns, std::size_t stride, std::size_t n) {
-  constexpr double kSure = 0.5 * Pose::kRotationTolerance;
+// One copy for each instruction set, and the loader takes the processor's. What they answer may differ by rounding,
+// where rows are looked at one by one then.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define VEX_ANY_PROCESSOR __attribute__((target_clones("avx2", "default")))
+#else
+#define VEX_ANY_PROCESSOR
+#endif
+
+/// Whether all columns are of rotations, to within Pose::kRotationTolerance for sure. What is near the tolerance is
+/// not.
+///
+/// With a = |x|^2 - 1, b = |y|^2 - 1 and c = x . y of the first two rows and d = z - x cross y of the third, the
+/// entries of R R^T - 1 are a, b, c, x . d, y . d and, to first order, a + b + 2 w . d with w = x cross y. Its
+/// Frobenius norm is at most 2 (|a| + |b| + |c|) + 2 |d|, and twice the sum that is looked at here; the largest entry
+/// of R^T R - 1, which has the same eigenvalues, is no larger. The terms of second order are some 1e-12, those of
+/// rounding 1e-15, and det R = |w|^2 + w . d is above 0.
+VEX_ANY_PROCESSOR bool are_rotations(const double* columns, std::size_t stride, std::size_t n) {
+  constexpr double kSure = 0.49 * Pose::kRotationTolerance;
   const auto column = [&](std::size_t i) { return columns + i * stride; };
   const double *xx = column(0), *xy = column(1), *xz = column(2), *yx = column(3), *yy = column(4), *yz = column(5);
   const double *zx = column(6), *zy = column(7), *zz = column(8);
   int n_unsure = 0;
   for (std::size_t k = 0; k < n; ++k) {
-    const auto off = [k](const double* a0, const double* a1, const double* a2, const double* b0, const double* b1,
-                         const double* b2,
-                         double one) { return std::fabs((a0[k] * b0[k] + a1[k] * b1[k]) + a2[k] * b2[k] - one); };
-    const double sum = (off(xx, yx, zx, xx, yx, zx, 1.0) + off(xy, yy, zy, xy, yy, zy, 1.0)) +
-                       (off(xz, yz, zz, xz, yz, zz, 1.0) + off(xx, yx, zx, xy, yy, zy, 0.0)) +
-                       (off(xx, yx, zx, xz, yz, zz, 0.0) + off(xy, yy, zy, xz, yz, zz, 0.0));
-    const double determinant = ((xy[k] * yz[k] - xz[k] * yy[k]) * zx[k] + (xz[k] * yx[k] - xx[k] * yz[k]) * zy[k]) +
-                               (xx[k] * yy[k] - xy[k] * yx[k]) * zz[k];
-    n_unsure += sum <= kSure && determinant > 0.0 ? 0 : 1;
+    const double sum =
+        ((std::fabs(xx[k] * xx[k] + xy[k] * xy[k] + xz[k] * xz[k] - 1.0) +
+          std::fabs(yx[k] * yx[k] + yy[k] * yy[k] + yz[k] * yz[k] - 1.0)) +
+         (std::fabs(xx[k] * yx[k] + xy[k] * yy[k] + xz[k] * yz[k]) +
+          std::fabs(xy[k] * yz[k] - xz[k] * yy[k] - zx[k]))) +
+        (std::fabs(xz[k] * yx[k] - xx[k] * yz[k] - zy[k]) + std::fabs(xx[k] * yy[k] - xy[k] * yx[k] - zz[k]));
+    n_unsure += sum <= kSure ? 0 : 1;  // NaN is not
   }
   return n_unsure == 0;
+}
+
+/// Rows of so many numbers, two at a time, as columns.
+template <std::size_t width>
+void transpose(const double* rows, std::size_t n, double* columns) {
+  constexpr std::size_t kStride = PacketOverlap::kStride;
+  std::size_t k = 0;
+  for (; k + 2 <= n; k += 2) {
+    for (std::size_t i = 0; i < width; ++i) {
+      columns[i * kStride + k] = rows[width * k + i];
+      columns[i * kStride + k + 1] = rows[width * (k + 1) + i];
+    }
+  }
+  for (; k < n; ++k) {
+    for (std::size_t i = 0; i < width; ++i) columns[i * kStride + k] = rows[width * k + i];
+  }
+}
+
+VEX_ANY_PROCESSOR bool are_finite(const double* columns, std::size_t stride, std::size_t n) {
+  const double *x = columns, *y = columns + stride, *z = columns + 2 * stride;
+  int n_others = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double nothing = 0.0 * x[k] + 0.0 * y[k] + 0.0 * z[k];  // 0 times what is not finite is NaN
+    n_others += nothing == 0.0 ? 0 : 1;
+  }
+  return n_others == 0;
+}
+
+void prefetch(const double* from, const double* to) {
+  constexpr std::size_t kLine = 64 / sizeof(double);
+  for (; from < to; from += kLine) __builtin_prefetch(from, 0, 2);
 }
 
 }  // namespace
@@ -92,33 +135,34 @@ Pose PoseRows::operator[](std::size_t k) const {
 void PoseRows::set_columns(std::size_t first, std::size_t last, double* columns) const {
   constexpr std::size_t kStride = PacketOverlap::kStride;
   const std::size_t n = last - first;
+  double* const translations = columns + 9 * kStride;
   bool are_poses = true;
-  for (std::size_t k = 0; k < n; ++k) {
-    const double* const t = translations_ != nullptr ? translations_ + 3 * (first + k) : rows_ + 7 * (first + k);
-    for (std::size_t i = 0; i < 3; ++i) columns[(9 + i) * kStride + k] = t[i];
-    are_poses &= is_finite(vec3_at(t));
-  }
   if (translations_ != nullptr) {
-    for (std::size_t k = 0; k < n; ++k) {
-      for (std::size_t i = 0; i < 9; ++i) columns[i * kStride + k] = rows_[9 * (first + k) + i];
-    }
-    are_poses = are_poses && are_rotations(columns, kStride, n);
-  } else if (are_poses) {
-    std::array<std::array<double, kStride>, 4> quaternion;
-    for (std::size_t k = 0; k < n; ++k) {
-      for (std::size_t i = 0; i < 4; ++i) quaternion[i][k] = rows_[7 * (first + k) + 3 + i];
-    }
+    transpose<9>(rows_ + 9 * first, n, columns);
+    transpose<3>(translations_ + 3 * first, n, translations);
+    are_poses = are_rotations(columns, kStride, n) && are_finite(translations, kStride, n);
+  } else {
+    alignas(64) double row[7][kStride];
+    transpose<7>(rows_ + 7 * first, n, row[0]);
+    for (std::size_t i = 0; i < 3; ++i) std::copy(row[i], row[i] + n, translations + i * kStride);
+    are_poses = are_finite(translations, kStride, n);
     try {
       // Of any quaternion these are rotations to some roundings: nothing else is to be checked.
-      rotations_from_quaternions(
-          {quaternion[0].data(), quaternion[1].data(), quaternion[2].data(), quaternion[3].data()}, n, columns,
-          kStride);
+      if (are_poses) rotations_from_quaternions({row[3], row[4], row[5], row[6]}, n, columns, kStride);
     } catch (const InputError&) {
       are_poses = false;
     }
   }
   if (are_poses) return;
   for (std::size_t k = first; k < last; ++k) (*this)[k];  // throws for one of them, and names the row
+}
+
+void PoseRows::prefetch_rows(std::size_t first, std::size_t last) const {
+  last = std::min(last, n_);
+  if (first >= last) return;
+  const std::size_t width = translations_ != nullptr ? 9 : 7;
+  prefetch(rows_ + width * first, rows_ + width * last);
+  if (translations_ != nullptr) prefetch(translations_ + 3 * first, translations_ + 3 * last);
 }
 
 py::tuple arrays_of(const Transformd& pose) {
@@ -152,17 +196,21 @@ void sleep_if_ending() {
   while (is_ending() && PyGILState_Check() == 0) std::this_thread::sleep_for(std::chrono::hours(1));
 }
 
-SignalWatch::SignalWatch() {
-  const py::object main_thread = py::module_::import("threading").attr("main_thread")();
-  is_main_ = main_thread.attr("ident").cast<unsigned long>() == PyThread_get_thread_ident();
-}
+namespace {
+thread_local int depth_of_calls = 0;
+}  // namespace
+
+CallOfPython::CallOfPython() { ++depth_of_calls; }
+CallOfPython::~CallOfPython() { --depth_of_calls; }
+bool is_called_by_a_query() { return depth_of_calls > 0; }
 
 bool SignalWatch::has_thrown() {
-  if (!is_main_) return false;
+  if (error_) return true;
   const auto now = std::chrono::steady_clock::now();
   if (now < next_) return false;
-  next_ = now + std::chrono::milliseconds(100);
+  next_ = now + kPause;
   const WithGil with_gil;
+  const CallOfPython call;
   if (PyErr_CheckSignals() == 0) return false;
   try {
     throw py::error_already_set();

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "engine/numeric/errors.h"
+#include "engine/numeric/interruption.h"
 #include "engine/numeric/pose.h"
 #include "engine/query/overlap_backend.h"
 #include "engine/query/packets/packet_overlap.h"
@@ -96,6 +97,8 @@ class PoseRows {
   Pose operator[](std::size_t k) const;
   /// The rows first ... last - 1, at most PacketOverlap::kMostTrials, as the columns of a PoseTable of its stride.
   void set_columns(std::size_t first, std::size_t last, double* columns) const;
+  /// Rows that will be read soon, as many of them as there are.
+  void prefetch_rows(std::size_t first, std::size_t last) const;
 
  private:
   Transformd transform(std::size_t k) const;
@@ -111,22 +114,49 @@ py::tuple arrays_of(const Transformd& pose);
 /// As many threads as there are cores where `threads` is 0. Throws UsageError where it is below 0 or far too many.
 int number_of_threads(int threads);
 
-/// Asks the interpreter for signals now and then, on the thread that made it: made with the GIL, and asked without. On
-/// other threads than Python's main one there are none.
+/// Asks the interpreter for signals now and then. On other threads than Python's main one there are none.
 class SignalWatch {
  public:
-  SignalWatch();
-  /// Whether a signal's handler has thrown; then `rethrow` does. Takes the GIL, at most ten times a second.
+  /// Whether a signal's handler has thrown; then `rethrow` does. Asked without the GIL, which it takes, ten times a
+  /// second at most.
   bool has_thrown();
   void rethrow() {
     if (error_) std::rethrow_exception(error_);
   }
 
  private:
-  bool is_main_;
-  std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now();
+  static constexpr std::chrono::milliseconds kPause{100};
+
+  std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + kPause;
   std::exception_ptr error_;
 };
+
+/// While one lives, this thread is in Python's code that a query of its has called: a support function or a signal's
+/// handler.
+class CallOfPython {
+ public:
+  CallOfPython();
+  CallOfPython(const CallOfPython&) = delete;
+  CallOfPython& operator=(const CallOfPython&) = delete;
+  ~CallOfPython();
+};
+/// Whether this thread is.
+bool is_called_by_a_query();
+
+/// What work() gives, done without the GIL. What a signal's handler throws, as Ctrl-C does, ends the work where it asks
+/// (engine/numeric/interruption.h), and is thrown again.
+template <class Work>
+auto interruptibly(const Work& work) {
+  SignalWatch watch;
+  const WithoutGil without_gil;
+  const Interruption interruption([&watch] { return watch.has_thrown(); });
+  try {
+    return work();
+  } catch (const Interrupted&) {
+    watch.rethrow();
+    throw;
+  }
+}
 
 namespace detail {
 
@@ -136,10 +166,10 @@ class BlockLoop {
  public:
   BlockLoop(std::size_t n, std::size_t block, const Make& make) : n_(n), block_(block), make_(make) {}
 
-  void run(int n_threads, SignalWatch& watch);
+  void run(int n_threads);
 
  private:
-  void work(SignalWatch* watch);
+  void work();
   void fail(std::size_t first) {
     const std::lock_guard lock(mutex_);
     if (first < failed_) {
@@ -152,14 +182,14 @@ class BlockLoop {
   std::size_t n_, block_;
   const Make& make_;
   std::atomic<std::size_t> next_{0};
-  std::atomic<bool> stop_{false};
+  std::atomic<bool> stop_{false}, is_interrupted_{false};
   std::mutex mutex_;
   std::size_t failed_ = std::numeric_limits<std::size_t>::max();
   std::exception_ptr failure_;
 };
 
 template <class Make>
-void BlockLoop<Make>::work(SignalWatch* watch) {
+void BlockLoop<Make>::work() {
   std::size_t first = 0;
   try {
     auto&& block = make_();
@@ -167,23 +197,23 @@ void BlockLoop<Make>::work(SignalWatch* watch) {
     // number of threads.
     for (first = next_.fetch_add(block_); first < n_ && !stop_; first = next_.fetch_add(block_)) {
       block(first, std::min(first + block_, n_));
-      if (watch != nullptr && watch->has_thrown()) {
-        stop_ = true;
-        return;
-      }
+      end_if_interrupted();
     }
+  } catch (const Interrupted&) {
+    is_interrupted_ = true;
+    stop_ = true;
   } catch (...) {
     fail(first);
   }
 }
 
 template <class Make>
-void BlockLoop<Make>::run(int n_threads, SignalWatch& watch) {
+void BlockLoop<Make>::run(int n_threads) {
   const std::size_t n_blocks = (n_ + block_ - 1) / block_;
   on_threads(static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(n_threads), n_blocks)),
-             [&](int k) { work(k == 0 ? &watch : nullptr); });
-  watch.rethrow();
+             [&](int) { work(); });
   if (failure_) std::rethrow_exception(failure_);
+  if (is_interrupted_) throw Interrupted();
 }
 
 }  // namespace detail
@@ -195,9 +225,7 @@ template <class Make>
 void over_rows(std::size_t n, int threads, std::size_t block, const Make& make) {
   const int n_threads = number_of_threads(threads);
   if (n == 0) return;
-  SignalWatch watch;
-  const WithoutGil without_gil;
-  detail::BlockLoop<Make>(n, block, make).run(n_threads, watch);
+  interruptibly([&] { detail::BlockLoop<Make>(n, block, make).run(n_threads); });
 }
 
 /// Of queries that take a tenth of a microsecond or more.

@@ -15,6 +15,7 @@
 #include "shapes/any_shape.h"
 #include "shapes/polytope.h"
 #include "shapes/rounded.h"
+#include "shapes/scaled.h"
 
 namespace vex::python {
 namespace {
@@ -100,11 +101,22 @@ PyBody mesh_body(const PolygonSoup& soup, bool hull, std::optional<double> conve
   if (scale != 1.0 || unit_volume) {
     options.scale = [&](const Measures& measures) { return scale_factor(scale, unit_volume, measures); };
   }
-  const WithoutGil without_gil;
-  ConvexMesh mesh = convex_mesh_from(soup, options);
-  require_size_in_range(mesh.body, mesh.measures, "the mesh");
-  MeshReport report = std::move(mesh.report);
-  return {std::move(mesh), std::move(report)};
+  return interruptibly([&]() -> PyBody {
+    ConvexMesh mesh = convex_mesh_from(soup, options);
+    require_size_in_range(mesh.body, mesh.measures, "the mesh");
+    MeshReport report = std::move(mesh.report);
+    return {std::move(mesh), std::move(report)};
+  });
+}
+
+PyBody scaled_body(const PyBody& body, const std::array<double, 3>& factors) {
+  return {scaled(body.body, Vec3d{factors[0], factors[1], factors[2]})};
+}
+
+PyBody mapped_body(const PyBody& body, const Floats& matrix) {
+  const Rows3 rows(matrix);
+  if (rows.size() != 3) throw UsageError("not a matrix - give one of shape (3, 3)");
+  return {mapped(body.body, {rows[0], rows[1], rows[2]})};
 }
 
 PyBody named_body(const std::string& text, double scale, bool unit_volume) {
@@ -130,6 +142,7 @@ py::dict dict_of(const MeshReport& report) {
   dict["volume_rounding"] = report.volume_rounding;
   dict["reflex_depth"] = report.reflex_depth;
   dict["hull_added_volume"] = report.hull_added_volume;
+  dict["reader_unconfined"] = report.reader_unconfined;
   dict["notes"] = report.notes;
   return dict;
 }
@@ -161,16 +174,17 @@ py::object exact_form(const PyBody& body) {
 }
 
 std::vector<std::string> violations(const PyBody& body, std::size_t n_directions, std::uint64_t seed) {
-  const WithoutGil without_gil;
-  std::vector<std::string> texts;
-  for (const Violation& violation : validate(body.body.body, {n_directions, seed})) texts.push_back(violation.text);
-  return texts;
+  return interruptibly([&] {
+    std::vector<std::string> texts;
+    for (const Violation& violation : validate(body.body.body, {n_directions, seed})) texts.push_back(violation.text);
+    return texts;
+  });
 }
 
 /// Triangles (N, 3) of the hull: indices of these points.
 Indices hull_triangles(const Floats& array) {
   const std::vector<Vec3d> points = points_of(array);
-  const HullOfPoints hull = hull_of_points(points);
+  const HullOfPoints hull = interruptibly([&] { return hull_of_points(points); });
   // The hull's vertices are points in their order, some of them left out.
   std::vector<std::uint32_t> index;
   for (std::uint32_t k = 0; k < points.size() && index.size() < hull.vertices.size(); ++k) {
@@ -190,7 +204,7 @@ py::object moments_of(const PyBody& body) {
   std::optional<SolidMoments> moments = body.body.moments;
   const std::vector<Vec3d> vertices = vertices_of(body.body.body);
   if (!vertices.empty() && body.body.measures.volume > 0.0) {
-    moments = solid_moments(hull_of_points(vertices).triangles);
+    moments = interruptibly([&] { return solid_moments(hull_of_points(vertices).triangles); });
   }
   if (!moments) return py::none();
   return py::make_tuple(moments->volume, array_of(std::span(&moments->centroid, 1)), array_of(moments->second));
@@ -211,14 +225,18 @@ void bind_bodies(py::module_& module) {
   py::class_<PolygonSoup>(module, "Surface", "Points and faces, as a file or arrays have them.")
       .def(py::init(&soup_of), py::arg("points"), py::arg("corners"), py::arg("face_sizes"))
       .def_property_readonly("unit", [](const PolygonSoup& soup) { return soup.unit; })
+      .def_property_readonly("unconfined", [](const PolygonSoup& soup) { return soup.unconfined; })
       .def(py::pickle(&state_of, &soup_from));
   module.def(
       "read_surface",
-      [](const std::string& path, const std::string& format) {
-        const WithoutGil without_gil;
-        return read_polygon_soup(path, {.format = format});
+      [](const std::string& path, const std::string& format, bool require_confinement) {
+        return interruptibly([&] {
+          return read_polygon_soup(
+              path, {.format = format,
+                     .confining = require_confinement ? Confining::required : Confining::as_far_as_possible});
+        });
       },
-      py::arg("path"), py::arg("format"));
+      py::arg("path"), py::arg("format"), py::arg("require_confinement"));
 
   py::class_<PyBody>(module, "Body", "A convex body; made by the functions beside it.")
       .def_property_readonly("kind", [](const PyBody& b) { return b.body.kind; })
@@ -229,6 +247,8 @@ void bind_bodies(py::module_& module) {
       .def_property_readonly("centre", [](const PyBody& b) { return triple(b.body.body.centre()); })
       .def_property_readonly("circumradius", [](const PyBody& b) { return b.body.body.circumradius(); })
       .def_property_readonly("inradius", [](const PyBody& b) { return b.body.body.inradius(); })
+      .def_property_readonly("reach", [](const PyBody& b) { return b.body.body.reach(); })
+      .def_property_readonly("ball_radius", [](const PyBody& b) { return b.body.body.ball_radius(); })
       .def_property_readonly("support_error", [](const PyBody& b) { return b.body.body.support_error(); })
       .def_property_readonly("vertices", [](const PyBody& b) { return array_of(vertices_of(b.body.body)); })
       .def_property_readonly("n_faces", [](const PyBody& b) { return b.body.n_faces; })
@@ -270,11 +290,12 @@ void bind_bodies(py::module_& module) {
       "hull_body",
       [](const Floats& array) -> PyBody {
         const std::vector<Vec3d> points = points_of(array);
-        const WithoutGil without_gil;
-        ConvexMesh mesh = hull_of(points);
-        require_size_in_range(mesh.body, mesh.measures, "the hull");
-        MeshReport report = std::move(mesh.report);
-        return {std::move(mesh), std::move(report)};
+        return interruptibly([&]() -> PyBody {
+          ConvexMesh mesh = hull_of(points);
+          require_size_in_range(mesh.body, mesh.measures, "the hull");
+          MeshReport report = std::move(mesh.report);
+          return {std::move(mesh), std::move(report)};
+        });
       },
       py::arg("points"));
   module.def(
@@ -284,6 +305,8 @@ void bind_bodies(py::module_& module) {
         return PyBody{rounded(body.body, radius, source), body.report};
       },
       py::arg("body"), py::arg("radius"), py::arg("source"));
+  module.def("scaled_body", &scaled_body, py::arg("body"), py::arg("factors"));
+  module.def("mapped_body", &mapped_body, py::arg("body"), py::arg("matrix"));
   module.def(
       "callable_body",
       [](py::function support, double support_error, const std::array<double, 3>& centre, double circumradius,

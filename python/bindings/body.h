@@ -19,12 +19,10 @@ void bind_bodies(py::module_& module);
 void bind_excluded_volume(py::module_& module);
 void bind_queries(py::module_& module);
 void bind_scenes(py::module_& module);
+void bind_poses(py::module_& module);
 void bind_percolation(py::module_& module);
 void bind_virial(py::module_& module);
 void bind_worlds(py::module_& module);
-
-/// Whether this thread is in a support function of somebody's own.
-bool is_in_support_function();
 
 /// A body whose support mapping is a function of Python: of an array (1, 3) of directions, of points of the same shape.
 /// What it throws passes through the query; it is asked with the GIL held.

@@ -16,13 +16,6 @@ std::shared_ptr<const py::function> shared_function(py::function function) {
           }};
 }
 
-thread_local int depth_of_calls = 0;
-
-struct Call {
-  Call() { ++depth_of_calls; }
-  ~Call() { --depth_of_calls; }
-};
-
 class CallableSupport {
  public:
   CallableSupport(py::function support, double support_error, const Vec3d& centre, double circumradius, double inradius)
@@ -33,14 +26,12 @@ class CallableSupport {
         inradius_(inradius) {}
 
   Vec3d support(const Vec3d& dir) const {
+    end_if_interrupted();
     const WithGil with_gil;
     py::array_t<double> dirs({1, 3});
     // What has no direction is asked for any point, which a function that divides by the length has none for.
     put(dirs.mutable_data(), norm_1(dir) > 0.0 ? dir : Vec3d{0.0, 0.0, 1.0});
-    const py::object answer = [&] {
-      const Call call;
-      return (*function_)(std::move(dirs));
-    }();
+    const py::object answer = ask(std::move(dirs));
     const auto points = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(answer);
     if (!points) throw py::error_already_set();
     if (points.ndim() != 2 || points.shape(0) != 1 || points.shape(1) != 3) {
@@ -60,14 +51,24 @@ class CallableSupport {
   double inradius() const { return inradius_; }
 
  private:
+  py::object ask(py::array_t<double> dirs) const {
+    const CallOfPython call;
+    try {
+      return (*function_)(std::move(dirs));
+    } catch (const py::error_already_set& error) {
+      // What is no Exception, as Ctrl-C is none, ends the work of the other threads, too, and at once.
+      Interruption* const interruption = Interruption::current();
+      if (interruption != nullptr && !error.matches(PyExc_Exception)) interruption->end();
+      throw;
+    }
+  }
+
   std::shared_ptr<const py::function> function_;
   Vec3d centre_;
   double support_error_, circumradius_, inradius_;
 };
 
 }  // namespace
-
-bool is_in_support_function() { return depth_of_calls > 0; }
 
 ConvexBody callable_body(py::function support, double support_error, const Vec3d& centre, double circumradius,
                          double inradius) {

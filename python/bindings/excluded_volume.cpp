@@ -117,6 +117,11 @@ py::tuple run(const PyBody& a, const PyBody& b, const py::dict& options, const p
   ExcludedVolume result;
   {
     const WithoutGil without_gil;
+    // Where no trial is made and nothing is told, as in exact averages; the run ends by `interrupt`, with its result.
+    const Interruption ahead([&] {
+      if (!thrown && watch.has_thrown()) settings.on_progress({});
+      return false;
+    });
     result = excluded_volume(a.body, b.body, settings);
   }
   py::object error = py::none();
@@ -232,40 +237,49 @@ void bind_excluded_volume(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(ValueRow, value, error);
 
   py::class_<OrientationLaw>(module, "OrientationLaw", "How the bodies are turned.")
-      .def_static("isotropic", &OrientationLaw::isotropic)
-      .def_static("aligned", &OrientationLaw::aligned)
-      .def_static("fixed", &OrientationLaw::fixed, py::arg("w"), py::arg("x"), py::arg("y"), py::arg("z"))
-      .def_static("cone", &OrientationLaw::cone, py::arg("degrees"))
-      .def_static("angle", &OrientationLaw::angle, py::arg("degrees"))
-      .def_static("onsager", &OrientationLaw::onsager, py::arg("alpha"))
-      .def_static("maier_saupe", &OrientationLaw::maier_saupe, py::arg("strength"))
+      .def_static("isotropic", &OrientationLaw::isotropic, "Each body in any orientation, all as likely.")
+      .def_static("aligned", &OrientationLaw::aligned, "Both bodies as they are.")
+      .def_static("fixed", &OrientationLaw::fixed, py::arg("w"), py::arg("x"), py::arg("y"), py::arg("z"),
+                  "B turned by this quaternion in A's frame, of any length but 0.")
+      .def_static("cone", &OrientationLaw::cone, py::arg("degrees"),
+                  "Each body's z axis within this angle, from 0 to 90, of one line, spun about itself.")
+      .def_static("angle", &OrientationLaw::angle, py::arg("degrees"),
+                  "B's z axis at this angle to A's, each body spun about its own.")
+      .def_static("onsager", &OrientationLaw::onsager, py::arg("alpha"),
+                  "The density of each body's z axis is as cosh(alpha cos theta), alpha from 0 on.")
+      .def_static("maier_saupe", &OrientationLaw::maier_saupe, py::arg("strength"),
+                  "The density of each body's z axis is as exp(strength P_2(cos theta)).")
       .def_static(
           "table",
           [](std::vector<double> cosines, std::vector<double> densities) {
             return OrientationLaw::table({std::move(cosines), std::move(densities)});
           },
-          py::arg("cosines"), py::arg("densities"))
+          py::arg("cosines"), py::arg("densities"), "A density over cos theta of each body's z axis, by points of it.")
       .def_static(
           "each",
           [](const py::object& a, const py::object& b) { return OrientationLaw::each(axis_law_of(a), axis_law_of(b)); },
-          py::arg("a"), py::arg("b"))
+          py::arg("a"), py::arg("b"), "A law for each body: texts, or laws of which both bodies' is one.")
       .def(
           "about",
           [](const OrientationLaw& law, const py::object& axis_a, const py::object& axis_b) {
             const Vec3d a = axis_of_object(axis_a);
             return law.about(a, axis_b.is_none() ? a : axis_of_object(axis_b));
           },
-          py::arg("axis_a"), py::arg("axis_b") = py::none())
+          py::arg("axis_a"), py::arg("axis_b") = py::none(),
+          "The same about other axes of the bodies than z: three numbers, or x, y, z; B's as A's where it is not "
+          "given.")
       .def(py::pickle(&parts_of_law, &law_of_parts))
       .def_static(
-          "parse", [](const std::string& text) { return parse_orientation_law(text); }, py::arg("text"))
+          "parse", [](const std::string& text) { return parse_orientation_law(text); }, py::arg("text"),
+          "By the text that vex_mesh takes: \"cone:20\".")
       .def("__repr__", [](const OrientationLaw& law) { return "<vex.OrientationLaw " + law.name() + ">"; })
       .def(
           "__eq__", [](const OrientationLaw& x, const OrientationLaw& y) { return x == y; }, py::is_operator())
       .def("__hash__", [](const OrientationLaw& law) { return std::hash<std::string>()(law.name()); })
-      .def_property_readonly("name", &OrientationLaw::name)
-      .def_property_readonly("order_parameter", &OrientationLaw::order_parameter)
-      .def_property_readonly("order_parameters", &OrientationLaw::order_parameters);
+      .def_property_readonly("name", &OrientationLaw::name, "The text of it.")
+      .def_property_readonly("order_parameter", &OrientationLaw::order_parameter,
+                             "The mean of P_2(cos theta) of one body's axis; None where the bodies' differ.")
+      .def_property_readonly("order_parameters", &OrientationLaw::order_parameters, "Of each body's axis.");
 
   module.def("excluded_volume", &run, py::arg("a"), py::arg("b"), py::arg("options"), py::arg("progress"));
   module.def("excluded_volume_at", &excluded_volume_at, py::arg("a"), py::arg("b"), py::arg("quaternions"),

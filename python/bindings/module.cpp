@@ -55,6 +55,8 @@ PYBIND11_MODULE(_vex, module) {
       input_error(in_python_words(e.what()).c_str());
     } catch (const vex::Error& e) {
       error(in_python_words(e.what()).c_str());
+    } catch (const vex::Interrupted&) {
+      PyErr_SetNone(PyExc_KeyboardInterrupt);
     }
   });
 
@@ -65,4 +67,5 @@ PYBIND11_MODULE(_vex, module) {
   vex::python::bind_percolation(module);
   vex::python::bind_virial(module);
   vex::python::bind_worlds(module);
+  vex::python::bind_poses(module);
 }

@@ -71,12 +71,14 @@ Verdicts overlap_of_poses(const PyBody& a, const PyBody& b, const Floats& rows,
   Verdicts verdicts(static_cast<py::ssize_t>(poses.size()));
   std::int8_t* const to = verdicts.mutable_data();
   const BackendKind gjk = gjk_backend();
+  const auto n_threads = static_cast<std::size_t>(number_of_threads(threads));
   over_rows(poses.size(), threads, kPosesABlock, [&] {
     return [&, backend = std::shared_ptr<OverlapBackend>(gjk.make(a.body, b.body))](std::size_t first,
                                                                                     std::size_t last) {
       alignas(64) double columns[kPoseColumns][PacketOverlap::kStride];
       std::array<Verdict, kPosesABlock> answers;
       poses.set_columns(first, last, columns[0]);
+      poses.prefetch_rows(first + kPosesABlock * n_threads, last + kPosesABlock * n_threads);
       backend->decide_table({columns[0], PacketOverlap::kStride, last - first}, std::span(answers).first(last - first));
       for (std::size_t k = first; k < last; ++k) to[k] = number_of(answers[k - first].outcome);
     };
@@ -354,14 +356,6 @@ void bind_queries(py::module_& module) {
   const auto a = py::arg("a"), b = py::arg("b"), poses = py::arg("poses"), threads = py::arg("threads"),
              certify = py::arg("certify"), until = py::arg("until");
   const auto translations = py::arg("translations").none(true);
-  module.def(
-      "placed",
-      [](const Floats& rows, const std::optional<Floats>& moved) {
-        const PoseRows given(rows, moved);
-        if (given.size() != 1) throw UsageError("not one pose - give one");
-        return arrays_of(given[0].a_from_b());
-      },
-      poses, translations);
   module.def("overlap", &overlap_of_poses, a, b, poses, translations, threads);
   module.def("certified_overlap", &certified_overlap_of_poses, a, b, poses, translations, threads);
   module.def("overlap_certificate", &overlap_certificate, a, b, poses, translations);

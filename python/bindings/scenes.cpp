@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <mutex>
@@ -21,6 +22,13 @@ struct DistanceRow {
   std::int32_t image[3];
   double distance, lower, upper;
   double normal[3], point_a[3], point_b[3];
+};
+
+struct SceneContactRow {
+  std::int64_t a, b;
+  std::int32_t image[3];
+  double normal[3], point_a[3], point_b[3], distance;
+  std::uint64_t feature_a, feature_b;
 };
 
 void put(std::int32_t* to, const ImageOffset& image) {
@@ -53,17 +61,22 @@ py::dict dict_of(const SceneCounts& counts) {
 
 /// One at a time: Python's threads may share a scene, whose queries release the GIL.
 class PyScene {
-  /// Waits for other threads; but a support function that asks the scene that asks it would wait for itself.
+  /// Waits for other threads; but a support function that asks the scene that asks it would wait for itself, and so
+  /// would a signal's handler.
   template <class Work>
   auto exclusively(const Work& work) {
-    const WithoutGil without_gil;
-    std::unique_lock lock(*mutex_, std::defer_lock);
-    if (!is_in_support_function()) {
-      lock.lock();
-    } else if (!lock.try_lock()) {
-      throw UsageError("a support function asks a scene that is busy, with it perhaps - ask another one");
-    }
-    return work();
+    return interruptibly([&] {
+      std::unique_lock lock(*mutex_, std::defer_lock);
+      if (is_called_by_a_query()) {
+        if (!lock.try_lock()) {
+          throw UsageError(
+              "a support function or a signal's handler asks a scene that is busy, with it perhaps - ask another one");
+        }
+      } else {
+        while (!lock.try_lock_for(std::chrono::milliseconds(100))) end_if_interrupted();
+      }
+      return work();
+    });
   }
 
  public:
@@ -86,6 +99,7 @@ class PyScene {
       bodies.reserve(poses.size());
       try {
         for (std::size_t k = 0; k < poses.size(); ++k) {
+          if (k % 256 == 0) end_if_interrupted();
           if (shape[k] >= scene_.n_shapes()) throw UsageError("no such shape");
           bodies.push_back(scene_.add(shape[k], poses[k]));
         }
@@ -108,7 +122,10 @@ class PyScene {
     const PoseRows poses(rows, translations);
     exclusively([&] {
       std::vector<Pose> all(poses.size());
-      for (std::size_t k = 0; k < all.size(); ++k) all[k] = poses[k];
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        if (k % 256 == 0) end_if_interrupted();
+        all[k] = poses[k];
+      }
       scene_.move_all(all);
     });
   }
@@ -154,6 +171,34 @@ class PyScene {
       ++to;
     }
     return py::make_tuple(array, array_of(distances.undecided), dict_of(distances.counts));
+  }
+  /// A row each contact, those of a pair one after another.
+  py::tuple contact_manifolds(double margin, double feature_angle, bool four_at_most) {
+    SceneManifolds manifolds;
+    exclusively([&] {
+      scene_.contact_manifolds(manifolds,
+                               {.margin = margin, .feature_angle = feature_angle, .four_at_most = four_at_most});
+    });
+    std::size_t n = 0;
+    for (const SceneManifolds::Entry& entry : manifolds.entries) n += entry.manifold.contacts.size();
+    py::array_t<SceneContactRow> array(static_cast<py::ssize_t>(n));
+    SceneContactRow* to = array.mutable_data();
+    for (const auto& [pair, manifold] : manifolds.entries) {
+      for (const ContactManifold::Contact& contact : manifold.contacts) {
+        *to = {};
+        to->a = body_number(pair.a);
+        to->b = body_number(pair.b);
+        put(to->image, pair.image);
+        python::put(to->normal, manifold.separation.normal);
+        python::put(to->point_a, contact.point_a);
+        python::put(to->point_b, contact.point_b);
+        to->distance = contact.signed_distance;
+        to->feature_a = contact.feature_a;
+        to->feature_b = contact.feature_b;
+        ++to;
+      }
+    }
+    return py::make_tuple(array, array_of(manifolds.undecided), dict_of(manifolds.counts));
   }
   /// The answer, an undecided pair where that is the answer, counts.
   py::tuple any_overlap() {
@@ -260,7 +305,7 @@ class PyScene {
   }
 
   Scene scene_;
-  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
+  std::unique_ptr<std::timed_mutex> mutex_ = std::make_unique<std::timed_mutex>();
 };
 
 }  // namespace
@@ -268,6 +313,8 @@ class PyScene {
 void bind_scenes(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(PairRow, a, b, image);
   PYBIND11_NUMPY_DTYPE(DistanceRow, a, b, image, distance, lower, upper, normal, point_a, point_b);
+
+  PYBIND11_NUMPY_DTYPE(SceneContactRow, a, b, image, normal, point_a, point_b, distance, feature_a, feature_b);
 
   const auto poses = py::arg("poses"), body = py::arg("body"), visitor = py::arg("visitor");
   const auto translations = py::arg("translations").none(true);
@@ -283,6 +330,8 @@ void bind_scenes(py::module_& module) {
       .def("pose", &PyScene::pose, body)
       .def("pairs", &PyScene::pairs, py::arg("distance"))
       .def("distances", &PyScene::distances, py::arg("distance"))
+      .def("contact_manifolds", &PyScene::contact_manifolds, py::arg("margin"), py::arg("feature_angle"),
+           py::arg("four_at_most"))
       .def("any_overlap", &PyScene::any_overlap)
       .def("overlaps_of", &PyScene::overlaps_of, body)
       .def("overlaps_of_visitor", &PyScene::overlaps_of_visitor, visitor, poses, translations)

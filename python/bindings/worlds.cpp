@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <string>
+#include <utility>
 
 #include "engine/query/half_space.h"
 #include "engine/query/plane_contacts.h"
@@ -17,6 +19,12 @@ struct PartRow {
   double normal[3], point_a[3], point_b[3];
   std::int8_t verdict;
   std::int64_t part;  // of the compound; -1: none
+};
+struct PartContactRow {
+  double time, lower, upper;
+  double normal[3], point_a[3], point_b[3];
+  std::int8_t verdict;
+  std::int64_t part;
 };
 struct PlaneContactRow {
   double point_a[3], point_b[3], distance;
@@ -45,6 +53,58 @@ PartRow row_of(const Separation& found, std::uint32_t part) {
   return row;
 }
 
+PartContactRow contact_row_of(const FirstContact& found, std::uint32_t part) {
+  PartContactRow row{};
+  const Outcome outcome = found.verdict.outcome;
+  row.verdict = number_of(outcome);
+  row.time = outcome == Outcome::undecided ? kNan : found.time;
+  row.lower = found.lower;
+  row.upper = found.upper;
+  row.part = part_number(part);
+  put_nan(row.normal);
+  put_nan(row.point_a);
+  put_nan(row.point_b);
+  if (outcome == Outcome::overlap) {
+    python::put(row.normal, found.normal);
+    python::put(row.point_a, found.point_a);
+    python::put(row.point_b, found.point_b);
+  }
+  return row;
+}
+PartContactRow contact_row_of(const FirstContact& found) { return contact_row_of(found, Compound::kNoPart); }
+PartContactRow contact_row_of(const CompoundContact& found) { return contact_row_of(found.contact, found.part_a); }
+
+void require_rows(std::size_t n, std::size_t n_others, const char* what) {
+  if (n == n_others) return;
+  throw UsageError(std::string("not as many ") + what + " (" + std::to_string(n) + ") as poses or origins (" +
+                   std::to_string(n_others) + ") - give one each");
+}
+
+/// Rays, casts and impacts against a world: a HalfSpace or a Compound.
+template <class World>
+py::object rays_into(const World& a, const Floats& origins, const Floats& dirs, double until, int threads) {
+  const Rows3 from(origins), along(dirs);
+  require_rows(along.size(), from.size(), "directions");
+  py::array_t<PartContactRow> result(static_cast<py::ssize_t>(from.size()));
+  PartContactRow* const to = result.mutable_data();
+  over_each_row(from.size(), threads,
+                [&](std::size_t k) { to[k] = contact_row_of(cast_ray(a, from[k], along[k], until)); });
+  return result;
+}
+template <class World>
+py::object casts_into(const World& a, const PyBody& b, const Floats& rows, const std::optional<Floats>& translations,
+                      const Floats& motions, double until, int threads) {
+  const PoseRows poses(rows, translations);
+  const Rows3 by(motions);
+  require_rows(by.size(), poses.size(), "motions");
+  py::array_t<PartContactRow> result(static_cast<py::ssize_t>(poses.size()));
+  PartContactRow* const to = result.mutable_data();
+  over_each_pose(poses, threads, [&](std::size_t k, const Pose& pose) {
+    to[k] = contact_row_of(linear_cast(a, b.body.body, pose, by[k], until));
+  });
+  return result;
+}
+
 struct PyCompound {
   explicit PyCompound(std::vector<CompoundPart> parts) : compound(std::move(parts)) {}
   explicit PyCompound(Compound made) : compound(std::move(made)) {}
@@ -58,7 +118,7 @@ std::unique_ptr<PyCompound> compound_of_parts(const std::vector<PyBody>& bodies,
   if (bodies.size() != poses.size()) throw UsageError("not a pose for each part of a compound - give one each");
   std::vector<CompoundPart> parts;
   for (std::size_t k = 0; k < bodies.size(); ++k) parts.push_back({bodies[k].body.body, poses[k]});
-  return std::make_unique<PyCompound>(std::move(parts));
+  return interruptibly([&] { return std::make_unique<PyCompound>(std::move(parts)); });
 }
 
 std::unique_ptr<PyCompound> compound_of_corners(const Floats& corners) {
@@ -66,7 +126,7 @@ std::unique_ptr<PyCompound> compound_of_corners(const Floats& corners) {
   std::vector<std::array<Vec3d, 3>> triangles;
   for (std::size_t k = 0; k + 3 <= points.size(); k += 3)
     triangles.push_back({points[k], points[k + 1], points[k + 2]});
-  return std::make_unique<PyCompound>(compound_of_triangles(triangles));
+  return interruptibly([&] { return std::make_unique<PyCompound>(compound_of_triangles(triangles)); });
 }
 
 py::tuple overlaps_of_compound(const PyCompound& a, const PyBody& b, const Floats& rows,
@@ -97,6 +157,30 @@ py::object distances_of_compound(const PyCompound& a, const PyBody& b, const Flo
     const CompoundSeparation found = distance(a.compound, b.body.body, pose, settings);
     to[k] = row_of(found.separation, found.part_a);
     to[k].lower = std::max(to[k].lower, 0.0);  // a distance is never below 0
+  });
+  return result;
+}
+
+py::object rays_into_compound(const PyCompound& a, const Floats& origins, const Floats& dirs, double until,
+                              int threads) {
+  return rays_into(a.compound, origins, dirs, until, threads);
+}
+py::object casts_into_compound(const PyCompound& a, const PyBody& b, const Floats& rows,
+                               const std::optional<Floats>& translations, const Floats& motions, double until,
+                               int threads) {
+  return casts_into(a.compound, b, rows, translations, motions, until, threads);
+}
+py::object impacts_on_compound(const PyCompound& a, const PyBody& b, const Floats& rows,
+                               const std::optional<Floats>& translations, const Floats& velocities,
+                               const Floats& angular_velocities, double until, int threads) {
+  const PoseRows poses(rows, translations);
+  const Rows3 v(velocities), w(angular_velocities);
+  require_rows(v.size(), poses.size(), "velocities");
+  require_rows(w.size(), poses.size(), "angular velocities");
+  py::array_t<PartContactRow> result(static_cast<py::ssize_t>(poses.size()));
+  PartContactRow* const to = result.mutable_data();
+  over_each_pose(poses, threads, [&](std::size_t k, const Pose& pose) {
+    to[k] = contact_row_of(time_of_impact(a.compound, b.body.body, pose, RigidMotion{v[k], w[k]}, until));
   });
   return result;
 }
@@ -135,6 +219,9 @@ py::object contacts_with_half_space(const HalfSpace& a, const PyBody& b, const F
 void bind_worlds(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(PartRow, value, lower, upper, normal, point_a, point_b, verdict, part);
   PYBIND11_NUMPY_DTYPE(PlaneContactRow, point_a, point_b, distance, feature);
+  PYBIND11_NUMPY_DTYPE(PartContactRow, time, lower, upper, normal, point_a, point_b, verdict, part);
+  const auto origins = py::arg("origins"), dirs = py::arg("directions"), motions = py::arg("motions"),
+             until = py::arg("until");
   const auto body = py::arg("body"), poses = py::arg("poses"), threads = py::arg("threads");
   const auto translations = py::arg("translations").none(true);
   py::class_<HalfSpace>(module, "HalfSpace")
@@ -144,13 +231,19 @@ void bind_worlds(py::module_& module) {
            }),
            py::arg("normal"), py::arg("offset"))
       .def("signed_distance", &distances_of_half_space, body, poses, translations, threads)
+      .def("ray_cast", &rays_into<HalfSpace>, origins, dirs, until, threads)
+      .def("linear_cast", &casts_into<HalfSpace>, body, poses, translations, motions, until, threads)
       .def("contacts", &contacts_with_half_space, body, poses, translations, py::arg("margin"));
   py::class_<PyCompound>(module, "Compound")
       .def(py::init(&compound_of_parts), py::arg("bodies"), poses, translations)
       .def("__len__", [](const PyCompound& self) { return self.compound.size(); })
       .def("overlap", &overlaps_of_compound, body, poses, translations, threads)
       .def("distance", &distances_of_compound, body, poses, translations, py::arg("relative_gap"),
-           py::arg("max_distance"), threads);
+           py::arg("max_distance"), threads)
+      .def("ray_cast", &rays_into_compound, origins, dirs, until, threads)
+      .def("linear_cast", &casts_into_compound, body, poses, translations, motions, until, threads)
+      .def("time_of_impact", &impacts_on_compound, body, poses, translations, py::arg("velocities"),
+           py::arg("angular_velocities"), until, threads);
   module.def("compound_of_corners", &compound_of_corners, py::arg("corners"));
 }
 

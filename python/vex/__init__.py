@@ -15,8 +15,11 @@ from ._vex import stream_version as stream_version
 from ._vex import version as __version__
 from .average import (ExcludedVolume, Interrupted, Reference, estimators, excluded_volume, excluded_volume_at,
                       excluded_volume_of_angle, formula)
-from .bodies import Body, BodyLike, from_support, hull, load, named_shapes, rounded
+from .bodies import (Body, BodyLike, UnconfinedWarning, from_support, hull, load, mapped, mirrored, named_shapes,
+                     rounded, scaled)
 from .percolation import Percolation, percolation
+from .poses import (Pose, interpolated, inverse, pose_of, product, quaternion_of, relative_pose,
+                    relative_pose_error)
 from .queries import (Manifold, Proof, contact_manifold, depth, distance, linear_cast, overlap, overlap_certificate,
                       ray_cast, signed_distance, time_of_impact, within)
 from .scenes import Clusters, Hit, Neighbour, Scene, UndecidedWarning
@@ -30,16 +33,18 @@ from .virial import VirialCoefficient, VirialCoefficients, virial_coefficients
 from .worlds import Compound, HalfSpace
 
 __all__ = [
-    "Body", "BodyLike", "Clusters", "Compound", "Error", "ExcludedVolume", "HalfSpace", "Hit", "InputError", "Interrupted", "Manifold",
-    "Neighbour", "OrientationLaw", "Percolation", "Proof", "Reference", "Scene", "UndecidedWarning", "UsageError",
-    "VirialCoefficient", "VirialCoefficients", "__version__", "antiprism", "box", "capsule", "cone", "contact_manifold", "cuboctahedron", "cut_sphere",
-    "cylinder", "depth", "disc", "distance", "dodecahedron", "egg", "ellipsoid", "estimators", "excluded_volume",
-    "excluded_volume_at", "excluded_volume_of_angle", "formula", "from_support", "frustum", "hemisphere", "hull",
-    "icosahedron", "icosidodecahedron", "lens", "linear_cast", "load", "named_shapes", "needle", "octahedron",
-    "overlap", "overlap_certificate", "percolation", "plate", "plot", "prism", "pyramid", "ray_cast",
-    "rhombicosidodecahedron", "rhombicuboctahedron", "rounded", "signed_distance", "snub_cube", "snub_dodecahedron",
-    "sphere", "spindle", "stream_version", "superball", "superellipsoid", "tetrahedron", "time_of_impact",
-    "truncated_cube", "truncated_cuboctahedron", "truncated_dodecahedron", "truncated_icosahedron",
-    "truncated_icosidodecahedron", "truncated_octahedron", "truncated_tetrahedron", "virial_coefficients",
-    "within",
+    "Body", "BodyLike", "Clusters", "Compound", "Error", "ExcludedVolume", "HalfSpace", "Hit", "InputError",
+    "Interrupted", "Manifold", "Neighbour", "OrientationLaw", "Percolation", "Pose", "Proof", "Reference", "Scene",
+    "UnconfinedWarning", "UndecidedWarning", "UsageError", "VirialCoefficient", "VirialCoefficients", "__version__",
+    "antiprism", "box", "capsule", "cone", "contact_manifold", "cuboctahedron", "cut_sphere", "cylinder", "depth",
+    "disc", "distance", "dodecahedron", "egg", "ellipsoid", "estimators", "excluded_volume", "excluded_volume_at",
+    "excluded_volume_of_angle", "formula", "from_support", "frustum", "hemisphere", "hull", "icosahedron",
+    "icosidodecahedron", "interpolated", "inverse", "lens", "linear_cast", "load", "mapped", "mirrored",
+    "named_shapes", "needle", "octahedron", "overlap", "overlap_certificate", "percolation", "plate", "plot",
+    "pose_of", "prism", "product", "pyramid", "quaternion_of", "ray_cast", "relative_pose", "relative_pose_error",
+    "rhombicosidodecahedron", "rhombicuboctahedron", "rounded", "scaled", "signed_distance", "snub_cube",
+    "snub_dodecahedron", "sphere", "spindle", "stream_version", "superball", "superellipsoid", "tetrahedron",
+    "time_of_impact", "truncated_cube", "truncated_cuboctahedron", "truncated_dodecahedron",
+    "truncated_icosahedron", "truncated_icosidodecahedron", "truncated_octahedron", "truncated_tetrahedron",
+    "virial_coefficients", "within",
 ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+import warnings
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -14,6 +15,10 @@ from ._arrays import Floats, as_floats, as_rows
 
 #: What functions take as a body: a Body, a text such as "box:1,2,3", or any object with `vertices` (and `faces`).
 BodyLike = Union["Body", str, "os.PathLike[str]", Any]
+
+
+class UnconfinedWarning(UserWarning):
+    """The process that read a mesh file could not be confined, though its limits held (docs/security.md)."""
 
 
 class Body:
@@ -33,6 +38,9 @@ class Body:
     convex_tolerance, weld, unit, format
         Of a mesh, as for `vex_mesh`: how far it may be from convex and which points become one, both fractions of its
         size; the unit to convert to; what to read the file as.
+    require_confinement
+        Of a file that assimp reads, in a process of its own: it is refused where the system does not let that process
+        be confined. Otherwise an `UnconfinedWarning` tells of it, once (docs/security.md).
 
     Raises
     ------
@@ -54,7 +62,7 @@ class Body:
 
     def __init__(self, source: BodyLike, *, hull: bool = False, scale: float = 1.0, unit_volume: bool = False,
                  convex_tolerance: Optional[float] = None, weld: Optional[float] = None, unit: str = "",
-                 format: str = "") -> None:
+                 format: str = "", require_confinement: bool = False) -> None:
         mesh = {"hull": bool(hull), "convex_tolerance": convex_tolerance, "weld": weld, "unit": unit,
                 "scale": float(scale), "unit_volume": bool(unit_volume)}
         if isinstance(source, Body):
@@ -64,7 +72,7 @@ class Body:
             else:
                 self._set(source._core, source._recipe)
         elif isinstance(source, (str, os.PathLike)):
-            self._set(*_of_text(os.fspath(source), mesh, format))
+            self._set(*_of_text(os.fspath(source), mesh, format, bool(require_confinement)))
         else:
             made = Body._from_recipe(("mesh", _surface_of(source, mesh), mesh))
             radius = _rounding_radius_of(source)
@@ -165,6 +173,16 @@ class Body:
         return volume, centroid[0], second
 
     @property
+    def reach(self) -> float:
+        """No point of the body is farther from the origin of its frame, length."""
+        return self._core.reach
+
+    @property
+    def ball_radius(self) -> float:
+        """The body is another one, its core, with a ball of this radius about each of its points; 0 of most."""
+        return self._core.ball_radius
+
+    @property
     def support_error(self) -> float:
         """How far rounding can put a point of `support` off, length."""
         return self._core.support_error
@@ -205,8 +223,29 @@ class Body:
 
     # Others made of it.
 
-    def scaled(self, factor: float, *, unit_volume: bool = False) -> "Body":
-        """Every length times `factor`, after scaling to volume 1 where `unit_volume`; about the origin."""
+    def scaled(self, factor: Union[float, Sequence[float], Floats], *, unit_volume: bool = False) -> "Body":
+        """Every length times `factor`, after scaling to volume 1 where `unit_volume`; about the origin.
+
+        Parameters
+        ----------
+        factor
+            A number above 0; or three of them, along the body's own axes, of which negative ones mirror. What the body
+            is exactly stays exact: vertices, semi-axes and radii times the factors, each product rounded once, are the
+            body. Where not all of them have one magnitude, surface area and integrated mean curvature are known of
+            boxes and ellipsoids alone, and NaN otherwise.
+
+        Raises
+        ------
+        InputError
+            A factor is 0, not finite or out of range, or a size becomes so.
+        """
+        if np.ndim(factor) > 0:
+            factors = _three(factor, "factors")
+            body = self.scaled(1.0, unit_volume=True) if unit_volume else self
+            return Body._from_recipe(("scaled", factors, body))
+        return self._evenly_scaled(float(factor), unit_volume)  # type: ignore[arg-type]
+
+    def _evenly_scaled(self, factor: float, unit_volume: bool) -> "Body":
         kind = self._recipe[0]
         if kind == "named":
             _, text, scale, unit = self._recipe
@@ -226,7 +265,27 @@ class Body:
             return Body._from_recipe(("hull", self._recipe[1] * float(factor)))
         if kind == "rounded":
             return Body._from_recipe(("rounded", self._recipe[1] * factor, self._recipe[2].scaled(factor)))
-        raise _vex.UsageError("a body of one's own is not scaled - scale in its support function")
+        if not factor > 0.0 or not math.isfinite(factor):
+            raise _vex.UsageError("a scale is a finite number above 0")
+        return Body._from_recipe(("scaled", (factor, factor, factor), self))
+
+    def mirrored(self) -> "Body":
+        """The mirror image in the plane x = 0, exactly."""
+        return self.scaled((-1.0, 1.0, 1.0))
+
+    def mapped(self, matrix: npt.ArrayLike) -> "Body":
+        """A polytope under a linear map (3, 3): its vertices go to ``matrix @ vertex``, each operation rounded, and
+        those are the body exactly. Of its measures the volume alone is known.
+
+        Raises
+        ------
+        InputError
+            The body is no polytope, or the matrix is not finite or has, to rounding, no determinant.
+        """
+        rows = as_floats(matrix, "matrix")
+        if rows.shape != (3, 3):
+            raise _vex.UsageError(f"matrix: an array of shape {rows.shape} - give one of shape (3, 3)")
+        return Body._from_recipe(("mapped", tuple(map(tuple, rows.tolist())), self))
 
     def rounded(self, radius: float) -> "Body":
         """The body with a ball of this radius, above 0, about each of its points. Of a body of one's own its measures
@@ -271,8 +330,10 @@ class Body:
             _, text, scale, unit_volume = self._recipe
             more = (", unit_volume=True" if unit_volume else "") + (f", scale={scale!r}" if scale != 1.0 else "")
             return f"vex.Body({text!r}{more})"
-        if kind == "rounded":
-            return f"{self._recipe[2]!r}.rounded({self._recipe[1]!r})"
+        if kind in ("rounded", "scaled"):
+            return f"{self._recipe[2]!r}.{kind}({self._recipe[1]!r})"
+        if kind == "mapped":
+            return f"{self._recipe[2]!r}.mapped({[list(row) for row in self._recipe[1]]!r})"
         if kind == "own":
             return f"<vex.Body of one's own, circumradius {self.circumradius:.6g}>"
         return f"<vex.Body: {len(self.vertices)} vertices, volume {self.volume:.6g}>"
@@ -289,8 +350,8 @@ class Body:
 
 def _own_key(recipe: Tuple[Any, ...]) -> Tuple[Any, ...]:
     """A function is the one that it is, whatever it says of being equal to others."""
-    if recipe[0] == "rounded":
-        return ("rounded", recipe[1], recipe[2]._exact_key())
+    if recipe[0] in ("rounded", "scaled", "mapped"):
+        return (recipe[0], recipe[1], recipe[2]._exact_key())
     if recipe[0] == "named":  # of a shape that has no exact form, its numbers
         radius, core = _vex.parse_rounded(recipe[1]) or (0.0, recipe[1])
         name, _, sizes = core.partition(":")
@@ -313,6 +374,10 @@ def _of_recipe(recipe: Tuple[Any, ...]) -> Tuple["_vex.Body", Tuple[Any, ...]]:
         return _vex.hull_body(recipe[1]), recipe
     if kind == "rounded":
         return _vex.rounded_body(recipe[2]._core, recipe[1], repr(recipe[2])), recipe
+    if kind == "scaled":
+        return _vex.scaled_body(recipe[2]._core, recipe[1]), recipe
+    if kind == "mapped":
+        return _vex.mapped_body(recipe[2]._core, np.array(recipe[1])), recipe
     if kind == "own":
         function, claims = recipe[1], recipe[2]
         return _vex.callable_body(_asked_by_rows(function), *claims), recipe
@@ -325,7 +390,24 @@ def _asked_by_rows(function: Callable[..., Any]) -> Callable[[Floats], Floats]:
     return support
 
 
-def _of_text(text: str, mesh: Dict[str, Any], format: str) -> Tuple["_vex.Body", Tuple[Any, ...]]:
+def _three(values: npt.ArrayLike, what: str) -> Tuple[float, float, float]:
+    array = as_floats(values, what)
+    if array.shape != (3,):
+        raise _vex.UsageError(f"{what}: an array of shape {array.shape} - give three numbers, along x, y and z")
+    x, y, z = array.tolist()
+    return x, y, z
+
+
+def _read(path: str, format: str, require_confinement: bool) -> "_vex.Surface":
+    surface = _vex.read_surface(path, format, require_confinement)
+    if surface.unconfined:
+        warnings.warn(f"the process that read {path} was not confined ({surface.unconfined}) - require_confinement=True "
+                      "refuses such files", UnconfinedWarning, stacklevel=4)
+    return surface
+
+
+def _of_text(text: str, mesh: Dict[str, Any], format: str,
+             require_confinement: bool) -> Tuple["_vex.Body", Tuple[Any, ...]]:
     scale, unit_volume = mesh["scale"], mesh["unit_volume"]
     core, radius = text, 0.0
     rounded = _vex.parse_rounded(text)
@@ -340,10 +422,11 @@ def _of_text(text: str, mesh: Dict[str, Any], format: str) -> Tuple["_vex.Body",
         if kind == "points" and not format and not _vex.names_a_mesh_format(path):
             format = ".txt"
         if not radius > 0.0:
-            return _of_recipe(("mesh", _vex.read_surface(path, format), mesh))
+            return _of_recipe(("mesh", _read(path, format, require_confinement), mesh))
         core = path
     elif _vex.names_a_shape(core) or (not is_file and ":" in core[2:]):
-        given = [name for name in ("hull", "convex_tolerance", "weld", "unit") if mesh[name]] + (["format"] if format else [])
+        given = [name for name in ("hull", "convex_tolerance", "weld", "unit") if mesh[name]]
+        given += (["format"] if format else []) + (["require_confinement"] if require_confinement else [])
         if given:
             raise _vex.UsageError(f"{', '.join(given)}: of meshes alone, and {text!r} is none - leave it out")
         return _of_recipe(("named", text, scale, unit_volume))
@@ -351,12 +434,13 @@ def _of_text(text: str, mesh: Dict[str, Any], format: str) -> Tuple["_vex.Body",
         parameters = {name: parameters for name, parameters, _ in _vex.named_shapes()}[core]
         raise _vex.UsageError(f"a body without its sizes ({core}) - write {core}:{parameters}")
     if not radius > 0.0:
-        return _of_recipe(("mesh", _vex.read_surface(core, format), mesh))
+        return _of_recipe(("mesh", _read(core, format, require_confinement), mesh))
     if unit_volume:
-        as_it_is = Body(core, format=format, **dict(mesh, scale=1.0, unit_volume=False))
+        as_it_is = Body(core, format=format, require_confinement=require_confinement,
+                        **dict(mesh, scale=1.0, unit_volume=False))
         scale = scale / float(np.cbrt(as_it_is.rounded(radius).volume))
-    return _of_recipe(("rounded", radius * scale, Body(core, format=format, **dict(mesh, scale=scale,
-                                                                                   unit_volume=False))))
+    return _of_recipe(("rounded", radius * scale, Body(core, format=format, require_confinement=require_confinement,
+                                                       **dict(mesh, scale=scale, unit_volume=False))))
 
 
 def _rounding_radius_of(source: Any) -> float:
@@ -370,6 +454,8 @@ def _rounding_radius_of(source: Any) -> float:
 def _surface_of(source: Any, mesh: Dict[str, Any]) -> "_vex.Surface":
     """Of an object with `vertices` and `faces`."""
     if not hasattr(source, "vertices"):
+        if np.ndim(source) == 2:
+            raise TypeError("not a body, but an array - vex.hull(points) is the convex hull of points (N, 3)")
         raise TypeError(f"not a body ({type(source).__name__}) - give a text such as 'box:1,2,3', a file, a vex.Body, "
                         "or an object with vertices and faces")
     points, _ = as_rows(source.vertices, 3, "vertices")
@@ -379,7 +465,9 @@ def _surface_of(source: Any, mesh: Dict[str, Any]) -> "_vex.Surface":
         faces = []
     sizes = np.array([len(face) for face in faces], dtype=np.uint32)
     corners = np.concatenate([np.asarray(face).ravel() for face in faces]) if len(faces) else np.empty(0)
-    if len(corners) and (corners.dtype.kind not in "iu" or corners.min() < 0 or corners.max() >= len(points)):
+    if len(corners) and corners.dtype.kind not in "iu":
+        raise TypeError(f"faces: not indices of vertices (dtype {corners.dtype}) - give whole numbers")
+    if len(corners) and (corners.min() < 0 or corners.max() >= len(points)):
         raise _vex.InputError("a face names a vertex that is not there - give indices from 0 on")
     return _vex.Surface(points, corners.astype(np.uint32), sizes)
 
@@ -391,7 +479,7 @@ def as_body(body: BodyLike) -> Body:
 
 def load(path: Union[str, "os.PathLike[str]"], *, hull: bool = False, scale: float = 1.0, unit_volume: bool = False,
          convex_tolerance: Optional[float] = None, weld: Optional[float] = None, unit: str = "",
-         format: str = "") -> Body:
+         format: str = "", require_confinement: bool = False) -> Body:
     """The convex body of a mesh file: .obj .stl .ply .off .gltf .glb .dae .3mf .vtk .msh, points, and .gz of them.
 
     The file must hold one closed convex surface; it is refused otherwise, with the reason and the place, and `hull`
@@ -399,7 +487,7 @@ def load(path: Union[str, "os.PathLike[str]"], *, hull: bool = False, scale: flo
     """
     mesh = {"hull": bool(hull), "convex_tolerance": convex_tolerance, "weld": weld, "unit": unit,
             "scale": float(scale), "unit_volume": bool(unit_volume)}
-    return Body._from_recipe(("mesh", _vex.read_surface(os.fspath(path), format), mesh))
+    return Body._from_recipe(("mesh", _read(os.fspath(path), format, bool(require_confinement)), mesh))
 
 
 def hull(points: npt.ArrayLike) -> Body:
@@ -411,6 +499,21 @@ def hull(points: npt.ArrayLike) -> Body:
 def rounded(body: BodyLike, radius: float) -> Body:
     """The body with a ball of this radius about each of its points."""
     return as_body(body).rounded(radius)
+
+
+def scaled(body: BodyLike, factors: Union[float, Sequence[float], Floats]) -> Body:
+    """The body with every length times a number, or times three of them along its axes: see `Body.scaled`."""
+    return as_body(body).scaled(factors)
+
+
+def mirrored(body: BodyLike) -> Body:
+    """The mirror image of a body in the plane x = 0, exactly."""
+    return as_body(body).mirrored()
+
+
+def mapped(polytope: BodyLike, matrix: npt.ArrayLike) -> Body:
+    """A polytope under a linear map (3, 3): see `Body.mapped`."""
+    return as_body(polytope).mapped(matrix)
 
 
 def from_support(support: Callable[[Floats], npt.ArrayLike], *, circumradius: float, support_error: float,

@@ -165,7 +165,7 @@ def _placed(pose: Optional[Poses]) -> Tuple[Floats, Floats]:
     if len(rows) != 1:
         raise _vex.UsageError("pose: a picture is of one pose - give one")
     rotation, translation = _vex.placed(rows, translations)
-    return rotation, translation
+    return rotation[0], translation[0]
 
 
 def _surface_points(body: Body, n_around: int) -> Tuple[Floats, bool]:

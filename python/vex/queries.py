@@ -1,7 +1,7 @@
 """Queries of two bodies over arrays of poses: of B in A's frame.
 
-Poses are an array (N, 7), rows of x, y, z, qw, qx, qy, qz; or a pair of rotations (N, 3, 3) and translations (N, 3). One
-pose alone, (7,) or (3, 3) and (3,), gives one answer without an axis for it.
+Poses are an array (N, 7), rows of x, y, z, qw, qx, qy, qz; or a pair of rotations (N, 3, 3) and translations (N, 3); or
+matrices (N, 4, 4) of both. One pose alone, (7,), (3, 3) and (3,), or (4, 4), gives one answer without an axis for it.
 
 Every answer is proven or says that it is not: a verdict is 1 for bodies that share a point, 0 for bodies that do not,
 and -1 where neither is proven, as of curved bodies that touch to within rounding. Numbers come with bounds, ``lower``
@@ -14,13 +14,13 @@ nothing with the search. The result is then a pair: the answers, and a `Proof`. 
 from __future__ import annotations
 
 import math
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Union
+from typing import Any, Dict, List, NamedTuple, Optional
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _vex
-from ._arrays import Poses, as_poses, as_rows, threads_of
+from ._arrays import Poses, as_many, as_poses, as_rows, threads_of, together
 from .bodies import BodyLike, as_body
 
 
@@ -49,6 +49,18 @@ def overlap(a: BodyLike, b: BodyLike, poses: Poses, *, certify: bool = False,
             threads: Optional[int] = None) -> Any:
     """Whether the bodies share a point.
 
+    Parameters
+    ----------
+    a, b
+        Bodies, texts that name them, or objects with vertices.
+    poses
+        Of B in A's frame: (N, 7), rows of x, y, z, qw, qx, qy, qz; or rotations (N, 3, 3) and translations (N, 3), or
+        matrices (N, 4, 4) of both. One pose without an axis for it gives one answer.
+    certify
+        Prove each answer again: the result is then the answers and a `Proof`.
+    threads
+        One a core where it is not given. Answers are the same for any number.
+
     Returns
     -------
     int8 array (N,): 1 overlap, 0 disjoint, -1 undecided. Of two polytopes the answer is always exact.
@@ -74,6 +86,8 @@ def signed_distance(a: BodyLike, b: BodyLike, poses: Poses, *, relative_gap: flo
 
     Parameters
     ----------
+    a, b, poses, certify, threads
+        As of `overlap`.
     relative_gap
         The search ends once upper - lower is below this times |value| + R_A + R_B. 0: as near as double precision gets
         for polytopes, 2^-32 for curved bodies.
@@ -132,7 +146,7 @@ def ray_cast(a: BodyLike, origins: npt.ArrayLike, directions: npt.ArrayLike, *, 
     contact with its bounds ``lower`` and ``upper`` (infinite where there is none), ``normal`` out of the body,
     ``point_a`` of the body, ``point_b`` of the ray (3,).
     """
-    (from_, along), single = _together((origins, "origins"), (directions, "directions"))
+    (from_, along), single = together((origins, "origins"), (directions, "directions"))
     found, proof = _vex.ray_cast(as_body(a)._core, from_, along, float(until), bool(certify), threads_of(threads))
     return _answer(found, proof, single)
 
@@ -142,7 +156,7 @@ def linear_cast(a: BodyLike, b: BodyLike, poses: Poses, motions: npt.ArrayLike, 
     """B moving without turning, at time t where its pose has it plus t times its motion. Fields as of `ray_cast`."""
     rows, translations, single_pose = as_poses(poses)
     motion, single = as_rows(motions, 3, "motions")
-    rows, translations, [motion] = _as_many(rows, translations, [motion])
+    rows, translations, [motion] = as_many(rows, translations, [motion])
     found, proof = _vex.linear_cast(as_body(a)._core, as_body(b)._core, rows, translations, motion, float(until),
                                     bool(certify), threads_of(threads))
     return _answer(found, proof, single_pose and single)
@@ -168,7 +182,7 @@ def time_of_impact(a: BodyLike, b: BodyLike, poses: Poses, velocities: npt.Array
         vector, single_vector = as_rows(values, 3, what)
         vectors.append(vector)
         single = single and single_vector
-    rows, translations, (v, w, v_a, w_a) = _as_many(rows, translations, vectors)
+    rows, translations, (v, w, v_a, w_a) = as_many(rows, translations, vectors)
     found, proof = _vex.time_of_impact(as_body(a)._core, as_body(b)._core, rows, translations, v, w, v_a, w_a,
                                        float(until), bool(certify), threads_of(threads))
     return _answer(found, proof, single)
@@ -206,25 +220,3 @@ def overlap_certificate(a: BodyLike, b: BodyLike, pose: Poses) -> Dict[str, Any]
     """
     rows, translations, _ = as_poses(pose)
     return _vex.overlap_certificate(as_body(a)._core, as_body(b)._core, rows, translations)
-
-
-def _together(*vectors: Tuple[npt.ArrayLike, str]) -> Tuple[List[Any], bool]:
-    """Arrays (N, 3) of as many rows, and whether each was one row alone."""
-    arrays, singles = zip(*(as_rows(values, 3, what) for values, what in vectors))
-    n = max(len(array) for array in arrays) if min(len(array) for array in arrays) > 0 else 0
-    return [_repeated(array, n, what) for array, (_, what) in zip(arrays, vectors)], all(singles)
-
-
-def _as_many(rows: Any, translations: Any, vectors: List[Any]) -> Tuple[Any, Any, List[Any]]:
-    counts = [len(rows)] + [len(v) for v in vectors if v is not None]
-    n = max(counts) if min(counts) > 0 else 0
-    return (_repeated(rows, n, "poses"), None if translations is None else _repeated(translations, n, "poses"),
-            [None if v is None else _repeated(v, n, "velocities or motions") for v in vectors])
-
-
-def _repeated(array: Any, n: int, what: str) -> Any:
-    if len(array) == n:
-        return array
-    if len(array) != 1 and n != 0:
-        raise _vex.UsageError(f"{what}: {len(array)} rows beside {n} - give as many, or one")
-    return np.ascontiguousarray(np.broadcast_to(array[:1] if n else array[:0], (n,) + array.shape[1:]))

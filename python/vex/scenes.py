@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 import operator
 import warnings
-from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _vex
-from ._arrays import Floats, Poses, as_poses, as_rows, threads_of
+from ._arrays import Floats, Poses, as_floats, as_poses, as_rows, threads_of
 from .bodies import Body, BodyLike, as_body
 
 
@@ -81,8 +81,8 @@ class Scene:
     Verdicts are proven. Pairs of which nothing is proven, curved bodies that touch to within rounding, are in no
     result: they are in `undecided` after each query, and an `UndecidedWarning` tells of them.
 
-    Python's threads may share a scene: its queries wait for each other. A query runs to its end, Ctrl-C or not; bodies
-    that were added stay known to it after they are removed.
+    Python's threads may share a scene: its queries wait for each other. Ctrl-C ends a query, and the scene is as it was.
+    Bodies that were added stay known to it after they are removed.
 
     Of bodies that reach over a periodic box several images may overlap: then a pair stands in the list once for each.
     """
@@ -90,8 +90,11 @@ class Scene:
     def __init__(self, bodies: Union[None, BodyLike, Sequence[BodyLike]] = None, poses: Optional[Poses] = None, *,
                  shapes: Optional[npt.ArrayLike] = None, box: Optional[Sequence[float]] = None, skin: float = 0.0,
                  broad_phase: str = "automatic", threads: Optional[int] = None) -> None:
-        edges = None if box is None else [float(x) for x in box]
-        self._core = _vex.Scene(edges, str(broad_phase), float(skin), threads_of(threads))
+        edges = None if box is None else as_floats(box, "box")
+        if edges is not None and edges.shape not in ((3,), (6,)):
+            raise _vex.UsageError(f"box: an array of shape {edges.shape} - give its edges (Lx, Ly, Lz), or these and its "
+                                  "tilts (xy, xz, yz)")
+        self._core = _vex.Scene(None if edges is None else edges.tolist(), str(broad_phase), float(skin), threads_of(threads))
         self._shapes: Dict[Body, int] = {}
         self.undecided: npt.NDArray[Any] = np.empty((0, 2), dtype=np.int64)  #: pairs (M, 2) of the last query
         self.counts: Dict[str, Tuple[int, int]] = {}  #: of the last query: how many pairs each stage saw and settled
@@ -181,6 +184,20 @@ class Scene:
         frame of body a ``normal``, ``point_a``, ``point_b`` (3,), NaN where the bodies overlap.
         """
         found, undecided, counts = self._core.distances(float(distance))
+        self._told(undecided, counts)
+        return found
+
+    def contact_manifolds(self, margin: float = 0.0, *, feature_angle: float = 0.01,
+                          four_at_most: bool = False) -> npt.NDArray[Any]:
+        """The contacts of all pairs that are within `margin` of each other: parameters as of `vex.contact_manifold`.
+
+        Returns
+        -------
+        array (K,), a row each contact and those of a pair together, pairs sorted: fields ``a``, ``b``, ``image`` (3,),
+        and in the frame of body a ``normal``, the pair's, ``point_a``, ``point_b`` (3,); ``distance``, negative where
+        the bodies are in each other; ``feature_a`` and ``feature_b``, the same from step to step.
+        """
+        found, undecided, counts = self._core.contact_manifolds(float(margin), float(feature_angle), bool(four_at_most))
         self._told(undecided, counts)
         return found
 

@@ -7,13 +7,14 @@ Points and normals are in that frame; normals point towards B.
 from __future__ import annotations
 
 import math
-from typing import Any, Optional, Sequence
+from typing import Any, Optional, Sequence, Tuple, Union
 
+import numpy as np
 import numpy.typing as npt
 
 from . import _vex
-from ._arrays import Poses, as_floats, as_poses, as_rows, threads_of
-from .bodies import BodyLike, as_body
+from ._arrays import Floats, Poses, as_floats, as_many, as_poses, as_rows, threads_of, together
+from .bodies import Body, BodyLike, as_body
 
 
 class HalfSpace:
@@ -23,7 +24,33 @@ class HalfSpace:
         rows, _ = as_rows(normal, 3, "normal")
         if len(rows) != 1:
             raise _vex.UsageError(f"normal: {len(rows)} rows - give three numbers")
-        self._core = _vex.HalfSpace([float(x) for x in rows[0]], float(offset))
+        self._normal = (float(rows[0, 0]), float(rows[0, 1]), float(rows[0, 2]))
+        self._offset = float(offset)
+        self._core = _vex.HalfSpace(list(self._normal), self._offset)
+
+    @property
+    def normal(self) -> Floats:
+        """As it was given, (3,): out of the half-space."""
+        return np.array(self._normal)
+
+    @property
+    def offset(self) -> float:
+        """As it was given."""
+        return self._offset
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, HalfSpace):
+            return NotImplemented
+        return (self._normal, self._offset) == (other._normal, other._offset)
+
+    def __hash__(self) -> int:
+        return hash((self._normal, self._offset))
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return HalfSpace, (self._normal, self._offset)
+
+    def __repr__(self) -> str:
+        return f"vex.HalfSpace({list(self._normal)!r}, {self._offset!r})"
 
     def overlap(self, body: BodyLike, poses: Poses, *, threads: Optional[int] = None) -> Any:
         """int8 array (N,): 1 overlap, 0 disjoint, -1 undecided, which no body with an exact form is."""
@@ -42,6 +69,16 @@ class HalfSpace:
         found = self._core.signed_distance(as_body(body)._core, rows, translations, threads_of(threads))
         return found[0] if single else found
 
+    def ray_cast(self, origins: npt.ArrayLike, directions: npt.ArrayLike, *, until: float = math.inf,
+                 threads: Optional[int] = None) -> Any:
+        """The rays origin + t direction, t >= 0, against the half-space: fields as of `vex.ray_cast`, and part, -1."""
+        return _rays(self._core, origins, directions, until, threads)
+
+    def linear_cast(self, body: BodyLike, poses: Poses, motions: npt.ArrayLike, *, until: float = math.inf,
+                    threads: Optional[int] = None) -> Any:
+        """The body moving without turning, onto the half-space: fields as of `vex.linear_cast`, and part, -1."""
+        return _casts(self._core, body, poses, motions, until, threads)
+
     def contacts(self, body: BodyLike, pose: Poses, margin: float = 0.0) -> Any:
         """The points of the body that are no farther than `margin` above the plane: fields point_a, point_b, distance,
         and feature, the same number for the same point in every pose."""
@@ -55,14 +92,21 @@ class Compound:
     Parameters
     ----------
     bodies
-        A list of bodies, or of texts that name them.
+        A list of bodies, or of texts that name them; or one for all poses.
     poses
         As many.
+
+    Notes
+    -----
+    A compound never changes, and can be pickled.
     """
 
-    def __init__(self, bodies: Sequence[BodyLike], poses: Poses) -> None:
+    def __init__(self, bodies: Union[BodyLike, Sequence[BodyLike]], poses: Poses) -> None:
         rows, translations, _ = as_poses(poses)
-        self._core = _vex.Compound([as_body(body)._core for body in bodies], rows, translations)
+        parts = [as_body(body) for body in bodies] if isinstance(bodies, (list, tuple)) else [as_body(bodies)] * len(rows)
+        self._core = _vex.Compound([part._core for part in parts], rows, translations)
+        self._made_of: Tuple[Any, ...] = (_compound_of_parts, parts, rows.copy(),
+                                          None if translations is None else translations.copy())
 
     @classmethod
     def of_triangles(cls, triangles: npt.ArrayLike) -> "Compound":
@@ -72,7 +116,14 @@ class Compound:
             raise _vex.UsageError(f"triangles: an array of shape {corners.shape} - give one of shape (N, 3, 3)")
         made = cls.__new__(cls)
         made._core = _vex.compound_of_corners(corners.reshape(-1, 3))
+        made._made_of = (cls.of_triangles, corners.copy())
         return made
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return self._made_of[0], self._made_of[1:]
+
+    def __repr__(self) -> str:
+        return f"<vex.Compound of {len(self)} parts>"
 
     def __len__(self) -> int:
         return len(self._core)
@@ -97,3 +148,46 @@ class Compound:
         found = self._core.distance(as_body(body)._core, rows, translations, float(relative_gap), float(max_distance),
                                     threads_of(threads))
         return found[0] if single else found
+
+    def ray_cast(self, origins: npt.ArrayLike, directions: npt.ArrayLike, *, until: float = math.inf,
+                 threads: Optional[int] = None) -> Any:
+        """The rays origin + t direction, t >= 0, against the union: fields as of `vex.ray_cast`, and ``part``, the one
+        that is met, -1 where none is."""
+        return _rays(self._core, origins, directions, until, threads)
+
+    def linear_cast(self, body: BodyLike, poses: Poses, motions: npt.ArrayLike, *, until: float = math.inf,
+                    threads: Optional[int] = None) -> Any:
+        """The body moving without turning: fields as of `vex.linear_cast`, and ``part``."""
+        return _casts(self._core, body, poses, motions, until, threads)
+
+    def time_of_impact(self, body: BodyLike, poses: Poses, velocities: npt.ArrayLike,
+                       angular_velocities: npt.ArrayLike = (0.0, 0.0, 0.0), *, until: float = math.inf,
+                       threads: Optional[int] = None) -> Any:
+        """The body moving straight and turning about its own origin, in the compound's frame, by radians per unit of
+        time: fields as of `vex.time_of_impact`, and ``part``."""
+        rows, translations, single = as_poses(poses)
+        v, single_v = as_rows(velocities, 3, "velocities")
+        w, single_w = as_rows(angular_velocities, 3, "angular velocities")
+        rows, translations, (v, w) = as_many(rows, translations, [v, w])
+        found = self._core.time_of_impact(as_body(body)._core, rows, translations, v, w, float(until),
+                                          threads_of(threads))
+        return found[0] if single and single_v and single_w else found
+
+
+def _compound_of_parts(parts: Sequence[Body], rows: Floats, translations: Optional[Floats]) -> Compound:
+    return Compound(list(parts), rows if translations is None else (rows, translations))
+
+
+def _rays(core: Any, origins: npt.ArrayLike, directions: npt.ArrayLike, until: float, threads: Optional[int]) -> Any:
+    (from_, along), single = together((origins, "origins"), (directions, "directions"))
+    found = core.ray_cast(from_, along, float(until), threads_of(threads))
+    return found[0] if single else found
+
+
+def _casts(core: Any, body: BodyLike, poses: Poses, motions: npt.ArrayLike, until: float,
+           threads: Optional[int]) -> Any:
+    rows, translations, single = as_poses(poses)
+    motion, single_motion = as_rows(motions, 3, "motions")
+    rows, translations, [motion] = as_many(rows, translations, [motion])
+    found = core.linear_cast(as_body(body)._core, rows, translations, motion, float(until), threads_of(threads))
+    return found[0] if single and single_motion else found

@@ -12,6 +12,7 @@
 #include "engine/numeric/double_double.h"
 #include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
+#include "engine/numeric/interruption.h"
 #include "engine/sampling/points/sobol.h"
 #include "shapes/estimators/axial_average.h"
 #include "shapes/estimators/legendre_average.h"
@@ -47,6 +48,7 @@ ExactAverage quasi_monte_carlo(MixedVolumeEstimator& estimator, const ExactAvera
         net.scrambled(keys, first + i, point);
         for (std::size_t c = 0; c < dimension; ++c) points[c * batch + i] = point[c];
       }
+      end_if_interrupted();
       estimator.evaluate(points, values);
       for (const double value : values) sum += value;
     }

@@ -1,6 +1,9 @@
+import contextlib
 import os
 import pathlib
+import signal
 import subprocess
+import threading
 
 import numpy as np
 import pytest
@@ -26,6 +29,21 @@ def program():
 @pytest.fixture(scope="session")
 def meshes():
     return ROOT / "meshes" / "data"
+
+
+@contextlib.contextmanager
+def ctrl_c(seconds):
+    """Sends SIGINT after so long, and sees to it that Python heeds it: what a shell starts in the background ignores
+    it, and so do its children."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    timer = threading.Timer(seconds, signal.raise_signal, [signal.SIGINT])
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
+        timer.join()
+        signal.signal(signal.SIGINT, before)
 
 
 def random_poses(n, reach, seed=1):

@@ -1,6 +1,5 @@
 import json
 import math
-import signal
 import threading
 import time
 
@@ -8,6 +7,7 @@ import numpy as np
 import pytest
 
 import vex
+from conftest import ctrl_c
 
 
 def test_the_numbers_are_the_programs_bit_for_bit(program, meshes):
@@ -106,19 +106,12 @@ def test_progress_is_told():
         vex.excluded_volume("cone:1,1", seconds=60.0, progress=stop)
 
 
-def interrupt_after(seconds):
-    thread = threading.Timer(seconds, lambda: signal.raise_signal(signal.SIGINT))
-    thread.start()
-    return thread
-
-
 def test_ctrl_c_ends_a_run_and_keeps_its_result():
     start = time.monotonic()
-    interrupt_after(0.4)
-    result = vex.excluded_volume("cone:1,1", seconds=60.0, estimator="hit-or-miss", on_interrupt="return")
+    with ctrl_c(0.4):
+        result = vex.excluded_volume("cone:1,1", seconds=60.0, estimator="hit-or-miss", on_interrupt="return")
     assert not result.complete and result.stopped_by == "interrupted" and result.trials > 0
-    interrupt_after(0.4)
-    with pytest.raises(KeyboardInterrupt) as raised:
+    with pytest.raises(KeyboardInterrupt) as raised, ctrl_c(0.4):
         vex.excluded_volume("cone:1,1", seconds=60.0, estimator="hit-or-miss")
     assert isinstance(raised.value, vex.Interrupted) and raised.value.result.trials > 0
     assert time.monotonic() - start < 20.0
@@ -128,8 +121,7 @@ def test_ctrl_c_ends_a_query_of_many_poses():
     poses = np.tile([1.5, 0.3, 0.2, 1.0, 0.1, 0.2, 0.3], (1_000_000, 1))
     for threads in (1, 2):
         start = time.monotonic()
-        interrupt_after(0.3)
-        with pytest.raises(KeyboardInterrupt):
+        with pytest.raises(KeyboardInterrupt), ctrl_c(0.3):
             vex.signed_distance("cone:1,1", "ellipsoid:1,2,3", poses, threads=threads)
         assert time.monotonic() - start < 20.0
 

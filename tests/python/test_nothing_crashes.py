@@ -70,6 +70,29 @@ def test_scenes(body, first, second):
 
 
 @quick
+@given(bodies, anything, anything, anything)
+def test_poses_and_worlds(body, first, second, third):
+    for call in (vex.inverse, vex.quaternion_of):
+        attempt(call, first)
+    for call in (vex.product, vex.relative_pose, vex.pose_of):
+        attempt(call, first, second)
+    attempt(vex.interpolated, first, second, third)
+    attempt(vex.relative_pose_error, first, second, third)
+    attempt(body.scaled, first)
+    attempt(body.mapped, first)
+    floor = vex.HalfSpace([0, 0, 1])
+    pair = vex.Compound(["sphere:1", "box:1,1,1"], [[0, 0, 0, 1, 0, 0, 0], [2, 0, 0, 1, 0, 0, 0]])
+    for world in (floor, pair):
+        attempt(world.overlap, body, first)
+        attempt(world.ray_cast, first, second, until=third)
+        attempt(world.linear_cast, body, first, second, until=10.0)
+    attempt(pair.time_of_impact, body, first, second, third, until=2.0)
+    attempt(vex.Compound, [body], first)
+    attempt(vex.Compound.of_triangles, first)
+    attempt(vex.HalfSpace, first, second)
+
+
+@quick
 @given(texts, anything)
 def test_bodies(text, something):
     made = attempt(vex.Body, text) if not text.startswith("/") else None

@@ -78,6 +78,25 @@ def test_bodies_come_go_and_move():
     assert translation.tolist() == [-4, 0, 0] and image == (-1, 0, 0) and (rotation == np.eye(3)).all()
 
 
+def test_contacts_of_all_pairs_are_those_of_each():
+    poses = random_scene(300, 7.0, seed=5)
+    scene = vex.Scene("box:1,1,1", poses, threads=2)
+    found = scene.contact_manifolds(0.05)
+    pairs = scene.pairs_within(0.05)
+    assert len(pairs) > 50
+    assert (np.unique(np.stack([found["a"], found["b"]], axis=1), axis=0) == pairs).all()
+    some = pairs[::10]
+    for (a, b), each in zip(some, vex.contact_manifold("box:1,1,1", "box:1,1,1",
+                                                       vex.relative_pose(poses[some[:, 0]], poses[some[:, 1]]),
+                                                       margin=0.05)):
+        rows = found[(found["a"] == a) & (found["b"] == b)]
+        for name in ("distance", "point_a", "point_b", "feature_a", "feature_b"):
+            assert np.allclose(rows[name], each.contacts[name], rtol=0, atol=1e-9)
+        assert np.allclose(rows["normal"], each.separation["normal"], rtol=0, atol=1e-9)
+    turned = vex.Scene("box:1,1,1", [[0, 0, 0, 1, 0, 0, 0], [0, 0, 0.99, np.cos(np.pi / 8), 0, 0, np.sin(np.pi / 8)]])
+    assert len(turned.contact_manifolds()) == 8 and len(turned.contact_manifolds(four_at_most=True)) == 4
+
+
 def test_undecided_pairs_are_told():
     scene = vex.Scene("ellipsoid:1,2,3", [[0, 0, 0, 1, 0, 0, 0], [2, 0, 0, 1, 0, 0, 0]])
     with pytest.warns(vex.UndecidedWarning):

@@ -1,3 +1,5 @@
+import pickle
+
 import numpy as np
 import pytest
 
@@ -64,6 +66,46 @@ def test_triangles_are_a_surface():
     inside = (np.abs(poses[:, :2]) <= 1).all(axis=1)
     assert np.abs(found["value"] - np.maximum(np.abs(poses[:, 2]) - 0.2, 0))[inside].max() < 1e-9
     assert (ground.overlap("sphere:0.2", poses)[inside] == (np.abs(poses[:, 2]) <= 0.2)[inside]).all()
+
+
+def test_rays_casts_and_impacts_of_worlds():
+    dumbbell = vex.Compound(["sphere:0.5", "sphere:0.5"], [[0, 0, 1, 1, 0, 0, 0], [0, 0, -1, 1, 0, 0, 0]])
+    found = dumbbell.ray_cast([[5, 0, 1], [5, 0, -1], [5, 0, 3]], [-1, 0, 0])
+    assert found["verdict"].tolist() == [1, 1, 0] and found["part"].tolist() == [0, 1, -1]
+    assert np.abs(found["time"][:2] - 4.5).max() < 1e-12 and np.isnan(found["normal"][2]).all()
+    poses = random_poses(100, 1.0) + [4, 0, 0, 0, 0, 0, 0]
+    cast = dumbbell.linear_cast("sphere:0.25", poses, [-1, 0, 0], threads=2)
+    each = [vex.linear_cast("sphere:0.5", "sphere:0.25", poses - [0, 0, z, 0, 0, 0, 0], [-1, 0, 0]) for z in (1, -1)]
+    times = np.minimum(*[np.where(rows["verdict"] == 1, rows["time"], np.inf) for rows in each])
+    assert 10 < (cast["verdict"] == 1).sum() < 90
+    met = cast["verdict"] == 1
+    assert np.abs(cast["time"][met] - times[met]).max() < 1e-8
+    assert ((cast["verdict"] == 1) == np.isfinite(times)).all()
+    hit = dumbbell.time_of_impact("sphere:0.25", [3, 0, 1, 1, 0, 0, 0], [-2, 0, 0], [0, 0, 1])
+    assert hit["verdict"] == 1 and abs(hit["time"] - 1.125) < 1e-9 and hit["part"] == 0
+    fall = FLOOR.linear_cast("cylinder:1,0.5", [[0, 0, 2, 1, 0, 0, 0]] * 2, [[0, 0, -3], [0, 0, 3]])
+    assert fall["verdict"].tolist() == [1, 0] and abs(fall["time"][0] - 0.5) < 1e-12 and fall["part"][0] == -1
+    assert abs(FLOOR.ray_cast([0, 0, 2], [0, 0, -0.5])["time"] - 4) < 1e-12
+    assert FLOOR.ray_cast([0, 0, 2], [0, 0, -0.5], until=3.0)["verdict"] == 0
+    for wrong in (lambda: dumbbell.ray_cast(np.zeros((3, 3)), np.ones((2, 3))),
+                  lambda: dumbbell.linear_cast("sphere:1", poses[:3], np.ones((2, 3))),
+                  lambda: FLOOR.linear_cast("sphere:1", poses, np.ones((100, 2)))):
+        with pytest.raises(vex.UsageError):
+            wrong()
+
+
+def test_worlds_are_values():
+    dumbbell = vex.Compound("sphere:0.5", [[0, 0, 1, 1, 0, 0, 0], [0, 0, -1, 1, 0, 0, 0]])
+    ground = vex.Compound.of_triangles([[[-9, -9, 0], [9, -9, 0], [9, 9, 0]]])
+    turned = vex.Compound(["box:1,1,1"], (np.eye(3), np.zeros(3)))
+    poses = random_poses(200, 1.5)
+    for world in (dumbbell, ground, turned, FLOOR):
+        again = pickle.loads(pickle.dumps(world))
+        assert repr(again) == repr(world)
+        assert (again.overlap("cone:1,1", poses) == world.overlap("cone:1,1", poses)).all()
+    assert repr(dumbbell) == "<vex.Compound of 2 parts>" and repr(FLOOR) == "vex.HalfSpace([0.0, 0.0, 2.0], 0.0)"
+    assert FLOOR == vex.HalfSpace([0, 0, 2.0]) and FLOOR != vex.HalfSpace([0, 0, 1]) and len({FLOOR, FLOOR}) == 1
+    assert FLOOR.normal.tolist() == [0, 0, 2] and FLOOR.offset == 0.0
 
 
 def test_what_is_none_is_refused():
