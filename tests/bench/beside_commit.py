@@ -96,7 +96,9 @@ def main():
                 documents = [rows_of(one) for one in run_at_once(sides, options, core, work)]
                 for row in documents[0].keys() ^ documents[1].keys():
                     others.add(f"one side alone has: {', '.join(row)}")
-                for row in documents[0].keys() & documents[1].keys():
+                for row in documents[0]:
+                    if row not in documents[1]:
+                        continue
                     figures = [document[row] for document in documents]
                     if figures[0][1] != figures[1][1]:
                         others.add(f"other poses or answers: {', '.join(row)}: {figures[0][1]}, {figures[1][1]}")
@@ -106,7 +108,8 @@ def main():
         if asked.old is None:
             subprocess.run(["git", "-C", ROOT, "worktree", "remove", "--force", work / "tree"], check=False)
         shutil.rmtree(work, ignore_errors=True)
-    print("| what | body | row | old, ns | new / old | quartiles | old / old | quartiles |\n|---|---|---|---:|---:|---:|---:|---:|")
+    print("| what | body | row | old, ns | new / old | quartiles | old / old | quartiles |\n"
+          "|---|---|---|---:|---:|---:|---:|---:|")
     for row, runs in seen.items():
         # The two old ones' mean is beside the new one for as long as either.
         new = [run[1] / (0.5 * (run[0] + run[2])) for run in runs]

@@ -150,7 +150,7 @@ class DoubleSearch {
       }
       if (memory) memory->forget();
       search.find_depth([&](const WarmMemory::Polytope& polytope) {
-        if (memory) memory->remember_hull(polytope, is_smooth, settings_.size);
+        if (memory) memory->remember_hull(polytope, is_smooth, settings_.size, search.n_support_calls());
       });
     }
     const CoreSeparation<double, CoreDifference::Point>& core = search.found();

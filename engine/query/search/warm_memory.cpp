@@ -15,7 +15,9 @@ namespace {
 // triangles are a little larger or smaller than they were.
 constexpr double kAllowance = 1.75;
 // How often in turn a memory may fail before it is made only now and then; and where that is begun anew.
-constexpr int kMostFailed = 2, kLongFailed = 64;
+constexpr int kMostFailed = 2, kFirstPlace = 4, kFirstHull = 16, kLongFailed = 64;
+// A hull that has to grow by more points than these takes as long as one from nothing, for it is larger.
+constexpr int kMostGrownOfCorners = 7, kMostGrown = 10;
 // What a memory costs besides its support calls, in quarters of one: corners are looked up, of a place axes are made,
 // and either is made anew where the nearest points are others. A search from nothing that takes fewer calls than
 // `kShort...` is as fast as what would be remembered of it.
@@ -153,7 +155,7 @@ bool WarmMemory::find_depth(const CoreSearchSettings<double>& settings, bool is_
     if (end != Polytope::End::separated) ++state_.n_failed_;
     return false;
   }
-  state_.n_failed_ = 0;
+  const bool is_given_up = fails(polytope.n_support_calls() <= (corners_ ? kMostGrownOfCorners : kMostGrown));
   found.normal = polytope.normal();
   found.has_normal = true;
   found.distance = -polytope.height();
@@ -167,7 +169,7 @@ bool WarmMemory::find_depth(const CoreSearchSettings<double>& settings, bool is_
   }
   polytope.visit_foot(add);
   if (is_smooth) keep_place(lowest);
-  keep_grown_hull(polytope);
+  is_given_up ? forget() : keep_grown_hull(polytope);
   if (corners_ && state_.n_faces_ > 0) keep_normal(found.normal);
   return true;
 }
@@ -212,10 +214,14 @@ void WarmMemory::forget() {
   state_.normal_ = {};
 }
 
-bool WarmMemory::rests() {
+bool WarmMemory::rests(int first) {
   if (state_.n_failed_ < kMostFailed) return false;
   if (++state_.n_failed_ == 0xff) state_.n_failed_ = kLongFailed;
-  return !std::has_single_bit(state_.n_failed_);
+  return state_.n_failed_ < first || !std::has_single_bit(state_.n_failed_);
+}
+bool WarmMemory::fails(bool is_of_use) {
+  state_.n_failed_ = static_cast<std::uint8_t>(is_of_use ? 0 : state_.n_failed_ + 1);
+  return state_.n_failed_ >= kMostFailed;
 }
 
 void WarmMemory::remember_nearest(const Found& found, const CoreSearchSettings<double>& settings, bool is_smooth,
@@ -225,7 +231,7 @@ void WarmMemory::remember_nearest(const Found& found, const CoreSearchSettings<d
     const int quarters = std::min(4 * n_calls, 0xff);
     usual = static_cast<std::uint8_t>(usual == 0 ? quarters : usual + (quarters - usual) / 4);
     const bool is_short = usual < 4 * (is_smooth ? kShortOfPlace : kShortOfCorners);
-    if (is_short || rests()) return forget();
+    if (is_short || rests(kFirstPlace)) return forget();
     keep_nearest(found, settings, is_smooth);
     n_used() = 0;
     return;
@@ -233,13 +239,9 @@ void WarmMemory::remember_nearest(const Found& found, const CoreSearchSettings<d
   const bool is_lost = n_calls > (is_smooth ? kFewCalls : 1);
   const int quarters = 4 * n_calls + (is_smooth ? place_cost_ + kPlaceCost + (is_lost ? kNewPlaceCost : 0)
                                                 : kCornersCost + (is_lost ? kNewCornersCost : 0));
-  state_.n_failed_ = static_cast<std::uint8_t>(quarters <= usual ? 0 : state_.n_failed_ + 1);
-  if (state_.n_failed_ >= kMostFailed || ++n_used() >= kMostUsed) return forget();
+  if (fails(quarters <= usual) || ++n_used() >= kMostUsed) return forget();
   if (is_smooth && is_lost) nearest_.reset();
-  if (corners_ && !is_lost) {
-    keep_normal(found.normal);  // the points are those that are known
-    return;
-  }
+  if (corners_ && !is_lost) return keep_normal(found.normal);  // the points are those that are known
   keep_nearest(found, settings, is_smooth);
 }
 
@@ -272,10 +274,10 @@ void WarmMemory::keep_nearest(const Found& found, const CoreSearchSettings<doubl
   state_.are_corners_ = corners_ ? 1 : 0;
 }
 
-void WarmMemory::remember_hull(const Polytope& polytope, bool is_smooth, double size) {
+void WarmMemory::remember_hull(const Polytope& polytope, bool is_smooth, double size, int n_calls) {
   forget();
   // Of pairs whose hulls are of no use a step later one is tried now and then.
-  if (rests()) return;
+  if ((is_smooth && n_calls < kShortOfPlace) || rests(kFirstHull)) return;
   if (is_smooth) {
     LowPlaceSearch search(difference_, size);
     std::array<Point, 3> corners;

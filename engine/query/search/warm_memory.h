@@ -50,8 +50,8 @@ class WarmMemory {
   void forget();
   /// Of bodies that are apart, after a descent of so many support calls, with or without what was known.
   void remember_nearest(const Found& found, const CoreSearchSettings<double>& settings, bool is_smooth, int n_calls);
-  /// Of a polytope that began with nothing, and has ended with near bounds.
-  void remember_hull(const Polytope& polytope, bool is_smooth, double size);
+  /// Of a polytope that began with nothing, and has ended with near bounds after so many support calls in all.
+  void remember_hull(const Polytope& polytope, bool is_smooth, double size, int n_calls);
 
  private:
   // Of corners by their numbers, or along a direction; none of numbers that the bodies do not have.
@@ -69,8 +69,11 @@ class WarmMemory {
   void keep_hull(const Polytope& polytope, bool has_kept);
   void keep_grown_hull(const Polytope& polytope);
 
-  // Whether none is to be made, for it has failed in turn, and this is not one of the searches after which it is.
-  bool rests();
+  // Whether none is to be made, for it has failed in turn, and this is not one of the searches after which it is: the
+  // `first` one since, and each that is a power of two.
+  bool rests(int first);
+  // Whether it has failed in turn so often that it is given up.
+  bool fails(bool is_of_use);
   // Of bodies that are apart, who have no triangles, the first one's bytes are the account: how many quarters of a
   // support call a search from nothing takes, a mean of the last few, and how often what it has left was of use since.
   std::uint8_t& quarters_from_nothing() { return state_.faces_[0][0]; }
