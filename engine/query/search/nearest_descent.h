@@ -45,8 +45,9 @@ NearestDescent<L, Point> descend_to_origin(const Difference& difference, const V
   using End = typename NearestDescent<L, Point>::End;
   const L slack = L(2.0) * error.support;  // E20
   NearestDescent<L, Point> result;
-  result.simplex = simplex;
-  if (simplex.size() == 0) {
+  if (simplex.size() > 0) {
+    result.simplex = simplex;  // half a kilobyte
+  } else {
     result.simplex.add(difference.support(first_dir));
     result.n_support_calls = 1;
   }
