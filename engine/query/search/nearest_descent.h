@@ -45,9 +45,8 @@ NearestDescent<L, Point> descend_to_origin(const Difference& difference, const V
   using End = typename NearestDescent<L, Point>::End;
   const L slack = L(2.0) * error.support;  // E20
   NearestDescent<L, Point> result;
-  if (simplex.size() > 0) {
-    result.simplex = simplex;  // half a kilobyte
-  } else {
+  result.simplex = simplex;
+  if (simplex.size() == 0) {
     result.simplex.add(difference.support(first_dir));
     result.n_support_calls = 1;
   }

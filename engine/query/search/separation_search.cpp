@@ -119,9 +119,7 @@ class DoubleSearch {
     if (remembers) memory.emplace(*warm_start, difference_, error_);
     Separation& result = searched.separation;
     const bool is_smooth = !query_.are_rounded_polytopes();
-    // To make one of nothing is to fill half a kilobyte, which the shortest searches notice.
-    static const NearestSimplex<double, CoreDifference::Point> nothing{};
-    std::optional<NearestSimplex<double, CoreDifference::Point>> known;
+    NearestSimplex<double, CoreDifference::Point> simplex;
     if (memory) {
       if (memory->holds_hull() && settings_.goal != SeparationGoal::distance) {
         CoreSeparation<double, CoreDifference::Point> core;
@@ -131,14 +129,14 @@ class DoubleSearch {
           return;
         }
       } else {
-        known.emplace(memory->simplex(settings_, is_smooth));
+        simplex = memory->simplex(settings_, is_smooth);
       }
     }
     const Vec3d parting_dir = memory ? memory->parting_dir() : Vec3d{};
     Vec3d first_dir = norm_1(parting_dir) > 0.0 ? parting_dir : difference_.between_centres();
     first_dir = norm_1(first_dir) > 0.0 ? unit_along(first_dir) : kAnyUnitVector;
     CoreSearch<double, CoreDifference::Point, CoreDifference> search(difference_, error_, settings_, first_dir,
-                                                                     known ? *known : nothing);
+                                                                     simplex);
     const int n_calls_before = memory ? memory->n_support_calls() : 0;
     if (search.wants_depth()) {
       if (zonotope != nullptr) {
