@@ -1,4 +1,4 @@
-// Eigen at the public face: callers pass and receive Eigen's types; inside, the kernels see only Vec3 and Transform.
+// Eigen at the public face: callers pass Eigen's types; inside, the kernels see only Vec3 and Transform.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +9,6 @@
 namespace vex {
 
 inline Vec3d from_eigen(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-inline Eigen::Vector3d to_eigen(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
 inline Transformd from_eigen(const Eigen::Isometry3d& a_from_b) {
   const Eigen::Matrix3d r = a_from_b.linear();

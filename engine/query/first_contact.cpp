@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "engine/numeric/directions.h"
-#include "engine/numeric/errors.h"
 #include "engine/numeric/rounding.h"
 #include "engine/numeric/scaled_bound.h"
 #include "engine/query/exact/exact_cast.h"
+#include "engine/query/motion_input.h"
 #include "engine/query/overlap.h"
 #include "engine/query/search/ray_search.h"
 #include "engine/query/separation_with_verdict.h"
@@ -100,19 +100,12 @@ void decide_exactly(const ConvexBody& a, const ConvexBody& b, const Transformd& 
   take_points(apart, contact);
 }
 
-void require_end(double until) {
-  if (!(until >= 0.0)) throw UsageError("the end of a motion is negative or no number - give a time from 0 up");
-}
-
 }  // namespace
 
 FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& motion,
                          double until) {
   const Transformd& a_from_b = pose.a_from_b();
-  require_end(until);
-  if (!(norm_1(motion) > 0.0 && is_finite(motion))) {
-    throw InputError("a direction of motion is zero or not finite - give a finite vector of any other length");
-  }
+  require_motion(motion, until);
   const OverlapAnswer start = overlap_answer(a, b, pose);
   const Verdict at_start = start.verdict;
   if (at_start.outcome == Outcome::overlap) {

@@ -8,6 +8,7 @@
 #include "engine/numeric/interval.h"
 #include "engine/numeric/rounding.h"
 #include "engine/numeric/whole.h"
+#include "engine/query/motion_input.h"
 #include "engine/support/combinators.h"
 #include "engine/support/point_body.h"
 
@@ -177,10 +178,7 @@ Separation signed_distance(const HalfSpace& a, const ConvexBody& b, const Pose& 
 
 FirstContact linear_cast(const HalfSpace& a, const ConvexBody& b, const Pose& a_from_b, const Vec3d& motion,
                          double until) {
-  if (!(until >= 0.0)) throw UsageError("the end of a motion is negative or no number - give a time from 0 up");
-  if (!(norm_1(motion) > 0.0 && is_finite(motion))) {
-    throw InputError("a direction of motion is zero or not finite - give a finite vector of any other length");
-  }
+  require_motion(motion, until);
   const Transformd& pose = a_from_b.a_from_b();
   const LeastHeight height = least_height(a, b, pose);
   FirstContact contact;

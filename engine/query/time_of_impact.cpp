@@ -8,6 +8,7 @@
 #include "engine/numeric/errors.h"
 #include "engine/numeric/scaled_bound.h"
 #include "engine/query/first_contact.h"
+#include "engine/query/motion_input.h"
 #include "engine/query/overlap.h"
 #include "engine/query/search/advancement.h"
 #include "engine/query/search/impact_record.h"
@@ -75,7 +76,7 @@ FirstContact impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, 
   }
   const auto& [motion, spin_of_a, is_exact, turns] = relative_to(motion_a, motion_b);
   if (!is_finite(motion.velocity)) throw InputError("velocities are too far apart - choose another unit of time");
-  if (!(until >= 0.0)) throw UsageError("the end of a motion is negative or no number - give a time from 0 up");
+  require_end(until);
   const bool moves = norm_1(motion.velocity) > 0.0;
   if (moves && !turns && is_exact) return in_frame_of_a(linear_cast(a, b, pose, motion.velocity, until), motion_a);
   const OverlapAnswer start = overlap_answer(a, b, pose);

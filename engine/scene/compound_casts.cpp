@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "engine/numeric/errors.h"
+#include "engine/query/motion_input.h"
 #include "engine/query/world_queries.h"
 #include "engine/scene/compound.h"
 #include "engine/scene/compound_boxes.h"
@@ -83,13 +84,6 @@ class EarliestContact {
   int n_support_calls_ = 0;
 };
 
-void require_motion(const Vec3d& motion, double until) {
-  if (!(until >= 0.0)) throw UsageError("the end of a motion is negative or no number - give a time from 0 up");
-  if (!(norm_1(motion) > 0.0 && is_finite(motion))) {
-    throw InputError("a direction of motion is zero or not finite - give a finite vector of any other length");
-  }
-}
-
 // ask(part, until) of the parts on the way of a box that moves straight, as far as it matters.
 template <class Ask>
 void along_way(const Compound& a, const MovingBox& box, const Vec3d& motion, std::uint32_t part_b,
@@ -147,7 +141,7 @@ CompoundContact linear_cast(const Compound& a, const Compound& b, const Pose& a_
 
 CompoundContact time_of_impact(const Compound& a, const ConvexBody& b, const Pose& a_from_b, const RigidMotion& motion,
                                double until) {
-  if (!(until >= 0.0)) throw UsageError("the end of a motion is negative or no number - give a time from 0 up");
+  require_end(until);
   if (!is_finite(motion.velocity) || !is_finite(motion.angular_velocity)) {
     throw InputError("a velocity is not finite - give finite numbers");
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/numeric/pose.h"
+#include "engine/query/checker/turning.h"
 
 namespace vex::checker {
 namespace {
@@ -15,10 +16,6 @@ using whole::DyadicVector;
 using whole::Integer;
 
 const Dyadic& larger(const Dyadic& p, const Dyadic& q) { return p < q ? q : p; }
-
-DyadicVector cross(const DyadicVector& p, const DyadicVector& q) {
-  return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
-}
 
 Dyadic largest_axis(const ExactForm::Piece& piece) {
   return Dyadic(std::max({piece.semi_axes.x, piece.semi_axes.y, piece.semi_axes.z}));

@@ -59,9 +59,9 @@ class ExpandingPolytope {
   template <class CornersOf, class Wanted>
   End run_on(std::uint32_t n_faces, const CornersOf& corners, const Wanted& wanted) {
     if (has_height_ && height_ < -slack_) return End::separated;
-    n_known_ = static_cast<std::uint32_t>(points().size());
+    const auto n_known = static_cast<std::uint32_t>(points().size());
     const auto at = [this](std::uint32_t i) -> const Vec3<L>& { return hull_.at(i); };
-    surface_ = bound_by_surface<L>(n_known_, at, n_faces, corners, error_);
+    surface_ = bound_by_surface<L>(n_known, at, n_faces, corners, error_);
     if (surface_) {
       const L distance = surface_->distance;
       if (has_height_ && height_ - distance <= wanted(distance)) return End::converged;
@@ -76,10 +76,8 @@ class ExpandingPolytope {
       surface_.reset();
       if (height_ < -slack_) return End::separated;
     }
-    return hull_.make_surface(n_known_, n_faces, corners) ? grow_until(wanted) : End::stalled;
+    return hull_.make_surface(n_known, n_faces, corners) ? grow_until(wanted) : End::stalled;
   }
-  /// How many points were known before any was asked for: the first ones.
-  std::uint32_t n_known() const { return n_known_; }
   /// Whether that surface was as near as asked for as it was, and so has no triangles here.
   bool is_as_known() const { return surface_.has_value(); }
 
@@ -299,7 +297,7 @@ class ExpandingPolytope {
   int max_support_calls_;
   int n_support_calls_ = 0, n_repeated_ = 0;
   std::optional<SurfaceBound<L>> surface_;
-  std::uint32_t nearest_ = 0, lowest_ = 0, n_known_ = 0;
+  std::uint32_t nearest_ = 0, lowest_ = 0;
   bool is_of_face_ = false, has_height_ = false;
   Vec3<L> normal_;
   L height_{0.0}, answer_height_{0.0};

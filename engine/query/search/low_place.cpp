@@ -65,6 +65,7 @@ LowPlace LowPlaceSearch::lower_smooth(const LowPlace& start) {
   Across gradient = along_axes(frame, gradient_of(place.point));
   for (int step = 0; step < kMostSteps; ++step) {
     const Across turn = turns * gradient;
+    ++n_smooth_steps_;
     const double length = length_of(turn);
     if (!(length < kLongestStep) || !(length > kShortestStep)) break;
     const Point next = ask(unit_along(place.point.dir - in_space(frame, turn)));

@@ -47,6 +47,8 @@ class LowPlaceSearch {
   /// The place where `dir` is about the lowest, by the points of two directions beside it.
   LowPlace around(const Vec3d& unit_dir);
   int n_support_calls() const { return n_support_calls_; }
+  /// What it has taken, in quarters of a support call of a descent: there is more to a step where K is smooth.
+  int quarters() const { return 5 * n_support_calls_ + 3 * n_smooth_steps_; }
 
  private:
   LowPlace lower_smooth(const LowPlace& start);
@@ -58,7 +60,7 @@ class LowPlaceSearch {
 
   const CoreDifference& difference_;
   double size_;
-  int n_support_calls_ = 0;
+  int n_support_calls_ = 0, n_smooth_steps_ = 0;
   std::array<CoreDifference::Point, 5> last_;  // in turn
 };
 

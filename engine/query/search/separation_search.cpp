@@ -18,8 +18,6 @@ namespace {
 constexpr double kPolytopeGap = 0x1p-44, kExtendedPolytopeGap = 0x1p-60, kCurvedGap = 0x1p-32;
 // Where rounding makes faces of its own, a hull of more points than these is no better.
 constexpr int kCoarseHullPoints = 32;
-// After a place that is known well a descent has no more to ask than these.
-constexpr int kFewCalls = 4;
 
 // Points of the cores; B's also in its own frame.
 struct CorePoints {
@@ -115,8 +113,10 @@ class DoubleSearch {
   }
 
   void search(const DifferenceZonotope* zonotope, WarmStart* warm_start, SearchedSeparation& searched) const {
+    // Depths of zonotopes are looked for on all faces at once: nothing that is remembered helps there.
+    const bool remembers = warm_start != nullptr && (zonotope == nullptr || settings_.goal != SeparationGoal::depth);
     std::optional<WarmMemory> memory;
-    if (warm_start != nullptr) memory.emplace(*warm_start, difference_, error_);
+    if (remembers) memory.emplace(*warm_start, difference_, error_);
     Separation& result = searched.separation;
     const bool is_smooth = !query_.are_rounded_polytopes();
     NearestSimplex<double, CoreDifference::Point> simplex;
@@ -150,14 +150,14 @@ class DoubleSearch {
       }
       if (memory) memory->forget();
       search.find_depth([&](const WarmMemory::Polytope& polytope) {
-        if (memory) memory->remember_hull(polytope, is_smooth, settings_.size);
+        if (memory) memory->remember_hull(polytope, is_smooth, settings_.size, search.n_support_calls());
       });
     }
     const CoreSeparation<double, CoreDifference::Point>& core = search.found();
     if (memory && core.distance > 0.0 && core.has_normal) {
-      const bool is_same = simplex.size() > 0 && search.n_support_calls() == 1 && memory->has_corners();
-      if (is_smooth && search.n_support_calls() > kFewCalls) memory->forget_place();
-      is_same ? memory->remember_same(core) : memory->remember_nearest(core, settings_, is_smooth);
+      memory->remember_nearest(core, settings_, is_smooth, search.n_support_calls());
+    } else if (memory && !search.wants_depth()) {
+      memory->forget();  // of bodies that overlap, where their distance is all that is asked
     }
     take(core, result);
     result.n_support_calls = (memory ? memory->n_support_calls() : 0) + search.n_support_calls();

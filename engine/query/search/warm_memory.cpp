@@ -1,6 +1,7 @@
 #include "engine/query/search/warm_memory.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -13,8 +14,19 @@ namespace {
 // How much nearer bounds are brought from nothing than a known hull has to bring them, as far as that is allowed: its
 // triangles are a little larger or smaller than they were.
 constexpr double kAllowance = 1.75;
-// How often in turn a hull may fail before it is tried only each 32nd time.
-constexpr int kMostFailed = 2, kSeldom = 32;
+// How often in turn a memory may fail before it is made only now and then; and where that is begun anew.
+constexpr int kMostFailed = 2, kFirstPlace = 4, kFirstHull = 16, kLongFailed = 64;
+// A hull that has to grow by more points than these takes as long as one from nothing, for it is larger.
+constexpr int kMostGrownOfCorners = 7, kMostGrown = 10;
+// What a memory costs besides its support calls, in quarters of one: corners are looked up, of a place axes are made,
+// and either is made anew where the nearest points are others. A search from nothing that takes fewer calls than
+// `kShort...` is as fast as what would be remembered of it.
+constexpr int kCornersCost = 8, kNewCornersCost = 6, kPlaceCost = 8, kNewPlaceCost = 16;
+constexpr int kShortOfCorners = 4, kShortOfPlace = 12;
+// After so many uses a search begins from nothing once, to see what that takes by now.
+constexpr int kMostUsed = 64;
+// After a place that is known well a descent has no more to ask than these.
+constexpr int kFewCalls = 4;
 
 // A unit vector of what may be none; else zero.
 Vec3d unit_or_zero(const Vec3d& v) {
@@ -65,10 +77,12 @@ NearestSimplex<double, WarmMemory::Point> WarmMemory::simplex(const CoreSearchSe
   const bool is_known = norm_1(normal_) > 0.0 && state_.n_faces_ == 0 && state_.n_points_ <= 4;
   // A direction that parts the bodies is all that a depth has to know of bodies that are apart.
   if (!is_known || settings.goal == SeparationGoal::depth || state_.are_corners_ != (corners_ ? 1 : 0)) return simplex;
+  has_begun_apart_ = true;
   if (is_smooth) {
     LowPlaceSearch search(difference_, settings.size);
     nearest_ = find_lowest(search);
     n_support_calls_ += search.n_support_calls();
+    place_cost_ = search.quarters();
     if (!(CoreDifference::height_of(nearest_->point) < 0.0)) {
       nearest_.reset();
       return simplex;
@@ -141,7 +155,7 @@ bool WarmMemory::find_depth(const CoreSearchSettings<double>& settings, bool is_
     if (end != Polytope::End::separated) ++state_.n_failed_;
     return false;
   }
-  state_.n_failed_ = 0;
+  const bool is_given_up = fails(polytope.n_support_calls() <= (corners_ ? kMostGrownOfCorners : kMostGrown));
   found.normal = polytope.normal();
   found.has_normal = true;
   found.distance = -polytope.height();
@@ -155,7 +169,7 @@ bool WarmMemory::find_depth(const CoreSearchSettings<double>& settings, bool is_
   }
   polytope.visit_foot(add);
   if (is_smooth) keep_place(lowest);
-  keep_grown_hull(polytope);
+  is_given_up ? forget() : keep_grown_hull(polytope);
   if (corners_ && state_.n_faces_ > 0) keep_normal(found.normal);
   return true;
 }
@@ -195,11 +209,43 @@ bool WarmMemory::keep_place(const LowPlace& place) {
 void WarmMemory::keep_normal(const Vec3d& unit_normal) { state_.normal_ = unit_normal; }
 
 void WarmMemory::forget() {
+  if (state_.n_faces_ > 0) state_.faces_[0] = {};  // no account
   state_.n_points_ = state_.n_faces_ = 0;
   state_.normal_ = {};
 }
 
-void WarmMemory::remember_nearest(const Found& found, const CoreSearchSettings<double>& settings, bool is_smooth) {
+bool WarmMemory::rests(int first) {
+  if (state_.n_failed_ < kMostFailed) return false;
+  if (++state_.n_failed_ == 0xff) state_.n_failed_ = kLongFailed;
+  return state_.n_failed_ < first || !std::has_single_bit(state_.n_failed_);
+}
+bool WarmMemory::fails(bool is_of_use) {
+  state_.n_failed_ = static_cast<std::uint8_t>(is_of_use ? 0 : state_.n_failed_ + 1);
+  return state_.n_failed_ >= kMostFailed;
+}
+
+void WarmMemory::remember_nearest(const Found& found, const CoreSearchSettings<double>& settings, bool is_smooth,
+                                  int n_calls) {
+  std::uint8_t& usual = quarters_from_nothing();
+  if (!has_begun_apart_) {
+    const int quarters = std::min(4 * n_calls, 0xff);
+    usual = static_cast<std::uint8_t>(usual == 0 ? quarters : usual + (quarters - usual) / 4);
+    const bool is_short = usual < 4 * (is_smooth ? kShortOfPlace : kShortOfCorners);
+    if (is_short || rests(kFirstPlace)) return forget();
+    keep_nearest(found, settings, is_smooth);
+    n_used() = 0;
+    return;
+  }
+  const bool is_lost = n_calls > (is_smooth ? kFewCalls : 1);
+  const int quarters = 4 * n_calls + (is_smooth ? place_cost_ + kPlaceCost + (is_lost ? kNewPlaceCost : 0)
+                                                : kCornersCost + (is_lost ? kNewCornersCost : 0));
+  if (fails(quarters <= usual) || ++n_used() >= kMostUsed) return forget();
+  if (is_smooth && is_lost) nearest_.reset();
+  if (corners_ && !is_lost) return keep_normal(found.normal);  // the points are those that are known
+  keep_nearest(found, settings, is_smooth);
+}
+
+void WarmMemory::keep_nearest(const Found& found, const CoreSearchSettings<double>& settings, bool is_smooth) {
   forget();
   if (is_smooth && settings.goal != SeparationGoal::depth) {
     if (!nearest_) {
@@ -228,10 +274,10 @@ void WarmMemory::remember_nearest(const Found& found, const CoreSearchSettings<d
   state_.are_corners_ = corners_ ? 1 : 0;
 }
 
-void WarmMemory::remember_hull(const Polytope& polytope, bool is_smooth, double size) {
+void WarmMemory::remember_hull(const Polytope& polytope, bool is_smooth, double size, int n_calls) {
   forget();
   // Of pairs whose hulls are of no use a step later one is tried now and then.
-  if (state_.n_failed_ >= kMostFailed && ++state_.n_failed_ % kSeldom != 0) return;
+  if ((is_smooth && n_calls < kShortOfPlace) || rests(kFirstHull)) return;
   if (is_smooth) {
     LowPlaceSearch search(difference_, size);
     std::array<Point, 3> corners;

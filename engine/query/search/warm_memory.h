@@ -7,6 +7,10 @@
 // these, go around the origin still, the polytope goes on from there. Around a smooth minimum of the height the hull is
 // as fine as the bounds are near, and has to be moved along with it: the new minimum is found first, by a secant
 // method from the last one's second derivative, and the directions, which are about it, turn as it did.
+//
+// A memory shall cost no more than it saves. What a search from nothing takes is known of the last ones, and a memory
+// that takes more twice in turn is given up, and made again after 4, 8 ... 128 searches from nothing; where these are
+// short none is made.
 #pragma once
 
 #include <optional>
@@ -36,7 +40,6 @@ class WarmMemory {
   /// good beginning.
   Vec3d parting_dir() const { return holds_hull_ && !is_parted_ ? Vec3d{} : normal_; }
   bool holds_hull() const { return holds_hull_; }
-  bool has_corners() const { return corners_.has_value(); }
   /// Points of the difference near its nearest one, as the bodies are now; empty where none is known.
   NearestSimplex<double, Point> simplex(const CoreSearchSettings<double>& settings, bool is_smooth);
   /// The cores' depth, by the hull that is known: false where that does not lead to bounds as near as asked for.
@@ -45,13 +48,10 @@ class WarmMemory {
   int n_support_calls() const { return n_support_calls_; }
 
   void forget();
-  /// Of bodies that are apart: it was of no use.
-  void forget_place() { nearest_.reset(); }
-  /// Of a search that ended where it began: with the points of the simplex that is known.
-  void remember_same(const Found& found) { keep_normal(found.normal); }
-  void remember_nearest(const Found& found, const CoreSearchSettings<double>& settings, bool is_smooth);
-  /// Of a polytope that began with nothing, and has ended with near bounds.
-  void remember_hull(const Polytope& polytope, bool is_smooth, double size);
+  /// Of bodies that are apart, after a descent of so many support calls, with or without what was known.
+  void remember_nearest(const Found& found, const CoreSearchSettings<double>& settings, bool is_smooth, int n_calls);
+  /// Of a polytope that began with nothing, and has ended with near bounds after so many support calls in all.
+  void remember_hull(const Polytope& polytope, bool is_smooth, double size, int n_calls);
 
  private:
   // Of corners by their numbers, or along a direction; none of numbers that the bodies do not have.
@@ -62,20 +62,32 @@ class WarmMemory {
   template <class Visit>
   bool visit_foot(const Polytope& polytope, const Vec3d& normal, const Visit& visit) const;
   LowPlace find_lowest(LowPlaceSearch& search) const;
+  void keep_nearest(const Found& found, const CoreSearchSettings<double>& settings, bool is_smooth);
   bool keep_place(const LowPlace& place);
   void keep_normal(const Vec3d& unit_normal);
   // Triangles and their corners, about the normal as it is kept. `has_kept`: the first points are those that are known.
   void keep_hull(const Polytope& polytope, bool has_kept);
   void keep_grown_hull(const Polytope& polytope);
 
+  // Whether none is to be made, for it has failed in turn, and this is not one of the searches after which it is: the
+  // `first` one since, and each that is a power of two.
+  bool rests(int first);
+  // Whether it has failed in turn so often that it is given up.
+  bool fails(bool is_of_use);
+  // Of bodies that are apart, who have no triangles, the first one's bytes are the account: how many quarters of a
+  // support call a search from nothing takes, a mean of the last few, and how often what it has left was of use since.
+  std::uint8_t& quarters_from_nothing() { return state_.faces_[0][0]; }
+  std::uint8_t& n_used() { return state_.faces_[0][1]; }
+
   WarmStart& state_;
   const CoreDifference& difference_;
   const QueryError<double>& error_;
   Vec3d normal_;
   std::optional<CornersOfBoth> corners_;  // of bodies whose corners have numbers
-  bool holds_hull_, is_parted_ = false;
+  bool holds_hull_, is_parted_ = false, has_begun_apart_ = false;
   std::optional<LowPlace> nearest_;  // of smooth bodies that are apart
   int n_support_calls_ = 0;
+  int place_cost_ = 0;  // of finding the place again
 };
 
 }  // namespace vex

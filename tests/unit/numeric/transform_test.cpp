@@ -36,8 +36,9 @@ TEST(Transform, AgreesWithEigen) {
   pose.pretranslate(Eigen::Vector3d(3, -4, 5));
   const Transformd a_from_b = from_eigen(pose);
   const Eigen::Vector3d p(0.3, -0.2, 0.9);
-  EXPECT_LT((to_eigen(a_from_b(from_eigen(p))) - pose * p).norm(), 1e-15 * 10);
-  EXPECT_LT((to_eigen(a_from_b.direction_to_b(from_eigen(p))) - pose.linear().transpose() * p).norm(), 1e-15);
+  EXPECT_LT(norm(a_from_b(from_eigen(p)) - from_eigen(Eigen::Vector3d(pose * p))), 1e-15 * 10);
+  const Eigen::Vector3d turned_back = pose.linear().transpose() * p;
+  EXPECT_LT(norm(a_from_b.direction_to_b(from_eigen(p)) - from_eigen(turned_back)), 1e-15);
 }
 
 }  // namespace
