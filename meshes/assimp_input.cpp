@@ -70,6 +70,12 @@ AssimpInput prepare_for_assimp(const std::filesystem::path& path, const std::str
     look_into_gltf(&input);
   } else if (extension == ".amf") {
     look_into_amf(&input);
+  } else if (extension == ".x3d") {
+    look_into_x3d(&input);
+  } else if (extension == ".nff" || extension == ".enff") {
+    look_into_nff(&input);
+  } else if (extension == ".ifc") {
+    look_into_ifc(&input);
   }
   return input;
 }

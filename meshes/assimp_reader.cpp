@@ -47,7 +47,7 @@ class CLocale {
   ::locale_t locale_ = nullptr, before_ = nullptr;
 };
 
-/// The first three rows of a 4x4 matrix in double; the fourth is taken to be 0, 0, 0, 1.
+/// The first three rows of a 4x4 matrix in double; the fourth is 0, 0, 0, 1.
 using Affine = std::array<double, 12>;
 constexpr Affine kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 
@@ -62,7 +62,19 @@ double last_place_of(double number) {
   return is_exact ? 0.0 : float_digits(std::fabs(number)).last_place;
 }
 
+/// A fourth row that is not 0, 0, 0, 1 would divide the coordinates.
+void check_last_row(const aiMatrix4x4& m) {
+  constexpr float kTolerance = 0x1p-21F;  // of importers that multiply floats
+  const auto is_near = [](float number, float wanted) { return std::fabs(number - wanted) <= kTolerance; };
+  if (is_near(m.d1, 0.0F) && is_near(m.d2, 0.0F) && is_near(m.d3, 0.0F) && is_near(m.d4, 1.0F)) return;
+  throw InputError(
+      "a node's matrix has the last row " + number_text(double{m.d1}) + ", " + number_text(double{m.d2}) + ", " +
+      number_text(double{m.d3}) + ", " + number_text(double{m.d4}) +
+      ", which is not read (only 0, 0, 0, 1 is) - mend the file, or export the mesh as .obj, .ply or .stl");
+}
+
 Placement from_assimp(const aiMatrix4x4& m) {
+  check_last_row(m);
   Placement result{{double{m.a1}, double{m.a2}, double{m.a3}, double{m.a4}, double{m.b1}, double{m.b2}, double{m.b3},
                     double{m.b4}, double{m.c1}, double{m.c2}, double{m.c3}, double{m.c4}},
                    {}};

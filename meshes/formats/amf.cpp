@@ -36,9 +36,13 @@ struct Unread {
   std::string_view name, parent;
   const char* what;
 };
-constexpr std::array<Unread, 5> kUnread{{{"rx", "instance", "a turned instance"},  // read as a shift
+constexpr std::array<Unread, 9> kUnread{{{"rx", "instance", "a turned instance"},  // read as a shift
                                          {"ry", "instance", "a turned instance"},
                                          {"rz", "instance", "a turned instance"},
+                                         {"scale", "instance", "a scaled instance"},
+                                         {"mirrorx", "instance", "a mirrored instance"},
+                                         {"mirrory", "instance", "a mirrored instance"},
+                                         {"mirrorz", "instance", "a mirrored instance"},
                                          {"normal", "vertex", "a curved triangle"},
                                          {"edge", "vertices", "a curved triangle"}}};
 

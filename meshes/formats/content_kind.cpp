@@ -150,7 +150,7 @@ std::optional<ContentKind> unread_format(std::string_view extension) {
       {" .wrl .vrml .iv ", {"VRML or Open Inventor", "", kConvert}},
       {" .zae ", {"a packed COLLADA scene", "", "unpack it and name the .dae file in it"}},
       {" .meshb ", kMedit},
-      {" .zip .7z .rar .bz2 .xz .zst .tar .tgz ", {"a packed file", "", kUnpack}},
+      {" .zip .ifczip .7z .rar .bz2 .xz .zst .tar .tgz ", {"a packed file", "", kUnpack}},
   }};
   if (extension.empty()) return std::nullopt;
   const std::string wanted = " " + std::string(extension) + " ";

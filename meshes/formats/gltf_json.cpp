@@ -147,11 +147,13 @@ class Walker {
         has_old_buffers_ = has_old_buffers_ || (c == '{' && path_is("buffers") && levels_.size() == 1);
         if (c == '{' && path_is("accessors") && levels_.size() == 2) accessors_.emplace_back();
         if (c == '{' && path_is("bufferViews") && levels_.size() == 2) views_.emplace_back();
-        if (c == '[' && is_rotation()) rotation_.clear();
+        if (c == '{' && path_is("nodes") && levels_.size() == 2) has_matrix_ = has_parts_ = false;
+        if (levels_.size() == 3 && n_of_transform() > 0) transform_.clear();
         levels_.push_back({c == '{', {}});
         ++at_;
       } else if (c == '}' || c == ']') {
         if (levels_.empty() || levels_.back().is_object != (c == '}')) return false;
+        if (levels_.size() == 4 && n_of_transform() > 0) check_transform();
         levels_.pop_back();
         has_value = true;
         ++at_;
@@ -206,24 +208,44 @@ class Walker {
     return true;
   }
 
-  /// Whether the value at hand is the quaternion of a node, or within it.
-  bool is_rotation() const { return levels_.size() >= 3 && path_is("nodes") && levels_[2].key == "rotation"; }
-  /// assimp makes of a quaternion whose length is not 1 a matrix that also stretches.
-  void take_rotation(std::string_view raw) {
+  /// How many numbers there must be in what is at hand: 0 where that is no transform of a node.
+  std::size_t n_of_transform() const {
+    if (levels_.size() < 3 || !path_is("nodes")) return 0;
+    const std::string_view key = levels_[2].key;
+    return key == "matrix" ? 16 : key == "rotation" ? 4 : key == "scale" || key == "translation" ? 3 : 0;
+  }
+  void take_of_transform(std::string_view raw) {
     double number = 0.0;
     const auto [last, error] = std::from_chars(raw.data(), raw.data() + raw.size(), number);
-    rotation_.push_back(error == std::errc() && last == raw.data() + raw.size() ? number : HUGE_VAL);
-    if (rotation_.size() != 4) return;
-    double square = 0.0;
-    for (const double x : rotation_) square += x * x;
-    constexpr double kTolerance = 1e-3;  // of floats in few digits
-    if (!(std::fabs(square - 1.0) <= kTolerance)) summary_.unread = "a rotation by a quaternion whose length is not 1";
+    transform_.push_back(error == std::errc() && last == raw.data() + raw.size() ? number : HUGE_VAL);
+  }
+  /// assimp passes over a list of another length, and makes of a quaternion whose length is not 1 a matrix that also
+  /// stretches.
+  void check_transform() {
+    const auto is_number = [](double x) { return std::isfinite(x); };
+    if (transform_.size() != n_of_transform() || !std::ranges::all_of(transform_, is_number)) {
+      refuse_transform();
+    } else if (levels_[2].key == "rotation") {
+      double square = 0.0;
+      for (const double x : transform_) square += x * x;
+      constexpr double kTolerance = 1e-3;  // of floats in few digits
+      if (!(std::fabs(square - 1.0) <= kTolerance))
+        summary_.unread = "a rotation by a quaternion whose length is not 1";
+    }
+  }
+  void refuse_transform() {
+    summary_.unread =
+        "a node's " + std::string(levels_[2].key) + " that is not " + std::to_string(n_of_transform()) + " numbers";
   }
 
   bool path_is(std::string_view first) const { return !levels_.empty() && levels_[0].key == first; }
 
   void note_unread(std::string_view key) {
     if (levels_.size() == 3 && path_is("nodes") && key == "skin") summary_.unread = "skins";
+    if (levels_.size() == 3 && n_of_transform() > 0) {
+      (key == "matrix" ? has_matrix_ : has_parts_) = true;
+      if (has_matrix_ && has_parts_) summary_.unread = "a node with a matrix and parts of one";
+    }
     if (key == "EXT_mesh_gpu_instancing" && path_is("nodes")) summary_.unread = "instances on the graphics processor";
   }
 
@@ -245,7 +267,8 @@ class Walker {
       if (levels_[2].key == "byteLength") views_.back().byte_length = whole_number(raw);
       if (levels_[2].key == "byteStride") views_.back().byte_stride = whole_number(raw);
     }
-    if (levels_.size() == 4 && is_rotation()) take_rotation(raw);
+    if (levels_.size() == 3 && n_of_transform() > 0) refuse_transform();
+    if (levels_.size() == 4 && n_of_transform() > 0) take_of_transform(is_string ? "" : raw);
     if (path_is("meshes") && levels_.size() >= 5 && levels_[2].key == "primitives") {
       const bool is_positions = levels_.size() == 6 && levels_[4].key == "attributes" && levels_[5].key == "POSITION";
       if (is_positions || (levels_.size() == 5 && levels_[4].key == "indices")) uses_.push_back({is_positions, raw});
@@ -266,10 +289,12 @@ class Walker {
   GltfSummary summary_;
   std::vector<Accessor> accessors_;
   std::vector<View> views_;
-  std::vector<double> rotation_;  // of the node at hand, as far as it was read
-  std::vector<Use> uses_;         // by the meshes
-  std::deque<std::string> kept_;  // words that stand with escapes in the document, as they are meant
-  bool has_old_buffers_ = false;  // glTF 1 has objects by name where glTF 2 has arrays
+  std::vector<double> transform_;  // a list of the node at hand, as far as it was read
+  bool has_matrix_ = false;        // the node at hand
+  bool has_parts_ = false;         // the same: a rotation, a scale or a translation
+  std::vector<Use> uses_;          // by the meshes
+  std::deque<std::string> kept_;   // words that stand with escapes in the document, as they are meant
+  bool has_old_buffers_ = false;   // glTF 1 has objects by name where glTF 2 has arrays
 };
 
 std::uint32_t number_at(std::string_view bytes, std::size_t at) {

@@ -15,7 +15,8 @@ struct GltfSummary {
   // Where a mesh's positions or indices are no 32-bit floats in threes, or no unsigned numbers, or not all within their
   // part of a buffer: of which accessor.
   std::optional<std::string> misread_accessor;
-  std::string unread;  // what moves or repeats points and is not read: "skins", "morph targets"; empty without
+  std::string unread;  // what moves or repeats points and is not read: "skins", "morph targets", a list
+                       // of another length than a transform has; empty without
 };
 
 /// Nothing where `json` is not JSON, or is nested more than a thousand levels deep.

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -144,6 +145,56 @@ class ColladaCounts {
   std::vector<Accessor> accessors_;
 };
 
+/// assimp leaves out an instance of what is not in the file, and of two geometries of one id one.
+class ColladaReferences {
+ public:
+  explicit ColladaReferences(const AssimpInput& input) : input_(input) {}
+
+  void note(const XmlTag& tag) {
+    if (tag.name == "instance_geometry") uses_.push_back({&geometries_, tag});
+    if (tag.name == "instance_node") uses_.push_back({&nodes_, tag});
+    const std::string_view id = tag.attribute("id").value_or("");
+    if (tag.name == "geometry" && !id.empty() && !geometries_.insert(id).second) {
+      refuse_scene(input_, "two geometries have the same id", shown_tag(tag), kMendOrConvert);
+    }
+    if (tag.name == "node") {
+      for (const char* name : {"id", "name"}) nodes_.insert(tag.attribute(name).value_or(""));
+    }
+  }
+  void check() const {
+    for (const Use& use : uses_) {
+      const std::string_view url = use.tag.attribute("url").value_or("");
+      if (url.starts_with('#') && use.known->contains(url.substr(1))) continue;
+      refuse_scene(input_, "what a node shows is not in the file", shown_tag(use.tag), kMendOrConvert);
+    }
+  }
+
+ private:
+  using Names = std::set<std::string_view>;
+  struct Use {
+    const Names* known;
+    XmlTag tag;
+  };
+  static constexpr const char* kMendOrConvert = "mend the file, or export it as .obj, .ply or .stl";
+
+  const AssimpInput& input_;
+  Names geometries_, nodes_;
+  std::vector<Use> uses_;
+};
+
+/// assimp passes over numbers behind those that a transform has.
+void check_transform_size(const XmlTag& tag, std::size_t n_numbers, const AssimpInput& input) {
+  struct Size {
+    std::string_view name;
+    std::size_t n;
+  };
+  constexpr std::array<Size, 5> kSizes{{{"matrix", 16}, {"translate", 3}, {"rotate", 4}, {"scale", 3}, {"lookat", 9}}};
+  const auto* const size = std::ranges::find(kSizes, tag.name, &Size::name);
+  if (size == kSizes.end() || size->n == n_numbers) return;
+  refuse_scene(input, "a transform has " + std::to_string(n_numbers) + " numbers",
+               shown_name(tag.name) + ": expected " + std::to_string(size->n), "mend the file");
+}
+
 }  // namespace
 
 void look_into_collada(AssimpInput* input) {
@@ -155,6 +206,7 @@ void look_into_collada(AssimpInput* input) {
   constexpr std::array<std::string_view, 8> kHoldNumbers{"float_array", "matrix", "translate", "rotate",
                                                          "scale",       "lookat", "p",         "vcount"};
   ColladaCounts counts(*input);
+  ColladaReferences references(*input);
   XmlTags tags(input->bytes.view());
   std::vector<std::string_view> path;  // the outer three levels; those below are only counted
   std::size_t depth = 0;
@@ -163,6 +215,7 @@ void look_into_collada(AssimpInput* input) {
       if (depth > 0 && --depth < path.size()) path.resize(depth);
       continue;
     }
+    references.note(*tag);
     if (depth == 2 && path[0] == "COLLADA" && path[1] == "asset" && tag->name == "unit") {
       take_collada_unit(*tag, input);
     } else if (tag->name == "skew") {
@@ -175,12 +228,16 @@ void look_into_collada(AssimpInput* input) {
     } else if (std::ranges::find(kHoldNumbers, tag->name) != kHoldNumbers.end()) {
       const std::size_t n_words = check_numbers(*tag, tags.text_behind(), *input);
       if (tag->name == "float_array") counts.note_array(*tag, n_words);
+      if (path.size() > 1 && (path[1] == "library_visual_scenes" || path[1] == "library_nodes")) {
+        check_transform_size(*tag, n_words, *input);
+      }
     }
     if (tag->is_empty) continue;
     if (depth < 3) path.push_back(tag->name);
     ++depth;
   }
   counts.check();
+  references.check();
 }
 
 // --- glTF

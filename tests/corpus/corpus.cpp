@@ -32,7 +32,7 @@ const std::vector<Row>& corpus() {
     std::vector<Row> all;
     for (const auto& part :
          {obj_rows, obj_refusals, off_rows, ply_rows, ply_refusals, stl_rows, point_rows, vtk_rows, msh_rows, gltf_rows,
-          dae_and_3mf_rows, gz_rows, rounding_rows, standard_input_rows, every_format_rows}) {
+          dae_and_3mf_rows, rarer_rows, gz_rows, rounding_rows, standard_input_rows, every_format_rows}) {
       const std::vector<Row> rows = part();
       all.insert(all.end(), rows.begin(), rows.end());
     }

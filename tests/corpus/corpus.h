@@ -92,6 +92,7 @@ std::vector<Row> vtk_rows();
 std::vector<Row> msh_rows();
 std::vector<Row> gltf_rows();
 std::vector<Row> dae_and_3mf_rows();
+std::vector<Row> rarer_rows();
 std::vector<Row> gz_rows();
 std::vector<Row> rounding_rows();
 std::vector<Row> standard_input_rows();

@@ -70,6 +70,18 @@ void add_scene_dae(Rows* rows) {
   for (const char* token : {"nan", "1e400"}) {
     rows->no_body(std::string("the coordinate ") + token, replaced(text, "0.5 -1 2", token + std::string(" -1 2")));
   }
+  rows->no_body("a matrix that divides", dae_with_node("<matrix>2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 2</matrix>"),
+                {"last row 0, 0, 0, 2"});
+  rows->refused("a scale of four numbers", dae_with_node("<scale>2 2 2 9</scale>"), {"4 numbers", "expected 3"});
+  rows->refused("a matrix of seventeen numbers", dae_with_node("<matrix>2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1 5</matrix>"),
+                {"17 numbers", "expected 16"});
+  const std::string absent = "what a node shows is not in the file";
+  rows->refused("a geometry that is not there", dae_with_node("<instance_geometry url=\"#nope\"/>"), {absent, "#nope"});
+  rows->refused("a node that is not there", dae_with_node("<instance_node url=\"#nope\"/>"), {absent});
+  rows->refused("a node of another file", dae_with_node("<instance_node url=\"other.dae#n\"/>"), {absent});
+  rows->refused("two geometries of one id",
+                replaced(text, "<library_geometries>", "<library_geometries><geometry id=\"g\"/>"),
+                {"two geometries have the same id"});
   rows->refused("a missing coordinate", replaced(text, "0.5 -1 2", "0.5 -1"));
   rows->refused("cut within the points", up_to(text, "</float_array>"));
   rows->refused("cut within the corners", up_to(text, "</p></polylist>"));

@@ -126,6 +126,21 @@ void add_gltf_refusals(Rows* rows) {
                 replaced(text, "\"componentType\": 5126", "\"byteOffset\": 4, \"componentType\": 5126"), {"POSITION"});
   rows->refused("a rotation that stretches",
                 gltf_embedded(body, {.nodes = R"([{"mesh": 0, "rotation": [0.5, 0, 0, 0]}])"}), {"length is not 1"});
+  // assimp passes over a list of another length.
+  const auto refused_node = [&](const char* name, const char* member, const char* fragment) {
+    rows->refused(name, gltf_embedded(body, {.nodes = "[{\"mesh\": 0, " + std::string(member) + "}]"}), {fragment});
+  };
+  refused_node("a scale of two numbers", "\"scale\": [2, 2]", "scale that is not 3 numbers");
+  refused_node("a scale of four numbers", "\"scale\": [2, 2, 2, 2]", "scale that is not 3 numbers");
+  refused_node("a scale that is one number", "\"scale\": 2", "scale that is not 3 numbers");
+  refused_node("a scale of words", R"("scale": ["2", 2, 2])", "scale that is not 3 numbers");
+  refused_node("a rotation of three numbers", "\"rotation\": [0, 0, 1]", "rotation that is not 4 numbers");
+  refused_node("a matrix of four numbers", "\"matrix\": [2, 0, 0, 0]", "matrix that is not 16 numbers");
+  refused_node("a matrix and a scale", "\"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1], \"scale\": [2, 2, 2]",
+               "a matrix and parts of one");
+  rows->no_body("a matrix that divides",
+                gltf_embedded(body, {.nodes = R"([{"mesh": 0, "matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,2]}])"}),
+                {"last row 0, 0, 0, 2"});
   Solid wrong = body;
   wrong.faces[2][1] = 8;
   rows->no_body("an index beyond the points", gltf_embedded(wrong));

@@ -499,6 +499,8 @@ TEST(AssimpReader, RefusesAmfThatAssimpTakesForAnother) {
     return "<constellation id=\"c\"><instance objectid=\"0\">" + inside + "</instance></constellation></amf>";
   };
   EXPECT_TRUE(contains(refusal("</amf>", instance("<rz>90</rz>")), "a turned instance"));
+  EXPECT_TRUE(contains(refusal("</amf>", instance("<scale>2</scale>")), "a scaled instance"));
+  EXPECT_TRUE(contains(refusal("</amf>", instance("<mirrorx>1</mirrorx>")), "a mirrored instance"));
   EXPECT_TRUE(contains(refusal("</vertex>", "<normal><nx>0</nx></normal></vertex>"), "a curved triangle"));
   EXPECT_TRUE(contains(refusal("</vertices>", "<edge><v1>0</v1></edge></vertices>"), "a curved triangle"));
   const std::string text = amf();
