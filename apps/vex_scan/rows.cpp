@@ -260,7 +260,10 @@ void require_rows_or_nothing(const Scan& scan) {
       if (key.key() != variable.name) return false;
       ++key;
     }
-    return key.key() == "a";
+    if (key.key() != "a" || !row["a"].is_string()) return false;
+    const auto is_number = [](const Json& value) { return value.is_number() || value.is_null(); };
+    return std::ranges::all_of(
+        kNumbers, [&](const NumberColumn& column) { return row.contains(column.name) && is_number(row[column.name]); });
   };
   look_at(scan.words.jsonl, "--jsonl", is_object, is_object);
 }

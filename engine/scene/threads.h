@@ -39,17 +39,20 @@ void start_threads(std::vector<std::jthread>& threads, int n_wanted, const Work&
 }
 
 /// work(k) for k = 0 ... n - 1, each on a thread of its own, the first on the caller's, whose Interruption all of them
-/// heed. The first exception is thrown again once all have ended.
+/// heed. The first exception is thrown again once all have ended, one that tells more than that the work was
+/// interrupted before others: a failure ends the rest of the work by an interruption.
 template <class Work>
 void on_threads(int n, Work&& work) {
   if (n <= 1) {
     work(0);
     return;
   }
-  std::vector<std::exception_ptr> failures(static_cast<std::size_t>(n));
+  std::vector<std::exception_ptr> failures(static_cast<std::size_t>(n)), interruptions(failures.size());
   const auto guarded = [&](int k) {
     try {
       work(k);
+    } catch (const Interrupted&) {
+      interruptions[static_cast<std::size_t>(k)] = std::current_exception();
     } catch (...) {
       failures[static_cast<std::size_t>(k)] = std::current_exception();
     }
@@ -65,8 +68,10 @@ void on_threads(int n, Work&& work) {
     // What a thread that cannot be had would have done is done here, after the caller's own part.
     for (int k = static_cast<int>(threads.size()) + 1; k < n; ++k) guarded(k);
   }
-  for (const std::exception_ptr& failure : failures) {
-    if (failure) std::rethrow_exception(failure);
+  for (const auto* const of_threads : {&failures, &interruptions}) {
+    for (const std::exception_ptr& failure : *of_threads) {
+      if (failure) std::rethrow_exception(failure);
+    }
   }
 }
 

@@ -36,15 +36,18 @@ struct Unread {
   std::string_view name, parent;
   const char* what;
 };
-constexpr std::array<Unread, 9> kUnread{{{"rx", "instance", "a turned instance"},  // read as a shift
-                                         {"ry", "instance", "a turned instance"},
-                                         {"rz", "instance", "a turned instance"},
-                                         {"scale", "instance", "a scaled instance"},
-                                         {"mirrorx", "instance", "a mirrored instance"},
-                                         {"mirrory", "instance", "a mirrored instance"},
-                                         {"mirrorz", "instance", "a mirrored instance"},
-                                         {"normal", "vertex", "a curved triangle"},
-                                         {"edge", "vertices", "a curved triangle"}}};
+constexpr std::array<Unread, 12> kUnread{{{"rx", "instance", "a turned instance"},  // read as a shift
+                                          {"ry", "instance", "a turned instance"},
+                                          {"rz", "instance", "a turned instance"},
+                                          {"scale", "instance", "a scaled instance"},
+                                          {"scalex", "instance", "a scaled instance"},
+                                          {"scaley", "instance", "a scaled instance"},
+                                          {"scalez", "instance", "a scaled instance"},
+                                          {"mirrorx", "instance", "a mirrored instance"},
+                                          {"mirrory", "instance", "a mirrored instance"},
+                                          {"mirrorz", "instance", "a mirrored instance"},
+                                          {"normal", "vertex", "a curved triangle"},
+                                          {"edge", "vertices", "a curved triangle"}}};
 
 /// Of a coordinate assimp takes the name in either case.
 std::string_view in_lower_case(std::string_view name) {

@@ -228,7 +228,7 @@ class Walker {
     } else if (levels_[2].key == "rotation") {
       double square = 0.0;
       for (const double x : transform_) square += x * x;
-      constexpr double kTolerance = 1e-3;  // of floats in few digits
+      constexpr double kTolerance = 4e-6;  // of floats in seven digits
       if (!(std::fabs(square - 1.0) <= kTolerance))
         summary_.unread = "a rotation by a quaternion whose length is not 1";
     }

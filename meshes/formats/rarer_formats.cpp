@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "meshes/formats/coordinate_text.h"
 #include "meshes/formats/scene_formats.h"
 #include "meshes/formats/scene_parts.h"
 #include "meshes/formats/text_scanner.h"
@@ -23,8 +24,75 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kCurvedShapes{"Sphere",     "Cylinder", "Cone",  "Arc2D",
                                                         "ArcClose2D", "Circle2D", "Disk2D"};
-/// assimp passes over these, and what is in them.
-constexpr std::array<std::string_view, 4> kPassedOver{"LOD", "ProtoInstance", "ProtoDeclare", "ExternProtoDeclare"};
+/// What assimp reads, or what adds nothing to a body. It passes over all else, with what is in it.
+constexpr std::array<std::string_view, 62> kReadNodes{"X3D",
+                                                      "head",
+                                                      "meta",
+                                                      "component",
+                                                      "unit",
+                                                      "Scene",
+                                                      "Transform",
+                                                      "Group",
+                                                      "StaticGroup",
+                                                      "Switch",
+                                                      "Shape",
+                                                      "Appearance",
+                                                      "Material",
+                                                      "TwoSidedMaterial",
+                                                      "ImageTexture",
+                                                      "PixelTexture",
+                                                      "MovieTexture",
+                                                      "MultiTexture",
+                                                      "TextureTransform",
+                                                      "TextureCoordinate",
+                                                      "TextureCoordinateGenerator",
+                                                      "TextureProperties",
+                                                      "MultiTextureTransform",
+                                                      "MultiTextureCoordinate",
+                                                      "Color",
+                                                      "ColorRGBA",
+                                                      "Normal",
+                                                      "Coordinate",
+                                                      "FogCoordinate",
+                                                      "Tangent",
+                                                      "IndexedFaceSet",
+                                                      "IndexedTriangleSet",
+                                                      "IndexedTriangleFanSet",
+                                                      "IndexedTriangleStripSet",
+                                                      "TriangleSet",
+                                                      "TriangleFanSet",
+                                                      "TriangleStripSet",
+                                                      "TriangleSet2D",
+                                                      "Rectangle2D",
+                                                      "IndexedLineSet",
+                                                      "LineSet",
+                                                      "PointSet",
+                                                      "Polyline2D",
+                                                      "Polypoint2D",
+                                                      "Box",
+                                                      "Extrusion",
+                                                      "ElevationGrid",
+                                                      "LineProperties",
+                                                      "FillProperties",
+                                                      "WorldInfo",
+                                                      "NavigationInfo",
+                                                      "Viewpoint",
+                                                      "OrthoViewpoint",
+                                                      "Background",
+                                                      "TextureBackground",
+                                                      "Fog",
+                                                      "Sound",
+                                                      "AudioClip",
+                                                      "ROUTE",
+                                                      "Script",
+                                                      "field",
+                                                      "fieldValue"};
+constexpr std::array<std::string_view, 4> kReadEndings{"Interpolator", "Sensor", "Light", "Shader"};
+
+bool is_read(std::string_view name) {
+  return std::ranges::find(kReadNodes, name) != kReadNodes.end() || name.starts_with("Metadata") ||
+         std::ranges::any_of(kReadEndings, [name](std::string_view end) { return name.ends_with(end); });
+}
 
 /// The attributes that hold points, places or the corners of faces.
 constexpr std::array<std::string_view, 16> kGeometry{
@@ -55,11 +123,21 @@ void look_into_x3d(AssimpInput* input) {
   while (const std::optional<XmlTag> tag = tags.next()) {
     if (tag->is_closing) continue;
     if (std::ranges::find(kCurvedShapes, tag->name) != kCurvedShapes.end()) refuse_curved(*input, shown_tag(*tag));
-    if (tag->name.starts_with("Nurbs") || std::ranges::find(kPassedOver, tag->name) != kPassedOver.end()) {
+    if (!is_read(tag->name)) {
       refuse_scene(*input, "the file holds parts that are not read", shown_name(tag->name),
                    "export it as .stl, .ply or .obj");
     }
+    const std::string_view factor = tag->attribute("conversionFactor").value_or("1");
+    if (tag->name == "unit" && parse_decimal(factor).value_or(0.0) != 1.0) {
+      refuse_scene(*input, "the file states a unit, which is not read", shown_tag(*tag),
+                   "export it as .stl, .ply or .obj");
+    }
     check_x3d_numbers(*tag, *input);
+    if (tag->name == "Transform" || tag->name == "Extrusion") {
+      for (const char* const name : {"rotation", "scaleOrientation", "orientation"}) {
+        check_axes(*input, tag->attribute(name).value_or(""), std::string(name) + " of " + shown_name(tag->name));
+      }
+    }
   }
 }
 
@@ -77,8 +155,15 @@ void look_into_nff(AssimpInput* input) {
 void look_into_ifc(AssimpInput* input) {
   constexpr std::array<std::string_view, 8> kCurved{"IFCCIRCLE",  "IFCELLIPSE", "IFCREVOLVED",      "IFCSWEPTDISK",
                                                     "IFCBSPLINE", "IFCSPHERE",  "IFCRIGHTCIRCULAR", "IFCROUNDEDRECT"};
+  // Its words may be in small letters, and blanks may stand in them.
+  std::string text;
+  text.reserve(input->bytes.view().size());
+  for (const char c : input->bytes.view()) {
+    if (kXmlBlanks.find(c) != std::string_view::npos) continue;
+    text += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  }
   for (const std::string_view word : kCurved) {
-    if (input->bytes.view().find(word) != std::string_view::npos) refuse_curved(*input, std::string(word) + "...");
+    if (text.find(word) != std::string::npos) refuse_curved(*input, std::string(word) + "...");
   }
 }
 

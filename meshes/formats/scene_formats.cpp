@@ -145,41 +145,51 @@ class ColladaCounts {
   std::vector<Accessor> accessors_;
 };
 
-/// assimp leaves out an instance of what is not in the file, and of two geometries of one id one.
+/// assimp leaves out an instance of what is not in the file, or is a node within another one; of two geometries of one
+/// id one; and takes a node of that name, or the last of that id, for the one that is meant.
 class ColladaReferences {
  public:
   explicit ColladaReferences(const AssimpInput& input) : input_(input) {}
 
-  void note(const XmlTag& tag) {
-    if (tag.name == "instance_geometry") uses_.push_back({&geometries_, tag});
-    if (tag.name == "instance_node") uses_.push_back({&nodes_, tag});
+  /// `is_of_library`: itself, not within another node.
+  void note(const XmlTag& tag, bool is_of_library) {
     const std::string_view id = tag.attribute("id").value_or("");
+    if (tag.name == "instance_geometry") geometry_uses_.push_back(tag);
+    if (tag.name == "instance_node") node_uses_.push_back(tag);
     if (tag.name == "geometry" && !id.empty() && !geometries_.insert(id).second) {
       refuse_scene(input_, "two geometries have the same id", shown_tag(tag), kMendOrConvert);
     }
-    if (tag.name == "node") {
-      for (const char* name : {"id", "name"}) nodes_.insert(tag.attribute(name).value_or(""));
-    }
+    if (tag.name != "node") return;
+    const bool is_known = is_of_library && library_.insert(id).second;
+    if (!is_known) others_.insert(id);
+    const std::string_view name = tag.attribute("name").value_or("");
+    if (name != id) others_.insert(name);
   }
   void check() const {
-    for (const Use& use : uses_) {
-      const std::string_view url = use.tag.attribute("url").value_or("");
-      if (url.starts_with('#') && use.known->contains(url.substr(1))) continue;
-      refuse_scene(input_, "what a node shows is not in the file", shown_tag(use.tag), kMendOrConvert);
+    for (const XmlTag& use : geometry_uses_) require(geometries_.contains(named_by(use)), use);
+    for (const XmlTag& use : node_uses_) {
+      require(library_.contains(named_by(use)) && !others_.contains(named_by(use)), use);
     }
   }
 
  private:
   using Names = std::set<std::string_view>;
-  struct Use {
-    const Names* known;
-    XmlTag tag;
-  };
   static constexpr const char* kMendOrConvert = "mend the file, or export it as .obj, .ply or .stl";
 
+  /// Empty where it is not in this file.
+  static std::string_view named_by(const XmlTag& use) {
+    const std::string_view url = use.attribute("url").value_or("");
+    return url.starts_with('#') ? url.substr(1) : std::string_view();
+  }
+  void require(bool is_found, const XmlTag& use) const {
+    if (is_found && !named_by(use).empty()) return;
+    refuse_scene(input_, "what a node shows is not in the file, or not in its libraries once", shown_tag(use),
+                 kMendOrConvert);
+  }
+
   const AssimpInput& input_;
-  Names geometries_, nodes_;
-  std::vector<Use> uses_;
+  Names geometries_, library_, others_;  // others_: ids and names of nodes that a use must not be taken for
+  std::vector<XmlTag> geometry_uses_, node_uses_;
 };
 
 /// assimp passes over numbers behind those that a transform has.
@@ -215,7 +225,7 @@ void look_into_collada(AssimpInput* input) {
       if (depth > 0 && --depth < path.size()) path.resize(depth);
       continue;
     }
-    references.note(*tag);
+    references.note(*tag, depth == 2 && path[1] == "library_nodes");
     if (depth == 2 && path[0] == "COLLADA" && path[1] == "asset" && tag->name == "unit") {
       take_collada_unit(*tag, input);
     } else if (tag->name == "skew") {
@@ -230,6 +240,7 @@ void look_into_collada(AssimpInput* input) {
       if (tag->name == "float_array") counts.note_array(*tag, n_words);
       if (path.size() > 1 && (path[1] == "library_visual_scenes" || path[1] == "library_nodes")) {
         check_transform_size(*tag, n_words, *input);
+        if (tag->name == "rotate") check_axes(*input, tags.text_behind(), shown_name(tag->name));
       }
     }
     if (tag->is_empty) continue;

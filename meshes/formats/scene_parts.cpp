@@ -1,8 +1,11 @@
 #include "meshes/formats/scene_parts.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
+#include <span>
 #include <system_error>
 
 #include "engine/numeric/errors.h"
@@ -49,6 +52,27 @@ bool is_index(std::string_view text) {
   std::int32_t number = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   return error == std::errc() && stop == text.data() + text.size() && number >= 0;
+}
+
+void check_unit_length(const AssimpInput& input, std::span<const double> direction, const std::string& where) {
+  constexpr double kTolerance = 4e-6;
+  double square = 0.0;
+  for (const double x : direction) square += x * x;
+  if (std::fabs(square - 1.0) <= kTolerance) return;
+  refuse_scene(input, "a rotation whose axis or quaternion is not of length 1", where,
+               "write it with seven digits or more, or export it as .stl, .ply or .obj");
+}
+
+void check_axes(const AssimpInput& input, std::string_view numbers, const std::string& where) {
+  std::array<double, 4> turn{};
+  std::size_t n = 0;
+  for (std::string_view text = from_word(numbers); !text.empty(); text = from_word(text)) {
+    std::string_view word = first_word(text);
+    text.remove_prefix(word.size());
+    if (word.ends_with(',')) word.remove_suffix(1);
+    turn[n++ % 4] = parse_decimal(word).value_or(0.0);
+    if (n % 4 == 0 && turn[3] != 0.0) check_unit_length(input, std::span(turn).first(3), where);
+  }
 }
 
 }  // namespace vex

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -43,5 +44,11 @@ struct NumberKind {
 };
 inline constexpr NumberKind kDecimal{"a decimal number", is_decimal};
 inline constexpr NumberKind kIndex{"a whole number from 0 to 2147483647", is_index};
+
+/// Refuses a rotation's axis, or a quaternion, whose length is not 1 to within rounding to seven digits: assimp makes
+/// of it a matrix that stretches as well.
+void check_unit_length(const AssimpInput& input, std::span<const double> direction, const std::string& where);
+/// The same of axes and angles, four numbers each, in a text of decimal numbers; by an angle of 0 nothing is turned.
+void check_axes(const AssimpInput& input, std::string_view numbers, const std::string& where);
 
 }  // namespace vex

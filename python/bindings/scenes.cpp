@@ -95,14 +95,17 @@ class PyScene {
     }
     const std::uint32_t* const shape = shapes.data();
     return exclusively([&] {
+      // All are looked at before one is added: what is removed again leaves a gap in the numbers.
+      std::vector<Pose> all(poses.size());
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        if (k % 256 == 0) end_if_interrupted();
+        if (shape[k] >= scene_.n_shapes()) throw UsageError("no such shape");
+        all[k] = poses[k];
+      }
       std::vector<BodyId> bodies;
-      bodies.reserve(poses.size());
+      bodies.reserve(all.size());
       try {
-        for (std::size_t k = 0; k < poses.size(); ++k) {
-          if (k % 256 == 0) end_if_interrupted();
-          if (shape[k] >= scene_.n_shapes()) throw UsageError("no such shape");
-          bodies.push_back(scene_.add(shape[k], poses[k]));
-        }
+        for (std::size_t k = 0; k < all.size(); ++k) bodies.push_back(scene_.add(shape[k], all[k]));
       } catch (...) {
         for (const BodyId body : bodies) scene_.remove(body);  // all or none
         throw;

@@ -57,6 +57,12 @@ double distance(const BranchPoint& x, const BranchPoint& y) {
   return std::max(largest(densities_and_share), std::fabs(x.odds_of_nematic - y.odds_of_nematic));
 }
 
+// Of a disc beside rods it may be negative.
+bool is_ordered(const BothDensities& both) {
+  return std::max(std::fabs(both.of[0].order_parameter()), std::fabs(both.of[1].order_parameter())) >
+         kLeastOrderOfBranch;
+}
+
 std::array<double*, 3> unknowns_of(BranchPoint& at, MixtureBranch::Held held) {
   return {&at.log_n_isotropic, &at.log_n_nematic,
           held == MixtureBranch::Held::isotropic_share ? &at.odds_of_nematic : &at.odds_of_isotropic};
@@ -69,8 +75,7 @@ double log_odds_of(double share_of_b) { return std::log(share_of_b / (1.0 - shar
 bool MixtureBranch::set_phases(BranchPoint* point) const {
   const TwoDensities n = densities_of(point->log_n_nematic, point->odds_of_nematic);
   const BothDensities both = fluid_.equilibrium(n, point->moments);
-  if (!both.converged || !(std::max(both.of[0].order_parameter(), both.of[1].order_parameter()) > kLeastOrderOfBranch))
-    return false;
+  if (!both.converged || !is_ordered(both)) return false;
   if (fluid_.is_too_sharp(both)) return false;
   point->moments = {both.of[0].moments, both.of[1].moments};
   point->isotropic = fluid_.phase(densities_of(point->log_n_isotropic, point->odds_of_isotropic), isotropic_);
@@ -165,11 +170,15 @@ MixtureBranch::Trace MixtureBranch::trace(const Coexistence& of_a) const {
       step *= 0.5;
     }
   }
-  const MixturePhase& last = trace.points.back().nematic;
-  trace.reason = "the branch was lost at a share of " + std::to_string(last.composition()) +
-                 " of B in the nematic fluid, with order parameters " + std::to_string(last.order_parameters[0]) +
-                 " of A and " + std::to_string(last.order_parameters[1]) +
-                 " of B: very unlike bodies are ordered more sharply than 256 Legendre polynomials resolve";
+  const BranchPoint& last = trace.points.back();
+  trace.reason = "the branch was lost at a share of " + std::to_string(last.nematic.composition()) +
+                 " of B in the nematic fluid, with order parameters " +
+                 std::to_string(last.nematic.order_parameters[0]) + " of A and " +
+                 std::to_string(last.nematic.order_parameters[1]) + " of B";
+  // A little further on.
+  const BothDensities beyond =
+      fluid_.equilibrium(densities_of(last.log_n_nematic + 1e-3, last.odds_of_nematic + 1e-3), last.moments);
+  if (fluid_.is_too_sharp(beyond)) trace.reason += ": ordered more sharply than 256 Legendre polynomials resolve";
   return trace;
 }
 

@@ -79,6 +79,17 @@ void add_scene_dae(Rows* rows) {
   rows->refused("a geometry that is not there", dae_with_node("<instance_geometry url=\"#nope\"/>"), {absent, "#nope"});
   rows->refused("a node that is not there", dae_with_node("<instance_node url=\"#nope\"/>"), {absent});
   rows->refused("a node of another file", dae_with_node("<instance_node url=\"other.dae#n\"/>"), {absent});
+  const auto library = [&](const std::string& nodes) {
+    return replaced(dae_with_node("<instance_node url=\"#in\"/>"), "<library_geometries>",
+                    "<library_nodes>" + nodes + "</library_nodes><library_geometries>");
+  };
+  rows->refused("a node within a node of a library", library("<node id=\"out\"><node id=\"in\"/></node>"), {absent});
+  rows->refused("a node of that name", library("<node id=\"out\" name=\"in\"/>"), {absent});
+  rows->refused("two nodes of one id", library("<node id=\"in\"/><node id=\"in\"/>"), {absent});
+  for (const char* turn : {"0 0 2 90", "1 1 0 30", "0.577 0.577 0.577 30"}) {
+    rows->refused("an axis of another length, " + std::string(turn),
+                  dae_with_node("<rotate>" + std::string(turn) + "</rotate>"), {"not of length 1", "<rotate>"});
+  }
   rows->refused("two geometries of one id",
                 replaced(text, "<library_geometries>", "<library_geometries><geometry id=\"g\"/>"),
                 {"two geometries have the same id"});

@@ -135,6 +135,7 @@ void add_gltf_refusals(Rows* rows) {
   refused_node("a scale that is one number", "\"scale\": 2", "scale that is not 3 numbers");
   refused_node("a scale of words", R"("scale": ["2", 2, 2])", "scale that is not 3 numbers");
   refused_node("a rotation of three numbers", "\"rotation\": [0, 0, 1]", "rotation that is not 4 numbers");
+  refused_node("a quaternion in four digits", "\"rotation\": [0, 0, 0.7071, 0.7071]", "length is not 1");
   refused_node("a matrix of four numbers", "\"matrix\": [2, 0, 0, 0]", "matrix that is not 16 numbers");
   refused_node("a matrix and a scale", "\"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1], \"scale\": [2, 2, 2]",
                "a matrix and parts of one");

@@ -44,6 +44,20 @@ void add_x3d(std::vector<Row>* all) {
   rows.refused("a prototype", x3d_of(shape + "<ProtoInstance name=\"k\"/>"), {"parts that are not read"});
   rows.refused("levels of detail", x3d_of(shape + "<LOD>" + shape + "</LOD>"), {"parts that are not read"});
   rows.refused("patches", x3d_of(shape + "<Shape><NurbsPatchSurface/></Shape>"), {"parts that are not read"});
+  for (const char* node : {"Anchor", "CADPart", "Billboard"}) {
+    const std::string name = node;
+    rows.refused("a part in " + name, x3d_of(shape + "<" + name + ">" + shape + "</" + name + ">"),
+                 {"parts that are not read", node});
+  }
+  rows.refused("quadrangles", x3d_of(shape + "<Shape><QuadSet/></Shape>"), {"parts that are not read"});
+  rows.refused("a unit", replaced(text, "<Scene>", "<unit category=\"length\" conversionFactor=\"0.01\"/><Scene>"),
+               {"states a unit"});
+  const auto turned = [&](const char* rotation) {
+    return x3d_of("<Transform rotation=\"" + std::string(rotation) + "\">" + shape + "</Transform>");
+  };
+  rows.refused("an axis of two lengths", turned("0 0 2 0.7"), {"not of length 1", "rotation of <Transform>"});
+  rows.refused("an axis in three digits", turned("0.577 0.577 0.577 1"), {"not of length 1"});
+  rows.is("no turn", turned("0 0 0 0"), body);
   for (const char* token : {"half", "0.5x", "0x1", "5.0D-01", "0,5", "nan"}) {
     rows.refused(std::string("the coordinate ") + token, replaced(text, "0.5 -1 2", token + std::string(" -1 2")),
                  {"is not a decimal number", "point of <Coordinate>"});

@@ -78,6 +78,15 @@ def test_bodies_come_go_and_move():
     assert translation.tolist() == [-4, 0, 0] and image == (-1, 0, 0) and (rotation == np.eye(3)).all()
 
 
+def test_bodies_that_were_refused_leave_no_gap():
+    poses = [[0, 0, 0, 1, 0, 0, 0], [3, 0, 0, 1, 0, 0, 0]]
+    scene = vex.Scene("box:1,1,1", poses)
+    with pytest.raises(vex.InputError):
+        scene.add("box:1,1,1", [[9, 0, 0, 1, 0, 0, 0], [6, 0, 0, 0, 0, 0, 0]])
+    scene.move_all(poses)
+    assert len(scene) == 2
+
+
 def test_contacts_of_all_pairs_are_those_of_each():
     poses = random_scene(300, 7.0, seed=5)
     scene = vex.Scene("box:1,1,1", poses, threads=2)

@@ -131,6 +131,11 @@ class ExpandingPolytope {
         if (!is_coplanar) break;
         at = next;
       }
+      // A hull that is known from another pose may bulge: the foot on the nearest face's plane is beside the face then,
+      // and the normal leaves the hull, no nearer than that, through another one.
+      const std::array<L, 3> weights = hull_.weights_along(faces()[at], normal_);
+      const L least = std::ranges::min(weights), most = std::ranges::max(weights);
+      if (least < L(-kBesideFace) * most) at = hull_.face_along(dir).value_or(at);
     } else {
       at = hull_.face_along(dir).value_or(nearest_);
     }
@@ -148,6 +153,7 @@ class ExpandingPolytope {
   }
 
  private:
+  static constexpr double kBesideFace = 1e-9;  // of a foot's weights: more than rounding
   using Face = detail::HullFace<L>;
 
   const std::vector<Face>& faces() const { return hull_.faces(); }

@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "engine/numeric/errors.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/threads.h"
 #include "engine/support/validate.h"
@@ -115,6 +116,14 @@ TEST(Interruption, EndsAQueryInItsMiddle_AndMoreOfItLater) {
   EXPECT_GT(n_ended, 5);
   scene.overlapping_pairs(pairs);
   EXPECT_EQ(pairs.pairs, expected.pairs);
+}
+
+TEST(Interruption, OfAThreadDoesNotHideTheFailureThatBroughtIt) {
+  const auto work = [](int thread) {
+    if (thread == 0) throw Interrupted();
+    throw InputError("what happened");
+  };
+  EXPECT_THROW(on_threads(2, work), InputError);
 }
 
 TEST(Interruption, EndsAValidation) {

@@ -116,6 +116,12 @@ TEST(NematicMixture, OfUnlikeRodsHasTwoNematicFluidsBesideAnIsotropicOne) {
   EXPECT_GT(result.found[3].nematic.composition(), 0.69);
 }
 
+TEST(NematicMixture, OfDiscsAndRodsMayHaveRodsAcross) {
+  const MixtureResult result =
+      coexistence_of_mixture(mixture_of("disc:1", "capsule:30,0.1", NematicTheory::onsager), {0.0});
+  EXPECT_EQ(result.reason.find("more sharply"), std::string::npos) << result.reason;
+}
+
 TEST(NematicMixture, GivesNoRowsOfABranchThatItLost) {
   const MixtureResult result = coexistence_of_mixture(
       mixture_of("capsule:1000,0.5", "capsule:10000,0.5", NematicTheory::onsager), {0.0, 1e-6, 0.5});
