@@ -193,6 +193,7 @@ TEST(RunState, ARunThatGoesOnEndsAsOneWithoutABreak) {
 
 TEST(RunState, ARunThatIsInterruptedAndGoesOnStopsAtTheSameTrial) {
   std::mt19937_64 random(3);
+  std::size_t n_interrupted = 0;
   for (const Way way : kWays) {
     MonteCarloSettings settings = settings_of(way, 1);
     settings.stop.trials.reset();
@@ -219,8 +220,10 @@ TEST(RunState, ARunThatIsInterruptedAndGoesOnStopsAtTheSameTrial) {
       state = read_run_state(run_state_text(next));
     }
     EXPECT_EQ(state.done.tally, whole.done.tally) << static_cast<int>(way) << " in " << n_runs << " runs";
-    EXPECT_GT(n_runs, 1u);
+    n_interrupted += n_runs - 1;
   }
+  // One way or another may be through before the clock comes, of a busy machine; not all of them.
+  EXPECT_GT(n_interrupted, 0u);
 }
 
 TEST(RunState, AStateOfAnotherRunIsRefused) {
