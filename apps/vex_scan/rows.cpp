@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <optional>
 
 #include "apps/common/append_number.h"
@@ -35,11 +36,19 @@ constexpr NumberColumn kNumbers[] = {{"excluded_volume", &ScanRow::excluded_volu
                                      {"reduced", &ScanRow::reduced},
                                      {"seconds", &ScanRow::seconds}};
 
+// Of a row of CSV, and the first members of an object of JSON.
+std::vector<std::string> names_of_columns(const Scan& scan) {
+  std::vector<std::string> names;
+  for (const ScanVariable& variable : scan.variables) names.push_back(variable.name);
+  std::ranges::copy(columns_of_results(), std::back_inserter(names));
+  names.emplace_back("input");
+  return names;
+}
+
 std::string csv_header(const Scan& scan) {
   std::string line;
-  for (const ScanVariable& variable : scan.variables) line += variable.name + ",";
-  for (const std::string& column : columns_of_results()) line += column + ",";
-  return line + "input";
+  for (const std::string& name : names_of_columns(scan)) line += (line.empty() ? "" : ",") + name;
+  return line;
 }
 
 void for_each_line(const std::string& path, const std::function<bool(std::string_view)>& use) {
@@ -238,32 +247,25 @@ void require_rows_or_nothing(const Scan& scan) {
         "place (" +
         path + " for " + option + ") - choose another name, or remove the file");
   };
-  const auto n_cells = scan.variables.size() + 4 + std::size(kNumbers);
-  const auto of_value = scan.variables.size() + 2;
   look_at(
       scan.words.csv, "--csv", [&](const std::string& line) { return line == csv_header(scan); },
       [&](const std::string& line) {
         try {
-          std::vector<std::string> cells;
-          CsvCells rest(line);
-          while (const std::optional<std::string_view> cell = rest.next()) cells.emplace_back(*cell);
-          return cells.size() == n_cells && number_of_cell(cells[of_value]).has_value();
+          return row_of_line(line, scan).has_value();
         } catch (const InputError&) {
           return false;
         }
       });
-  const auto is_object = [&scan](const std::string& line) {
+  const std::vector<std::string> names = names_of_columns(scan);
+  const auto is_object = [&names](const std::string& line) {
     const Json row = Json::parse(line, nullptr, false);
-    if (!row.is_object() || !row.contains("excluded_volume") || !row.contains("input")) return false;
-    auto key = row.begin();
-    for (const auto& variable : scan.variables) {
-      if (key.key() != variable.name) return false;
-      ++key;
-    }
-    if (key.key() != "a" || !row["a"].is_string()) return false;
-    const auto is_number = [](const Json& value) { return value.is_number() || value.is_null(); };
-    return std::ranges::all_of(
-        kNumbers, [&](const NumberColumn& column) { return row.contains(column.name) && is_number(row[column.name]); });
+    if (!row.is_object() || row.size() < names.size()) return false;
+    auto member = row.begin();
+    if (!std::ranges::all_of(names, [&member](const std::string& name) { return (member++).key() == name; }))
+      return false;
+    return row["a"].is_string() && std::ranges::all_of(kNumbers, [&row](const NumberColumn& column) {
+             return row[column.name].is_number() || row[column.name].is_null();
+           });
   };
   look_at(scan.words.jsonl, "--jsonl", is_object, is_object);
 }

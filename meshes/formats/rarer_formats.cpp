@@ -102,10 +102,8 @@ constexpr std::array<std::string_view, 16> kGeometry{
 /// assimp takes 0,5 and 1x as far as they are numbers. A comma may part numbers in X3D, and stands behind one here.
 void check_x3d_numbers(const XmlTag& tag, const AssimpInput& input) {
   for (const std::string_view name : kGeometry) {
-    std::string_view text = from_word(tag.attribute(name).value_or(""));
-    for (; !text.empty(); text = from_word(text)) {
-      std::string_view word = first_word(text);
-      text.remove_prefix(word.size());
+    std::string_view text = tag.attribute(name).value_or("");
+    for (std::string_view word; !(word = take_word(text)).empty();) {
       if (word.size() > 1 && word.ends_with(',')) word.remove_suffix(1);
       if (is_decimal(word)) continue;
       refuse_scene(

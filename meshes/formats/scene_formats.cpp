@@ -78,15 +78,13 @@ bool is_collada_number(std::string_view word) {
 std::size_t check_numbers(const XmlTag& tag, std::string_view text, const AssimpInput& input) {
   std::size_t n_words = 0;
   const bool are_indices = tag.name == "p" || tag.name == "vcount";
-  for (text = from_word(text); !text.empty(); text = from_word(text)) {
-    const std::string_view word = first_word(text);
+  for (std::string_view word; !(word = take_word(text)).empty();) {
     if (are_indices ? !is_index(word) : !is_collada_number(word)) {
       const std::string problem = are_indices        ? " is not " + std::string(kIndex.name)
                                   : is_decimal(word) ? " has more digits than assimp reads"
                                                      : " is no decimal number";
       refuse_scene(input, shown(word) + problem, "in " + shown_name(tag.name), "mend the file");
     }
-    text.remove_prefix(word.size());
     ++n_words;
   }
   return n_words;

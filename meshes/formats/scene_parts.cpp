@@ -44,7 +44,11 @@ std::string_view from_word(std::string_view text) {
   return text.substr(std::min(text.find_first_not_of(kXmlBlanks), text.size()));
 }
 
-std::string_view first_word(std::string_view text) { return text.substr(0, text.find_first_of(kXmlBlanks)); }
+std::string_view take_word(std::string_view& text) {
+  const std::string_view rest = from_word(text), word = rest.substr(0, rest.find_first_of(kXmlBlanks));
+  text = rest.substr(word.size());
+  return word;
+}
 
 bool is_decimal(std::string_view text) { return parse_decimal(text).has_value(); }
 
@@ -66,9 +70,7 @@ void check_unit_length(const AssimpInput& input, std::span<const double> directi
 void check_axes(const AssimpInput& input, std::string_view numbers, const std::string& where) {
   std::array<double, 4> turn{};
   std::size_t n = 0;
-  for (std::string_view text = from_word(numbers); !text.empty(); text = from_word(text)) {
-    std::string_view word = first_word(text);
-    text.remove_prefix(word.size());
+  for (std::string_view word; !(word = take_word(numbers)).empty();) {
     if (word.ends_with(',')) word.remove_suffix(1);
     turn[n++ % 4] = parse_decimal(word).value_or(0.0);
     if (n % 4 == 0 && turn[3] != 0.0) check_unit_length(input, std::span(turn).first(3), where);

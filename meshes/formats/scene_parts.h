@@ -31,8 +31,8 @@ std::string shown_name(std::string_view name);
 inline constexpr std::string_view kXmlBlanks = " \t\r\n";
 /// Without the blanks before it.
 std::string_view from_word(std::string_view text);
-/// What stands before the first blank.
-std::string_view first_word(std::string_view text);
+/// The next word, which `text` has no more then; empty where there is none.
+std::string_view take_word(std::string_view& text);
 
 /// Whether all of a text is a number that assimp reads as what it is.
 bool is_decimal(std::string_view text);

@@ -55,11 +55,8 @@ std::string model_text(const ZipEntry& part, const AssimpInput& input) {
 
 bool is_transform(std::string_view text) {
   std::size_t n_numbers = 0;
-  for (text = from_word(text); !text.empty(); text = from_word(text)) {
-    const std::string_view word = first_word(text);
+  for (std::string_view word; !(word = take_word(text)).empty(); ++n_numbers) {
     if (!is_decimal(word)) return false;
-    ++n_numbers;
-    text.remove_prefix(word.size());
   }
   return n_numbers == 12;
 }

@@ -64,7 +64,7 @@ struct MixtureResult {
 };
 
 /// For each share of B in the isotropic fluid, ascending from 0 to 1: a branch of equilibria that begins at the fluid
-/// of A alone and is followed to that of B alone by the nematic fluid's share, with Newton's method. Where the branch
+/// of A alone and is followed to that of B alone, with Newton's method. Where the branch
 /// turns back there are several at one share, and the one of the least dense isotropic fluid is given: it is the first
 /// that a fluid which grows denser meets. Shares of 0 and 1 stand for at most 1e-7 of the other kind in both fluids,
 /// which changes them by as little. Equal pressures and chemical potentials to 1e-9 of their size. Equilibria of two

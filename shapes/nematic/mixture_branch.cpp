@@ -57,6 +57,16 @@ double distance(const BranchPoint& x, const BranchPoint& y) {
   return std::max(largest(densities_and_share), std::fabs(x.odds_of_nematic - y.odds_of_nematic));
 }
 
+// On the line through two points of the branch, from the one at t = 0 to the one at t = 1 and beyond.
+BranchPoint along(const BranchPoint& from, const BranchPoint& to, double t) {
+  BranchPoint point = t < 0.5 ? from : to;
+  for (double BranchPoint::*const coordinate : {&BranchPoint::log_n_isotropic, &BranchPoint::log_n_nematic,
+                                                &BranchPoint::odds_of_isotropic, &BranchPoint::odds_of_nematic}) {
+    point.*coordinate = std::lerp(from.*coordinate, to.*coordinate, t);
+  }
+  return point;
+}
+
 // Of a disc beside rods it may be negative.
 bool is_ordered(const BothDensities& both) {
   return std::max(std::fabs(both.of[0].order_parameter()), std::fabs(both.of[1].order_parameter())) >
@@ -155,11 +165,7 @@ MixtureBranch::Trace MixtureBranch::trace(const Coexistence& of_a) const {
       const double nematic = last.odds_of_nematic - before.odds_of_nematic,
                    isotropic = last.odds_of_isotropic - before.odds_of_isotropic;
       if (std::fabs(isotropic) > std::fabs(nematic)) held = Held::isotropic_share;
-      const double t = step / std::max(std::fabs(isotropic), std::fabs(nematic));
-      guess.odds_of_nematic += t * nematic;
-      guess.odds_of_isotropic += t * isotropic;
-      guess.log_n_isotropic += t * (last.log_n_isotropic - before.log_n_isotropic);
-      guess.log_n_nematic += t * (last.log_n_nematic - before.log_n_nematic);
+      guess = along(before, last, 1.0 + step / std::max(std::fabs(isotropic), std::fabs(nematic)));
     }
     std::optional<BranchPoint> next = solve(guess, held);
     // Newton's method may end at an equilibrium elsewhere: of the branch is what lies next to the guess.
@@ -187,16 +193,8 @@ void MixtureBranch::find_between(const BranchPoint& low, const BranchPoint& high
   constexpr int kDeepest = 12;
   const double from = low.odds_of_isotropic, to = high.odds_of_isotropic;
   if ((from < odds_of_isotropic) == (to < odds_of_isotropic)) return;
-  const auto between = [&](double t) {
-    BranchPoint guess = t < 0.5 ? low : high;
-    guess.log_n_isotropic = std::lerp(low.log_n_isotropic, high.log_n_isotropic, t);
-    guess.log_n_nematic = std::lerp(low.log_n_nematic, high.log_n_nematic, t);
-    guess.odds_of_nematic = std::lerp(low.odds_of_nematic, high.odds_of_nematic, t);
-    guess.odds_of_isotropic = std::lerp(from, to, t);
-    return guess;
-  };
   const double length = distance(low, high);
-  BranchPoint guess = between((odds_of_isotropic - from) / (to - from));
+  BranchPoint guess = along(low, high, (odds_of_isotropic - from) / (to - from));
   guess.odds_of_isotropic = odds_of_isotropic;
   const std::optional<BranchPoint> one = solve(guess, Held::isotropic_share);
   if (one && distance(*one, guess) <= 0.5 * length) {
@@ -205,7 +203,8 @@ void MixtureBranch::find_between(const BranchPoint& low, const BranchPoint& high
   }
   if (depth == kDeepest) return;
   const bool is_steep = std::fabs(to - from) > std::fabs(high.odds_of_nematic - low.odds_of_nematic);
-  const std::optional<BranchPoint> middle = solve(between(0.5), is_steep ? Held::isotropic_share : Held::nematic_share);
+  const std::optional<BranchPoint> middle =
+      solve(along(low, high, 0.5), is_steep ? Held::isotropic_share : Held::nematic_share);
   if (!middle) return;
   find_between(low, *middle, odds_of_isotropic, found, depth + 1);
   find_between(*middle, high, odds_of_isotropic, found, depth + 1);

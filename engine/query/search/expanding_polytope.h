@@ -117,11 +117,12 @@ class ExpandingPolytope {
   /// The same along any direction.
   template <class Visit>
   void visit_foot_along(const Vec3<L>& dir, const Visit& visit) {
-    std::uint32_t at = nearest_;
-    if (is_of_face_ && &dir == &normal_) {
+    const bool is_of_plane = is_of_face_ && &dir == &normal_;
+    std::uint32_t at = is_of_plane ? nearest_ : hull_.face_along(dir).value_or(nearest_);
+    std::array<L, 3> weights = hull_.weights_along(faces()[at], dir);
+    if (is_of_plane) {
       // Faces in one plane share a foot: it is in one of them, a few steps away.
       for (std::size_t step = 0; step < faces().size(); ++step) {
-        const std::array<L, 3> weights = hull_.weights_along(faces()[at], normal_);
         const std::size_t least = static_cast<std::size_t>(std::ranges::min_element(weights) - weights.begin());
         if (!(weights[least] < L(0.0))) break;
         hull_.link();
@@ -130,16 +131,15 @@ class ExpandingPolytope {
             faces()[next].distance - faces()[nearest_].distance <= L(4.0) * hull_.coplanar() + gap();
         if (!is_coplanar) break;
         at = next;
+        weights = hull_.weights_along(faces()[at], dir);
       }
       // A hull that is known from another pose may bulge: the foot on the nearest face's plane is beside the face then,
       // and the normal leaves the hull, no nearer than that, through another one.
-      const std::array<L, 3> weights = hull_.weights_along(faces()[at], normal_);
-      const L least = std::ranges::min(weights), most = std::ranges::max(weights);
-      if (least < L(-kBesideFace) * most) at = hull_.face_along(dir).value_or(at);
-    } else {
-      at = hull_.face_along(dir).value_or(nearest_);
+      if (std::ranges::min(weights) < L(-kBesideFace) * std::ranges::max(weights)) {
+        at = hull_.face_along(dir).value_or(at);
+        weights = hull_.weights_along(faces()[at], dir);
+      }
     }
-    std::array<L, 3> weights = hull_.weights_along(faces()[at], dir);
     L sum(0.0);
     for (L& weight : weights) sum += weight = larger(weight, L(0.0));
     if (!(sum > L(0.0))) weights = {sum = L(1.0), L(0.0), L(0.0)};  // a sliver
