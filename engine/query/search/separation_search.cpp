@@ -75,17 +75,17 @@ class DoubleSearch {
 
   bool answer_without_search(Separation& result) const {
     if (!are_zonotopes()) return false;
-    std::optional<ZonotopeSeparation> found;
     if (query_.a.generators()->n_vectors + query_.b.generators()->n_vectors <= 2) {
-      found = nearest_of_segments(zonotope(), error_);
+      const std::optional<ZonotopeSeparation> nearest = nearest_of_segments(zonotope(), error_);
       const double rounding = 4.0 * error_.support;
-      if (!found || found->bounds.width() > rounding + settings_.wanted(found->distance)) return false;
-    } else {
-      if (settings_.goal != SeparationGoal::depth) return false;
-      found = deepest_of_faces(zonotope(), error_);
-      if (!found || !(found->bounds.lower > settings_.radii || found->bounds.upper < 0.0)) return false;
+      if (!nearest || nearest->bounds.width() > rounding + settings_.wanted(nearest->distance)) return false;
+      take(*nearest, result);
+      return true;
     }
-    take(*found, result);
+    if (settings_.goal != SeparationGoal::depth) return false;
+    const std::optional<ZonotopeSeparation> deepest = deepest_of_faces(zonotope(), error_);
+    if (!deepest || !(deepest->bounds.lower > settings_.radii || deepest->bounds.upper < 0.0)) return false;
+    take(*deepest, result);
     return true;
   }
 
