@@ -5,6 +5,7 @@
 #include "engine/query/exact/extended_difference.h"
 #include "engine/query/search/difference.h"
 #include "engine/query/search/query_error.h"
+#include "engine/query/search/weighted_points.h"
 #include "engine/support/convex_body.h"
 
 namespace vex {
@@ -33,12 +34,15 @@ class CoreDifference {
   Point at(const Vec3d& of_a, const Vec3d& own_b) const {
     return {of_a - difference_.a_from_b()(own_b), of_a, own_b, {}};
   }
-  /// The points of the cores that make it.
-  Difference::CorePoints cores_of(const Point& point) const {
-    const Vec3d b = difference_.a_from_b()(point.own_b);
-    if (!has_rolling()) return {point.a, b, point.own_b};
-    return {point.a - rolling_a_ * point.dir, b + rolling_b_ * point.dir,
-            point.own_b + rolling_b_ * difference_.a_from_b().direction_to_b(point.dir)};
+  /// The points of the cores that make a combination of points.
+  Difference::CorePoints cores_of(const WeightedPoints<double, Point>& points) const {
+    Vec3d a = weighted_sum(points, &Point::a), own_b = weighted_sum(points, &Point::own_b);
+    if (has_rolling()) {
+      const Vec3d dir = weighted_sum(points, &Point::dir);
+      a = a - rolling_a_ * dir;
+      own_b = own_b + rolling_b_ * seen_from_b(dir);
+    }
+    return {a, difference_.a_from_b()(own_b), own_b};
   }
   /// Directions that turn with B, and back.
   Vec3d turned_with_b(const Vec3d& own_dir) const {

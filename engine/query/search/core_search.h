@@ -2,9 +2,6 @@
 // (nearest_descent.h), and where K holds the origin the expanding polytope (expanding_polytope.h), both with bounds.
 #pragma once
 
-#include <array>
-#include <cstddef>
-
 #include "engine/numeric/interval.h"
 #include "engine/query/search/expanding_polytope.h"
 #include "engine/query/search/nearest_descent.h"
@@ -35,21 +32,9 @@ struct CoreSeparation {
   L distance;          // signed, along it
   Interval<L> bounds;  // of the signed distance of the cores, rounding included
   L missing{0.0};      // of the distance, in what the normal alone shows
-  int n_points = 0;
-  std::array<Point, 4> points{};
-  std::array<L, 4> weights{};
+  WeightedPoints<L, Point> points;
   bool has_normal = false;
   bool is_capped = false;  // more support calls would bring the bounds nearer
-
-  void add(const L& weight, const Point& point) {
-    points[static_cast<std::size_t>(n_points)] = point;
-    weights[static_cast<std::size_t>(n_points)] = weight;
-    ++n_points;
-  }
-  void take_points(const NearestSimplex<L, Point>& simplex) {
-    n_points = 0;
-    for (int k = 0; k < simplex.size(); ++k) add(simplex.weight(k), simplex.point(k));
-  }
 };
 
 template <class L, class Point, class Difference>
@@ -77,7 +62,7 @@ class CoreSearch {
       found_.has_normal = norm_1(found_.normal) > L(0.0);
       found_.distance = square_root(descent_.simplex.square());
       found_.missing = descent_.missing;
-      found_.take_points(descent_.simplex);
+      found_.points = descent_.simplex.points();
       return;
     }
     // That they overlap may be all that is asked.
@@ -115,7 +100,7 @@ class CoreSearch {
     found_.bounds.lower = larger(found_.bounds.lower, -polytope.depth_upper());
     if (end == Polytope::End::separated) {
       found_.distance = square_root(descent_.simplex.square());
-      found_.take_points(descent_.simplex);
+      found_.points = descent_.simplex.points();
       return;
     }
     Vec3<L> foot;
@@ -123,15 +108,15 @@ class CoreSearch {
       const L depth_lower = polytope.depth_lower();
       if (-depth_lower < found_.bounds.upper) found_.bounds.upper = -depth_lower;
       const auto add = [&](const L& weight, const Point& point) {
-        found_.add(weight, point);
+        found_.points.add(weight, point);
         foot = foot + weight * point.w;
       };
       is_of_descent ? polytope.visit_foot_along(found_.normal, add) : polytope.visit_foot(add);
     }
     // Of cores that hardly meet, the nearest points are those of the descent.
     const Vec3<L> out = -found_.distance * found_.normal;
-    if (found_.n_points == 0 || norm_1(descent_.simplex.at() - out) < norm_1(foot - out)) {
-      found_.take_points(descent_.simplex);
+    if (found_.points.size() == 0 || norm_1(descent_.simplex.at() - out) < norm_1(foot - out)) {
+      found_.points = descent_.simplex.points();
     }
   }
 

@@ -7,8 +7,10 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "engine/numeric/vec3.h"
+#include "engine/query/search/weighted_points.h"
 
 namespace vex {
 
@@ -16,24 +18,26 @@ namespace vex {
 template <class L, class Point>
 class NearestSimplex {
  public:
-  int size() const { return n_; }
-  const Point& point(int k) const { return points_[static_cast<std::size_t>(k)]; }
-  const L& weight(int k) const { return weights_[static_cast<std::size_t>(k)]; }
+  int size() const { return points_.size(); }
+  const Point& point(int k) const { return points_.point(static_cast<std::size_t>(k)); }
+  const L& weight(int k) const { return points_.weight(static_cast<std::size_t>(k)); }
+  /// The corners, with the weights that make the nearest point of them.
+  const WeightedPoints<L, Point>& points() const { return points_; }
   /// The nearest point, to the rounding of its sums.
   const Vec3<L>& at() const { return at_; }
   const L& square() const { return square_; }
   /// Across the simplex, towards `at`: its direction, but for what cancels in `at`. Zero where the origin is inside.
   const Vec3<L>& normal() const { return normal_; }
   /// Four points, and the origin is inside of them, to rounding.
-  bool is_around_origin() const { return n_ == 4; }
+  bool is_around_origin() const { return size() == 4; }
 
   /// Takes a point in and keeps those that carry the nearest point. False, and nothing changes, where no face with it
   /// is nearer. Not for a simplex around the origin. `may_hold_origin`: false where K is proven to lie on one side of
   /// it.
   bool add(const Point& newest, bool may_hold_origin = true) {
-    const std::size_t n = static_cast<std::size_t>(n_);
+    const std::size_t n = static_cast<std::size_t>(size());
     Candidate best;
-    if (n_ == 0) {
+    if (n == 0) {
       best = vertex(newest.w);
       keep(best, newest);
       return true;
@@ -55,8 +59,36 @@ class NearestSimplex {
     return true;
   }
 
+  /// Begins with two or three points whose edge or triangle is likely to have the nearest point inside: one step where
+  /// it has, and where it has not the steps of `add` for each.
+  void begin_with(std::span<const Point> points) {
+    points_.clear();
+    if (points.size() > 3) return add_all(points);
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) points_.add(L(0.0), points[k]);
+    const Point& newest = points.back();
+    Candidate best = vertex(newest.w);
+    best.is_any = false;
+    if (points.size() == 3 && spans_plane(points)) offer_triangle(best, newest.w, 0, 1);
+    if (points.size() == 2) offer_edge(best, newest.w, 0);
+    if (best.is_any) return keep(best, newest);
+    points_.clear();
+    add_all(points);
+  }
+
  private:
   static constexpr std::size_t kNone = 4;
+
+  // Of a sliver's normal rounding makes what it likes, and only its edges tell.
+  static bool spans_plane(std::span<const Point> triangle) {
+    const Vec3<L> e = triangle[1].w - triangle[0].w, f = triangle[2].w - triangle[0].w, normal = cross(e, f);
+    return dot(normal, normal) > L(0x1p-40) * (dot(e, e) * dot(f, f));
+  }
+
+  void add_all(std::span<const Point> points) {
+    for (const Point& point : points) {
+      if (!is_around_origin()) add(point);
+    }
+  }
 
   struct Candidate {
     L square{0.0};
@@ -81,7 +113,7 @@ class NearestSimplex {
 
   // Both weights are products that do not cancel together.
   void offer_edge(Candidate& best, const Vec3<L>& a, std::size_t i) const {
-    const Vec3<L>& b = points_[i].w;
+    const Vec3<L>& b = points_.point(i).w;
     const Vec3<L> e = b - a;
     const L of_b = -dot(a, e), of_a = dot(b, e);
     if (!(of_a > L(0.0) && of_b > L(0.0))) return;
@@ -98,7 +130,7 @@ class NearestSimplex {
   }
 
   void offer_triangle(Candidate& best, const Vec3<L>& a, std::size_t i, std::size_t j) const {
-    const Vec3<L>&b = points_[i].w, &c = points_[j].w;
+    const Vec3<L>&b = points_.point(i).w, &c = points_.point(j).w;
     const Vec3<L> normal = cross(b - a, c - a);
     const L of_a = dot(cross(b, c), normal), of_b = dot(cross(c, a), normal), of_c = dot(cross(a, b), normal);
     if (!(of_a > L(0.0) && of_b > L(0.0) && of_c > L(0.0))) return;
@@ -116,7 +148,7 @@ class NearestSimplex {
   }
 
   bool offer_inside(Candidate& best, const Vec3<L>& d) const {
-    const Vec3<L>&a = points_[0].w, &b = points_[1].w, &c = points_[2].w;
+    const Vec3<L>&a = points_.point(0).w, &b = points_.point(1).w, &c = points_.point(2).w;
     const Vec3<L> cd = cross(c, d), ab = cross(a, b);
     const L of_a = dot(b, cd), of_b = -dot(a, cd), of_c = dot(d, ab), of_d = -dot(c, ab);
     const bool all_positive = of_a > L(0.0) && of_b > L(0.0) && of_c > L(0.0) && of_d > L(0.0);
@@ -134,21 +166,15 @@ class NearestSimplex {
   void keep(const Candidate& found, const Point& newest) {
     std::size_t n = 0;
     // The old ones stand in order, so that none is overwritten before it is moved.
-    for (; n < 3 && found.old[n] != kNone; ++n) {
-      if (found.old[n] != n) points_[n] = points_[found.old[n]];
-      weights_[n] = found.weight[n];
-    }
-    points_[n] = newest;
-    weights_[n] = found.weight[3];
-    n_ = static_cast<int>(n) + 1;
+    for (; n < 3 && found.old[n] != kNone; ++n) points_.keep(n, found.old[n], found.weight[n]);
+    points_.cut(n);
+    points_.add(found.weight[3], newest);
     at_ = found.at;
     square_ = found.square;
     normal_ = found.normal;
   }
 
-  std::array<Point, 4> points_;
-  std::array<L, 4> weights_;
-  int n_ = 0;
+  WeightedPoints<L, Point> points_;
   Vec3<L> at_, normal_;
   L square_{0.0};
 };

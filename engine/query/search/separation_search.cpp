@@ -19,29 +19,7 @@ constexpr double kPolytopeGap = 0x1p-44, kExtendedPolytopeGap = 0x1p-60, kCurved
 // Where rounding makes faces of its own, a hull of more points than these is no better.
 constexpr int kCoarseHullPoints = 32;
 
-// Points of the cores; B's also in its own frame.
-struct CorePoints {
-  Vec3d a, b, own_b;
-};
-
-double rounded(double x) { return x; }
-double rounded(const Extended& x) { return x.high; }
-
-// The nearest ones, or those at the foot of the shortest way out.
-template <class L, class Point, class PointsOf>
-CorePoints weighted_points(const CoreSeparation<L, Point>& core, const PointsOf& points_of) {
-  CorePoints sum;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(core.n_points); ++k) {
-    const double weight = rounded(core.weights[k]);
-    const CorePoints points = points_of(core.points[k]);
-    sum.a = sum.a + weight * points.a;
-    sum.b = sum.b + weight * points.b;
-    sum.own_b = sum.own_b + weight * points.own_b;
-  }
-  return sum;
-}
-
-void set_points(Separation& result, const Transformd& a_from_b, const CorePoints& cores, double radius_a,
+void set_points(Separation& result, const Transformd& a_from_b, const Difference::CorePoints& cores, double radius_a,
                 double radius_b) {
   result.point_a = cores.a + radius_a * result.normal;
   result.point_b = cores.b - radius_b * result.normal;
@@ -69,13 +47,7 @@ class DoubleSearch {
     result.is_out_of_range = !is_usual(error_);
     if (result.is_out_of_range) return result;
     result.is_coarse = is_coarse_;
-    const std::optional<Generators>&a = query_.a.generators(), &b = query_.b.generators();
-    if (!a || !b) {
-      search(nullptr, warm_start, result);
-      return result;
-    }
-    const DifferenceZonotope zonotope(*a, *b, query_.a_from_b);
-    if (!answer_without_search(zonotope, result.separation)) search(&zonotope, warm_start, result);
+    if (!answer_without_search(result.separation)) search_with(warm_start, result);
     return result;
   }
 
@@ -89,7 +61,7 @@ class DoubleSearch {
     result.has_witnesses = true;
     result.normal = normal;
   }
-  void take_points(const CorePoints& cores, Separation& result) const {
+  void take_points(const Difference::CorePoints& cores, Separation& result) const {
     set_points(result, query_.a_from_b, cores, difference_.radius_a(), difference_.radius_b());
   }
   void take(const ZonotopeSeparation& found, Separation& result) const {
@@ -97,26 +69,36 @@ class DoubleSearch {
     take_points({found.point_a, found.point_b, found.own_point_b}, result);
   }
 
-  bool answer_without_search(const DifferenceZonotope& zonotope, Separation& result) const {
-    std::optional<ZonotopeSeparation> found;
-    if (zonotope.n_vectors <= 2) {
-      found = nearest_of_segments(zonotope, error_);
+  bool are_zonotopes() const { return query_.a.generators() && query_.b.generators(); }
+  // Of zonotopes. It is made where it is asked, for most distances of boxes never ask.
+  DifferenceZonotope zonotope() const { return {*query_.a.generators(), *query_.b.generators(), query_.a_from_b}; }
+
+  bool answer_without_search(Separation& result) const {
+    if (!are_zonotopes()) return false;
+    if (query_.a.generators()->n_vectors + query_.b.generators()->n_vectors <= 2) {
+      const std::optional<ZonotopeSeparation> nearest = nearest_of_segments(zonotope(), error_);
       const double rounding = 4.0 * error_.support;
-      if (!found || found->bounds.width() > rounding + settings_.wanted(found->distance)) return false;
-    } else {
-      if (settings_.goal != SeparationGoal::depth) return false;
-      found = deepest_of_faces(zonotope, error_);
-      if (!found || !(found->bounds.lower > settings_.radii || found->bounds.upper < 0.0)) return false;
+      if (!nearest || nearest->bounds.width() > rounding + settings_.wanted(nearest->distance)) return false;
+      take(*nearest, result);
+      return true;
     }
-    take(*found, result);
+    if (settings_.goal != SeparationGoal::depth) return false;
+    const std::optional<ZonotopeSeparation> deepest = deepest_of_faces(zonotope(), error_);
+    if (!deepest || !(deepest->bounds.lower > settings_.radii || deepest->bounds.upper < 0.0)) return false;
+    take(*deepest, result);
     return true;
   }
 
-  void search(const DifferenceZonotope* zonotope, WarmStart* warm_start, SearchedSeparation& searched) const {
+  void search_with(WarmStart* warm_start, SearchedSeparation& searched) const {
     // Depths of zonotopes are looked for on all faces at once: nothing that is remembered helps there.
-    const bool remembers = warm_start != nullptr && (zonotope == nullptr || settings_.goal != SeparationGoal::depth);
-    std::optional<WarmMemory> memory;
-    if (remembers) memory.emplace(*warm_start, difference_, error_);
+    if (warm_start == nullptr || (settings_.goal == SeparationGoal::depth && are_zonotopes())) {
+      return search(nullptr, searched);
+    }
+    WarmMemory memory(*warm_start, difference_, error_);
+    search(&memory, searched);
+  }
+
+  void search(WarmMemory* memory, SearchedSeparation& searched) const {
     Separation& result = searched.separation;
     const bool is_smooth = !query_.are_rounded_polytopes();
     NearestSimplex<double, CoreDifference::Point> simplex;
@@ -139,8 +121,8 @@ class DoubleSearch {
                                                                      simplex);
     const int n_calls_before = memory ? memory->n_support_calls() : 0;
     if (search.wants_depth()) {
-      if (zonotope != nullptr) {
-        const std::optional<ZonotopeSeparation> deepest = deepest_of_faces(*zonotope, error_);
+      if (are_zonotopes()) {
+        const std::optional<ZonotopeSeparation> deepest = deepest_of_faces(zonotope(), error_);
         if (deepest && deepest->bounds.upper < 0.0) {
           if (memory) memory->forget();
           take(*deepest, result);
@@ -168,13 +150,8 @@ class DoubleSearch {
 
   void take(const CoreSeparation<double, CoreDifference::Point>& core, Separation& result) const {
     take(core.normal, core.distance, core.bounds, result);
-    take_points(weighted_points(core,
-                                [this](const CoreDifference::Point& p) {
-                                  const Difference::CorePoints cores = difference_.cores_of(p);
-                                  return CorePoints{cores.a, cores.b, cores.own_b};
-                                }),
-                result);
     result.has_witnesses = core.has_normal;
+    if (core.has_normal) take_points(difference_.cores_of(core.points), result);
   }
 
   void look_for_shorter_way(const CoreSeparation<double, CoreDifference::Point>& core, Separation& result) const {
@@ -227,8 +204,11 @@ Separation search_in_extended(const SeparationQuery& query, const PlacedForms& p
   result.signed_distance = of_bodies(core.distance);
   result.has_witnesses = core.has_normal;
   result.normal = high_part(core.normal);
-  const auto points_of = [&placed](const ExtendedCore::Point& p) { return CorePoints{p.a, placed.a_from_b(p.b), p.b}; };
-  set_points(result, placed.a_from_b, weighted_points(core, points_of), query.a.ball_radius(), query.b.ball_radius());
+  if (!core.has_normal) return result;
+  const Vec3d own_b = weighted_sum(core.points, &ExtendedCore::Point::b);
+  set_points(result, placed.a_from_b,
+             {weighted_sum(core.points, &ExtendedCore::Point::a), placed.a_from_b(own_b), own_b}, query.a.ball_radius(),
+             query.b.ball_radius());
   return result;
 }
 

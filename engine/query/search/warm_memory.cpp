@@ -93,10 +93,13 @@ NearestSimplex<double, WarmMemory::Point> WarmMemory::simplex(const CoreSearchSe
     return simplex;
   }
   const DirectionCode frame = frame_of(normal_, state_.x_, state_.y_);
-  for (std::size_t k = 0; k < state_.n_points_ && !simplex.is_around_origin(); ++k) {
+  std::array<Point, 4> points;
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < state_.n_points_; ++k) {
     const std::optional<Point> point = point_of(state_.dirs_[k], frame);
-    if (point) simplex.add(*point);
+    if (point) points[n++] = *point;
   }
+  if (n > 0) simplex.begin_with(std::span(points).first(n));
   return simplex;
 }
 
@@ -160,7 +163,7 @@ bool WarmMemory::find_depth(const CoreSearchSettings<double>& settings, bool is_
   found.has_normal = true;
   found.distance = -polytope.height();
   found.bounds = {-polytope.depth_upper(), -depth_lower};
-  const auto add = [&](double weight, const Point& point) { found.add(weight, point); };
+  const auto add = [&](double weight, const Point& point) { found.points.add(weight, point); };
   if (polytope.is_as_known()) {
     if (!visit_foot(polytope, found.normal, add)) return false;
     if (is_smooth) keep_place(lowest);
@@ -265,12 +268,12 @@ void WarmMemory::keep_nearest(const Found& found, const CoreSearchSettings<doubl
     keep_place(place);
   }
   const DirectionCode frame = frame_of(state_.normal_, state_.x_, state_.y_);
-  for (int k = 0; k < found.n_points; ++k) {
-    const std::optional<std::uint32_t> code = code_of(found.points[static_cast<std::size_t>(k)], frame);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(found.points.size()); ++k) {
+    const std::optional<std::uint32_t> code = code_of(found.points.point(k), frame);
     if (!code) return;
-    state_.dirs_[static_cast<std::size_t>(k)] = *code;
+    state_.dirs_[k] = *code;
   }
-  state_.n_points_ = static_cast<std::uint8_t>(found.n_points);
+  state_.n_points_ = static_cast<std::uint8_t>(found.points.size());
   state_.are_corners_ = corners_ ? 1 : 0;
 }
 
