@@ -15,6 +15,8 @@
 #include <string>
 #include <thread>
 
+#include "engine/numeric/interruption.h"
+
 namespace vex {
 namespace {
 
@@ -47,8 +49,11 @@ void take_signals_as_usual(pid_t parent) {
 
 }  // namespace
 
+// From the first constructor on it is gone by its destructor, also where an interruption ends the second one.
+ConfinedProcess::ConfinedProcess(std::uint64_t wall_seconds) : left_(static_cast<double>(wall_seconds)) {}
+
 ConfinedProcess::ConfinedProcess(const ProcessLimits& limits, Confining confining, const std::function<void()>& work)
-    : left_(static_cast<double>(limits.wall_seconds)) {
+    : ConfinedProcess(limits.wall_seconds) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
     throw std::runtime_error(std::string("cannot make a pipe for the file reader: ") + std::strerror(errno));
@@ -63,6 +68,7 @@ ConfinedProcess::ConfinedProcess(const ProcessLimits& limits, Confining confinin
       throw std::runtime_error(std::string("cannot start the file reader: ") + std::strerror(errno));
     }
     if (id_ == 0) {
+      const Interruption nobody([] { return false; });  // the parent's asks what this process does not have
       take_signals_as_usual(parent);
       const Barriers barriers = confine_this_process(limits, write_end.number());
       const bool is_said = ::write(kConfinedDescriptor, &barriers, sizeof barriers) == sizeof barriers;
@@ -101,6 +107,7 @@ bool ConfinedProcess::wait_for_bytes() {
   using Seconds = std::chrono::duration<double>;
   constexpr Seconds kAtOnce{0.25};
   while (left_.count() > 0.0) {
+    end_if_interrupted();
     struct pollfd awaited {};
     awaited.fd = pipe_.number();
     awaited.events = POLLIN;
@@ -137,6 +144,7 @@ ProcessEnd ConfinedProcess::end() {
   constexpr int kMostWaits = 5000;  // of a millisecond: on a busy machine a process takes that long to end
   for (int n = 0; n < kMostWaits && left_.count() > 0.0; ++n) {
     if (has_ended(&end, WNOHANG)) return end;
+    end_if_interrupted();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   ::kill(id_, SIGKILL);

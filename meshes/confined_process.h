@@ -37,7 +37,7 @@ class ConfinedProcess {
   const Barriers& barriers() const { return barriers_; }
 
   /// Reads `size` bytes, or fewer where the other end closes or its time is over. A signal that this process handles
-  /// does not end it.
+  /// does not end it; an interruption (engine/numeric/interruption.h) does.
   std::size_t read(void* data, std::size_t size);
 
   /// `array` is filled with what arrives; what was only announced takes addresses, and no memory.
@@ -60,6 +60,8 @@ class ConfinedProcess {
   ProcessEnd end();
 
  private:
+  explicit ConfinedProcess(std::uint64_t wall_seconds);
+
   bool wait_for_bytes();
   bool has_ended(ProcessEnd* end, int flags);
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/numeric/errors.h"
+#include "engine/numeric/interruption.h"
 #include "meshes/closed_surface.h"
 #include "meshes/coordinate_rounding.h"
 #include "meshes/extreme_vertices.h"
@@ -152,6 +153,7 @@ NormalMeasures normals_of(MeshBody body) {
 
 /// `faces_are_triangles`: the file's own, whatever they are, are not the body's.
 ConvexMesh finished(MeshBody body, MeshReport report, bool faces_are_triangles) {
+  end_if_interrupted();
   report.n_vertices = body.vertices.size();
   report.n_dropped_vertices = report.n_points - report.n_vertices;
   report.n_triangles = body.triangles.size();
@@ -170,6 +172,7 @@ ConvexMesh finished(MeshBody body, MeshReport report, bool faces_are_triangles) 
 /// The convex body with as few vertices as its coordinates' rounding allows. The power of two: what rounding makes of
 /// V/S when faces are cut another way must not choose the vertices.
 MeshBody with_fewest_vertices(MeshBody body, Passage* passage) {
+  end_if_interrupted();
   const double thickness = body.solid.volume / surface_area(body.triangles);
   const double most = std::ldexp(1.0, std::ilogb(kMostDropped * thickness));
   const std::size_t n_triangles = body.triangles.size();
@@ -287,6 +290,7 @@ ConvexMesh body_from(PolygonSoup soup, Passage passage) {
   note_what_reading_did(soup, closed, false, &report);
   soup = {};
   PolygonSurface& surface = closed.welded.surface;
+  end_if_interrupted();
   Triangles triangles = fan_triangles(surface, closed.mates);
   const double size = bounding_diagonal(surface.vertices);
   VolumeAndCentroid solid = volume_and_centroid(triangles);
@@ -301,6 +305,7 @@ ConvexMesh body_from(PolygonSoup soup, Passage passage) {
     report.notes.emplace_back("the mesh was inside out and has been turned");
   }
   closed.mates = {};
+  end_if_interrupted();
   if (std::optional<HullInstead> hull = checked_convexity(triangles, solid, size, tolerance_of(passage, size))) {
     note_hull(*hull, solid, size, &passage);
     triangles = std::move(hull->triangles);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/numeric/interruption.h"
 #include "engine/numeric/rounding.h"
 #include "meshes/determinant.h"
 #include "meshes/report_text.h"
@@ -97,6 +98,7 @@ long winding_number(const Triangles& triangles, const SeenFromCentroid& seen) {
   constexpr std::size_t kMostRays = 64;
   const std::size_t stride = triangles.size() / kMostRays + 1;
   for (std::size_t t = 0; t < triangles.size(); t += stride) {
+    end_if_interrupted();
     const auto& [a, b, c] = triangles.corners[t];
     const Vec3d inside = (0.4013 * seen.rounded(a) + 0.3271 * seen.rounded(b)) + 0.2716 * seen.rounded(c);
     if (const std::optional<long> n = windings_along(triangles, seen, inside)) {
@@ -111,6 +113,7 @@ long winding_number(const Triangles& triangles, const SeenFromCentroid& seen) {
 ConvexityCensus convexity_census(const Triangles& triangles, const LocalPoint& centroid) {
   ConvexityCensus census;
   for (std::uint32_t h = 0; h < triangles.mates.size(); ++h) {
+    if (h % 4096 == 0) end_if_interrupted();
     if (triangles.mates[h] < h) {
       continue;
     }
@@ -132,6 +135,7 @@ ConvexityCensus convexity_census(const Triangles& triangles, const LocalPoint& c
   }
   const SeenFromCentroid seen(triangles, centroid);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (t % 4096 == 0) end_if_interrupted();
     const auto& [a, b, c] = triangles.corners[t];
     if (sure_determinant_sign(seen.rounded(a), seen.rounded(b), seen.rounded(c)) > 0) {
       continue;

@@ -9,6 +9,7 @@
 #include <new>
 
 #include "engine/numeric/errors.h"
+#include "engine/numeric/interruption.h"
 #include "meshes/machine_memory.h"
 #include "meshes/open_file.h"
 
@@ -78,7 +79,8 @@ void refuse_holes(const OpenFile& file, const struct stat& status, const std::st
 std::size_t read_until_full(int descriptor, std::size_t at, FileBytes* bytes, const std::string& name) {
   const std::size_t first = at;
   while (at < bytes->size()) {
-    const ssize_t n = ::read(descriptor, bytes->data() + at, std::min(bytes->size() - at, 1024 * kMiB));
+    end_if_interrupted();
+    const ssize_t n = ::read(descriptor, bytes->data() + at, std::min(bytes->size() - at, 16 * kMiB));
     if (n == 0) break;
     if (n < 0 && errno != EINTR) {
       throw InputError("cannot read " + name + " (" + std::strerror(errno) + ") - name something that can be read");

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "engine/numeric/errors.h"
+#include "engine/numeric/interruption.h"
 #include "meshes/machine_memory.h"
 
 namespace vex {
@@ -24,8 +25,10 @@ class Inflater {
   z_stream stream{};
 };
 
-/// zlib counts what it may take and give in 32 bits.
-uInt counted(std::size_t size) { return static_cast<uInt>(std::min<std::size_t>(size, std::size_t{1} << 30U)); }
+/// zlib counts what it may take and give in 32 bits. What it takes at once becomes no more than some 1000 times as
+/// much, within a fraction of a second.
+uInt taken_at_once(std::size_t size) { return static_cast<uInt>(std::min<std::size_t>(size, kMiB)); }
+uInt given_at_once(std::size_t size) { return static_cast<uInt>(std::min<std::size_t>(size, std::size_t{1} << 30U)); }
 
 /// What the last member says of its own size: a hint only.
 std::uint64_t size_at_the_end(std::string_view packed) {
@@ -61,8 +64,9 @@ FileBytes gunzip(std::string_view packed, const std::string& name) {
       }
       bytes.resize(static_cast<std::size_t>(std::min<std::uint64_t>(most, 2 * bytes.size())));
     }
-    const uInt n_in = counted(packed.size() - taken);
-    const uInt n_out = counted(bytes.size() - given);
+    end_if_interrupted();
+    const uInt n_in = taken_at_once(packed.size() - taken);
+    const uInt n_out = given_at_once(bytes.size() - given);
     stream.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(packed.data() + taken));  // zlib only reads it
     stream.avail_in = n_in;
     stream.next_out = reinterpret_cast<Bytef*>(bytes.data() + given);

@@ -1,61 +1,36 @@
 #include "apps/vex_nematic/mixture_run.h"
 
 #include <chrono>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "apps/common/body_report.h"
 #include "apps/common/numbers.h"
 #include "apps/common/text.h"
-#include "apps/vex_nematic/nematic_run.h"
-#include "engine/numeric/errors.h"
 
 namespace vex {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-NematicMixture::Pair pair_of(const LoadedBody& a, const LoadedBody& b) {
-  const EvenPart part = even_part_of(a, b);
-  return {part.series, part.excluded_volume};
-}
-
 Json phase_json(const NematicMixtureRun& run, const MixturePhase& phase, bool is_ordered) {
   Json json = {{"number_density", phase.number_density()},
                {"composition", phase.composition()},
-               {"volume_fraction", number_or_null(run.volume_fraction(phase))},
-               {"reduced_density", run.reduced_density(phase)}};
+               {"volume_fraction", number_or_null(run.found.volume_fraction(phase))},
+               {"reduced_density", run.found.reduced_density(phase)}};
   if (is_ordered) json["order_parameters"] = phase.order_parameters;
   return json;
 }
 
 }  // namespace
 
-double NematicMixtureRun::volume_fraction(const MixturePhase& phase) const {
-  if (!(mixture.volumes[0] > 0.0 && mixture.volumes[1] > 0.0)) return std::nan("");
-  return phase.number_densities[0] * mixture.volumes[0] + phase.number_densities[1] * mixture.volumes[1];
-}
-
-double NematicMixtureRun::reduced_density(const MixturePhase& phase) const {
-  const double n = phase.number_density(), x = phase.composition();
-  const double mean = (1.0 - x) * (1.0 - x) * mixture.aa.excluded_volume +
-                      2.0 * x * (1.0 - x) * mixture.ab.excluded_volume + x * x * mixture.bb.excluded_volume;
-  return 0.5 * n * mean;
-}
-
 NematicMixtureRun run_mixture(const NematicOptions& options, const std::string& command) {
   const auto start = std::chrono::steady_clock::now();
   auto [a, b] = load_two_bodies(options.body, options.other, options.body_options);
   NematicMixtureRun run{command, options, std::move(a), std::move(b)};
   if (options.dump_vertices) require_vertices_to_list(run.a, run.b);
-  run.mixture.aa = pair_of(run.a, run.a);
-  run.mixture.ab = pair_of(run.a, run.b);
-  run.mixture.bb = pair_of(run.b, run.b);
-  run.mixture.volumes = {run.a.shape.measures.volume, run.b.shape.measures.volume};
-  run.mixture.theory = options.theory;
   std::vector<double> shares;
   for (const std::string& share : options.compositions) shares.push_back(parse_number(share, "--composition"));
-  run.result = coexistence_of_mixture(run.mixture, shares);
+  run.found = mixture_transition(run.a.shape, run.b.shape, shares, options.theory);
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return run;
 }
@@ -69,16 +44,16 @@ std::string report_text(const NematicMixtureRun& run) {
           "; c = n <V_ex>/2\n";
   std::vector<std::vector<std::string>> lines = {
       {"share of B: isotropic", "nematic", "c isotropic", "c nematic", "S of A", "S of B", "P / kT"}};
-  for (const MixtureCoexistence& one : run.result.found) {
+  for (const MixtureCoexistence& one : run.found.result.found) {
     lines.push_back({short_number(one.composition, 6), short_number(one.nematic.composition(), 6),
-                     short_number(run.reduced_density(one.isotropic), 6),
-                     short_number(run.reduced_density(one.nematic), 6),
+                     short_number(run.found.reduced_density(one.isotropic), 6),
+                     short_number(run.found.reduced_density(one.nematic), 6),
                      short_number(one.nematic.order_parameters[0], 5), short_number(one.nematic.order_parameters[1], 5),
                      short_number(one.nematic.pressure, 7)});
   }
   if (lines.size() > 1) text += table_text(lines);
-  if (!run.result.reason.empty()) text += "   NOT TO THE END: " + run.result.reason + "\n";
-  for (const ThreeFluids& three : run.result.three) {
+  if (!run.found.result.reason.empty()) text += "   NOT TO THE END: " + run.found.result.reason + "\n";
+  for (const ThreeFluids& three : run.found.result.three) {
     text += "   three fluids in equilibrium at P / kT " + short_number(three.isotropic.pressure, 7) +
             ": an isotropic one with a share of B of " + short_number(three.isotropic.composition(), 6) +
             ", and nematic ones with " + short_number(three.nematic[0].composition(), 6) + " and " +
@@ -89,13 +64,14 @@ std::string report_text(const NematicMixtureRun& run) {
 }
 
 std::string report_json(const NematicMixtureRun& run) {
-  Json json = document_head(run.command, run.options, run.result.reason.empty(), run.seconds);
+  Json json = document_head(run.command, run.options, run.found.result.reason.empty(), run.seconds);
   json["bodies"] = {body_json(run.a, run.options.dump_vertices), body_json(run.b, run.options.dump_vertices)};
   json["theory"] = name_of(run.options.theory);
-  json["excluded_volumes"] = {run.mixture.aa.excluded_volume, run.mixture.ab.excluded_volume,
-                              run.mixture.bb.excluded_volume};  // A with A, A with B, B with B
+  const NematicMixture& mixture = run.found.mixture;
+  json["excluded_volumes"] = {mixture.aa.excluded_volume, mixture.ab.excluded_volume,
+                              mixture.bb.excluded_volume};  // A with A, A with B, B with B
   json["mixture"] = Json::array();
-  for (const MixtureCoexistence& one : run.result.found) {
+  for (const MixtureCoexistence& one : run.found.result.found) {
     json["mixture"].push_back({{"composition", one.composition},
                                {"isotropic", phase_json(run, one.isotropic, false)},
                                {"nematic", phase_json(run, one.nematic, true)},
@@ -104,13 +80,13 @@ std::string report_json(const NematicMixtureRun& run) {
                                {"residual", one.residual}});
   }
   json["three_fluids"] = Json::array();
-  for (const ThreeFluids& three : run.result.three) {
+  for (const ThreeFluids& three : run.found.result.three) {
     json["three_fluids"].push_back(
         {{"isotropic", phase_json(run, three.isotropic, false)},
          {"nematic", {phase_json(run, three.nematic[0], true), phase_json(run, three.nematic[1], true)}},
          {"pressure", three.isotropic.pressure}});
   }
-  json["reason"] = run.result.reason.empty() ? Json(nullptr) : Json(run.result.reason);
+  json["reason"] = run.found.result.reason.empty() ? Json(nullptr) : Json(run.found.result.reason);
   return document_text(json);
 }
 

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "apps/common/bodies.h"
 #include "apps/vex_nematic/options.h"
-#include "shapes/nematic/mixture.h"
+#include "shapes/estimators/nematic_transition.h"
 
 namespace vex {
 
@@ -14,14 +13,8 @@ struct NematicMixtureRun {
   std::string command;
   NematicOptions options;
   LoadedBody a, b;
-  NematicMixture mixture{};
-  MixtureResult result{};
+  MixtureTransition found{};
   double seconds = 0.0;
-
-  /// Share of the volume that both kinds take; NaN where a body is flat.
-  double volume_fraction(const MixturePhase& phase) const;
-  /// n <V_ex> / 2, <V_ex> the mean over all pairs of the fluid.
-  double reduced_density(const MixturePhase& phase) const;
 };
 
 /// Throws InputError where a V_ex(gamma) is 0 or would take too long.

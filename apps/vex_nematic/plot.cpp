@@ -38,19 +38,19 @@ void draw_density(Svg& svg, const NematicPhase& nematic) {
 
 void draw_isotherm(Svg& svg, const NematicRun& run) {
   constexpr double kLeft = 560.0, kRight = 950.0;
-  const Coexistence& found = *run.result.found;
+  const Coexistence& found = *run.found.result.found;
   const double c_i = found.isotropic.reduced_density, c_n = found.nematic.reduced_density;
   double last = std::max(c_n + 1.5 * (c_n - c_i), 1.15 * c_n);
-  if (run.fluid.theory == NematicTheory::parsons_lee) {
-    last = std::min(last, 0.5 * (c_n + 1.0 / run.fluid.volume_by_b2));  // eta stays below 1
+  if (run.found.fluid.theory == NematicTheory::parsons_lee) {
+    last = std::min(last, 0.5 * (c_n + 1.0 / run.found.fluid.volume_by_b2));  // eta stays below 1
   }
   const auto pixel_of = [](const PlotAxis& x, const PlotAxis& y, const NematicPhase& phase) -> Pixel {
     return {x.pixel(phase.reduced_density), y.pixel(phase.pressure)};
   };
   const double first = std::max(0.0, c_i - 2.5 * (c_n - c_i));
   const PlotAxis x{first, last, kLeft, kRight};
-  const double lowest = isotropic_phase(run.fluid, first).pressure;
-  double highest = isotropic_phase(run.fluid, c_n).pressure;
+  const double lowest = isotropic_phase(run.found.fluid, first).pressure;
+  double highest = isotropic_phase(run.found.fluid, c_n).pressure;
   for (const NematicPhase& phase : found.branch) {
     if (phase.reduced_density <= last) highest = std::max(highest, phase.pressure);
   }
@@ -59,8 +59,8 @@ void draw_isotherm(Svg& svg, const NematicRun& run) {
   std::vector<Pixel> stable, beyond, nematic = {pixel_of(x, y, found.nematic)};
   constexpr int kPoints = 80;
   for (int k = 0; k <= kPoints; ++k) {
-    stable.push_back(pixel_of(x, y, isotropic_phase(run.fluid, first + (c_i - first) * k / kPoints)));
-    beyond.push_back(pixel_of(x, y, isotropic_phase(run.fluid, c_i + (c_n - c_i) * k / kPoints)));
+    stable.push_back(pixel_of(x, y, isotropic_phase(run.found.fluid, first + (c_i - first) * k / kPoints)));
+    beyond.push_back(pixel_of(x, y, isotropic_phase(run.found.fluid, c_i + (c_n - c_i) * k / kPoints)));
   }
   for (const NematicPhase& phase : found.branch) {
     if (phase.reduced_density > c_n && phase.reduced_density <= last) nematic.push_back(pixel_of(x, y, phase));
@@ -83,11 +83,11 @@ std::string picture_of(const NematicRun& run) {
   Svg svg(kWidth, kHeight, "Isotropic and nematic fluid");
   svg.label({24.0, 30.0}, "Isotropic and nematic fluid of " + in_xml(run.body.source),
             anchored("start", "font-size=\"20\" font-weight=\"bold\" fill=\"#111\""));
-  if (!run.result.found) {
-    svg.label({24.0, 60.0}, in_xml("none: " + run.result.reason), anchored("start", text_style(15, kPlotGrey)));
+  if (!run.found.result.found) {
+    svg.label({24.0, 60.0}, in_xml("none: " + run.found.result.reason), anchored("start", text_style(15, kPlotGrey)));
     return svg.text();
   }
-  const Coexistence& found = *run.result.found;
+  const Coexistence& found = *run.found.result.found;
   svg.label({24.0, 60.0},
             "c = " + short_number(found.isotropic.reduced_density, 5) + " and " +
                 short_number(found.nematic.reduced_density, 5) +

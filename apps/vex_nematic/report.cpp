@@ -13,9 +13,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json phase_json(const NematicRun& run, const NematicPhase& phase) {
-  const double n = phase.reduced_density / run.b();
-  Json json = {{"number_density", number_or_null(n)}};
-  json["volume_fraction"] = run.volume() > 0.0 ? number_or_null(n * run.volume()) : Json(nullptr);
+  Json json = {{"number_density", number_or_null(run.found.number_density(phase))}};
+  json["volume_fraction"] = number_or_null(run.found.volume_fraction(phase));
   json["reduced_density"] = phase.reduced_density;
   return json;
 }
@@ -38,52 +37,56 @@ std::string theory_text(const NematicRun& run) {
 
 std::string report_text(const NematicRun& run) {
   std::string text = body_text(run.body, "BODY", run.options.dump_vertices);
-  text += line("<V_ex>, random orientations", {short_number(run.excluded_volume, 12)});
-  const std::vector<double>& of_angle = run.fluid.series;
+  const NematicTransition& found = run.found;
+  text += line("<V_ex>, random orientations", {short_number(found.excluded_volume, 12)});
+  const EvenSeries& of_angle = found.fluid.series;
   text += line("V_ex(gamma) / <V_ex>", {"1 " + std::string(of_angle[1] < 0.0 ? "- " : "+ ") +
                                         short_number(std::fabs(of_angle[1]), 8) + " P2(cos gamma) ..."});
   text += "\nIsotropic and nematic fluid, by " + theory_text(run) + "\n";
-  if (!run.result.found) {
-    text += "   none: " + run.result.reason + "\n";
+  if (!found.result.found) {
+    text += "   none: " + found.result.reason + "\n";
   } else {
-    const NematicPhase &isotropic = run.result.found->isotropic, &nematic = run.result.found->nematic;
-    const auto both = [&](const std::string& name, double factor, int digits) {
-      text += line(name, {short_number(isotropic.reduced_density * factor, digits),
-                          short_number(nematic.reduced_density * factor, digits)});
+    const NematicPhase &isotropic = found.result.found->isotropic, &nematic = found.result.found->nematic;
+    const auto both = [&](const std::string& name, double of_isotropic, double of_nematic) {
+      text += line(name, {short_number(of_isotropic, 8), short_number(of_nematic, 8)});
     };
     text += line("", {"isotropic", "nematic"});
-    both("number density n", 1.0 / run.b(), 8);
-    if (run.volume() > 0.0) both("volume fraction n V", run.fluid.volume_by_b2, 8);
-    both("reduced density c = n <V_ex>/2", 1.0, 8);
+    both("number density n", found.number_density(isotropic), found.number_density(nematic));
+    if (found.volume > 0.0) {
+      both("volume fraction n V", found.volume_fraction(isotropic), found.volume_fraction(nematic));
+    }
+    both("reduced density c = n <V_ex>/2", isotropic.reduced_density, nematic.reduced_density);
     text += line("order parameter S = <P2>", {"0", short_number(nematic.order_parameter, 8)});
-    text += line("pressure P / kT", {short_number(nematic.pressure / run.b(), 8)});
+    text += line("pressure P / kT", {short_number(found.pressure(nematic), 8)});
     text += line("pressure P <V_ex> / 2 kT", {short_number(nematic.pressure, 8)});
     text +=
         line("chemical potential / kT", {short_number(nematic.chemical_potential, 8) + "   (of an ideal gas: ln c)"});
-    text += "   half of the grid changes them by " + short_number(run.result.found->grid_error, 2) + " of their size\n";
+    text +=
+        "   half of the grid changes them by " + short_number(found.result.found->grid_error, 2) + " of their size\n";
   }
-  for (const std::string& note : run.notes) text += "   note: " + note + "\n";
+  for (const std::string& note : found.notes) text += "   note: " + note + "\n";
   return text;
 }
 
 std::string report_json(const NematicRun& run) {
   Json json = document_head(run.command, run.options, true, run.seconds);
+  const NematicTransition& transition = run.found;
   json["bodies"] = {body_json(run.body, run.options.dump_vertices)};
   json["theory"] = name_of(run.options.theory);
   json["trial_function"] = run.options.trial_function ? Json("onsager") : Json(nullptr);
-  json["excluded_volume"] = number_or_null(run.excluded_volume);
+  json["excluded_volume"] = number_or_null(transition.excluded_volume);
   json["isotropic"] = nullptr;
   json["nematic"] = nullptr;
   json["pressure"] = nullptr;
   json["reduced_pressure"] = nullptr;
   json["chemical_potential"] = nullptr;
   json["grid_error"] = nullptr;
-  if (run.result.found) {
-    const Coexistence& found = *run.result.found;
+  if (transition.result.found) {
+    const Coexistence& found = *transition.result.found;
     json["isotropic"] = phase_json(run, found.isotropic);
     json["nematic"] = phase_json(run, found.nematic);
     json["nematic"]["order_parameter"] = found.nematic.order_parameter;
-    json["pressure"] = number_or_null(found.nematic.pressure / run.b());
+    json["pressure"] = number_or_null(transition.pressure(found.nematic));
     json["reduced_pressure"] = found.nematic.pressure;
     json["chemical_potential"] = found.nematic.chemical_potential;
     json["grid_error"] = found.grid_error;
@@ -93,13 +96,12 @@ std::string report_json(const NematicRun& run) {
     }
     json["density"] = std::move(density);  // [cos theta, 4 pi f]
   } else {
-    json["no_transition_reason"] = run.result.reason;
+    json["no_transition_reason"] = transition.result.reason;
   }
   json["excluded_volume_series"] = Json::array();  // of P_0, P_2, P_4 ... over <V_ex>
-  for (std::size_t k = 0; k < run.fluid.series.size() && k <= 16; ++k) {
-    json["excluded_volume_series"].push_back(run.fluid.series[k]);
-  }
-  json["notes"] = run.notes;
+  const EvenSeries& series = transition.fluid.series;
+  for (std::size_t k = 0; k < series.size() && k <= 16; ++k) json["excluded_volume_series"].push_back(series[k]);
+  json["notes"] = transition.notes;
   return document_text(json);
 }
 

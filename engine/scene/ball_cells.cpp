@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "engine/numeric/interruption.h"
 #include "engine/scene/sorted_bodies.h"
 
 namespace vex {
@@ -236,6 +237,7 @@ void BallCellsOfScene::build(const SceneBodies& bodies, double farthest, double 
   shifts_.assign(box, n_images);
   for (BallCells& grid : grids_) grid.begin(shifts_);
   for (BodyId body = 0; body < bodies.end(); ++body) {
+    if (body % 1024 == 0) end_if_interrupted();
     if (bodies.has(body)) add(bodies, body);
   }
 }

@@ -47,6 +47,7 @@ void BodyTree::build(const SceneBodies& bodies, double reach, double margin, boo
       ids_.push_back(body);
     }
   }
+  is_there_ = false;  // nor is it where an interruption ends what follows
   boxes_.resize(ids_.size());
   const double largest_shift = 3.0 * shifts_.largest_shift();
   share_range(n_threads, ids_.size(), kBodiesAShare, [&](std::size_t first, std::size_t last) {
@@ -54,9 +55,8 @@ void BodyTree::build(const SceneBodies& bodies, double reach, double margin, boo
   });
   if (same_bodies) {
     tree_.refit(boxes_, n_threads);
-    if (!tree_.is_worn()) return;
   }
-  tree_.build(boxes_, n_threads);
+  if (!same_bodies || tree_.is_worn()) tree_.build(boxes_, n_threads);
   is_there_ = true;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "engine/numeric/interruption.h"
 #include "engine/scene/threads.h"
 
 namespace vex {
@@ -136,8 +137,12 @@ class Ordering {
   }
 
   void sort(Range range) const {
+    constexpr std::size_t kLong = 1 << 14;
     Range right{};
-    while (split(range, right)) sort(right);
+    while (split(range, right)) {
+      if (right.last - right.first > kLong) end_if_interrupted();
+      sort(right);
+    }
   }
 
  private:

@@ -19,9 +19,9 @@ void BroadPhases::moved(const SceneBodies& bodies, BodyId body) {
 
 void BroadPhases::build_tree(const SceneBodies& bodies, double reach, double margin, int n_threads) {
   if (is_tree_true_ && tree_.margin() == margin) return;
+  is_tree_true_ = is_tree_sorted_ = false;  // also where an interruption ends it
   tree_.build(bodies, reach, margin, has_tree_same_bodies_, n_threads);
   is_tree_true_ = has_tree_same_bodies_ = true;
-  is_tree_sorted_ = false;
 }
 
 void BroadPhases::prepare(const SceneBodies& bodies, const SceneSettings& settings, double reach, double margin) {
@@ -34,6 +34,7 @@ void BroadPhases::prepare(const SceneBodies& bodies, const SceneSettings& settin
   }
   if (is_grid()) {
     if (is_grid_true_ && grid_margin_ == margin) return;
+    is_grid_true_ = false;  // also where an interruption ends it
     grid_.build(bodies, reach, settings.n_threads);
     if (margin > 0.0) grid_.bodies().widen(margin);
     grid_margin_ = margin;

@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "engine/numeric/interruption.h"
 #include "engine/scene/threads.h"
 
 namespace vex {
@@ -35,6 +36,7 @@ void CellGrid::sort(const SceneBodies& bodies, int n_threads) {
     const CellLayout layout = layout_;
     const Part part = part_of(n, thread, n_threads);
     for (std::size_t k = part.first; k < part.end; ++k) {
+      if (k % kBodiesAPart == 0) end_if_interrupted();
       const BodyId body = static_cast<BodyId>(k);
       const bool is_there = bodies.has(body);
       const std::uint32_t cell = is_there ? layout.number(layout.coordinates(bodies.centre(body))) : kNone;
@@ -58,6 +60,7 @@ void CellGrid::sort(const SceneBodies& bodies, int n_threads) {
     std::uint32_t* const next = counts_.data() + n_buckets * static_cast<std::size_t>(thread);
     const Part part = part_of(n, thread, n_threads);
     for (std::size_t k = part.first; k < part.end; ++k) {
+      if (k % kBodiesAPart == 0) end_if_interrupted();
       const std::uint32_t cell = cell_of_[k];
       if (cell != kNone) in_buckets_[next[cell / kCellsABucket]++] = {cell, static_cast<BodyId>(k)};
     }

@@ -64,8 +64,9 @@ class Scene {
   const ConvexBody& shape(ShapeId shape) const;
 
   /// The body takes the lowest number that no body has. Throws InputError where the pose is none for a scene, or the
-  /// body reaches over more than kMostImages copies of the box.
-  BodyId add(ShapeId shape, const Pose& world_from_body);
+  /// body reaches over more than kMostImages copies of the box. `moved`: by which image it was moved into the box
+  /// before, as a body of a scene that was stored: `image` tells of both.
+  BodyId add(ShapeId shape, const Pose& world_from_body, const ImageOffset& moved = {});
   BodyId add(const ConvexBody& body, const Pose& world_from_body);
   void remove(BodyId body);
   /// Removes all bodies; shapes stay, and memory is kept for the next ones.

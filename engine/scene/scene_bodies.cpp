@@ -166,10 +166,18 @@ Transformd SceneBodies::checked(ShapeId shape, const Pose& pose, ImageOffset* im
   return box_->surely_holds(centre, kInside) ? given : wrapped(given, bounds_[shape].centre, image);
 }
 
-BodyId SceneBodies::add(ShapeId shape, const Pose& pose) {
+BodyId SceneBodies::add(ShapeId shape, const Pose& pose, const ImageOffset& moved) {
   if (shape >= shapes_.size()) throw UsageError("a scene has no shape " + std::to_string(shape) + " - add it first");
+  constexpr int kMostMoved = 1 << 30;  // with what it is moved by now no overflow
+  for (const int by : moved) {
+    if (by < -kMostMoved || by > kMostMoved || (!box_ && by != 0)) {
+      throw UsageError("a body was moved by no such image (" + std::to_string(by) +
+                       ") - give one from -2^30 to 2^30, and 0 in open space");
+    }
+  }
   ImageOffset image;
   const Transformd kept = checked(shape, pose, &image);
+  image = image_sum(image, moved);
   BodyId body = end();
   if (free_.empty()) {
     if (body == kNoBody - 1) throw UsageError("a scene holds fewer than 2^32 - 1 bodies - make several");

@@ -53,7 +53,7 @@ class SceneBodies {
   /// What scenes take, of bodies and of visitors. Throw InputError.
   static void check_size(const ConvexBody& body);
   static void check_rotation(const Transformd& pose);
-  BodyId add(ShapeId shape, const Pose& pose);
+  BodyId add(ShapeId shape, const Pose& pose, const ImageOffset& moved = {});
   void remove(BodyId body);
   /// All of them. The shapes stay, and memory is kept.
   void clear();

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "engine/numeric/errors.h"
+#include "engine/numeric/interruption.h"
 #include "engine/numeric/number_text.h"
 #include "engine/query/overlap.h"
 #include "engine/scene/scene_impl.h"
@@ -33,6 +34,7 @@ template <class Visit>
 void each_image(const std::array<int, 3>& n, const Visit& visit) {
   for (int z = -n[2]; z <= n[2]; ++z) {
     for (int y = -n[1]; y <= n[1]; ++y) {
+      end_if_interrupted();
       for (int x = -n[0]; x <= n[0]; ++x) visit(ImageOffset{x, y, z});
     }
   }

@@ -38,8 +38,8 @@ void Scene::Impl::set(const SceneSettings& settings) {
 
 ShapeId Scene::Impl::add_shape(const ConvexBody& body) { return bodies_.add_shape(body); }
 
-BodyId Scene::Impl::add(ShapeId shape, const Pose& pose) {
-  const BodyId body = bodies_.add(shape, pose);
+BodyId Scene::Impl::add(ShapeId shape, const Pose& pose, const ImageOffset& moved) {
+  const BodyId body = bodies_.add(shape, pose, moved);
   phases_.bodies_changed();
   memory_.forget();
   if (are_cells_true_) {
@@ -128,6 +128,7 @@ BallCellsOfScene& Scene::Impl::ball_cells(double farthest) {
   const double radius = as_expected ? bodies_.largest_radius_of_shapes() : bodies_.largest_radius();
   const bool is_small = bodies_.size() > 2 * n_in_cells_ + 64;
   if (!are_cells_true_ || !cells_.takes(radius) || is_small || !cells_.goes_as_far_as(farthest)) {
+    are_cells_true_ = false;  // also where an interruption ends it
     are_cells_as_expected_ = as_expected;
     n_in_cells_ = as_expected ? n_expected_ : bodies_.size();
     const double offset = as_expected ? bodies_.largest_offset_of_shapes() : bodies_.largest_offset();

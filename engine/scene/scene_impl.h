@@ -21,7 +21,7 @@ class Scene::Impl {
   const SceneBodies& bodies() const { return bodies_; }
 
   ShapeId add_shape(const ConvexBody& body);
-  BodyId add(ShapeId shape, const Pose& pose);
+  BodyId add(ShapeId shape, const Pose& pose, const ImageOffset& moved);
   void remove(BodyId body);
   void clear();
   void expect(std::size_t n_bodies);

@@ -7,7 +7,7 @@
 namespace vex {
 namespace {
 
-constexpr std::size_t kRoom = 16;
+constexpr std::size_t kRoom = 16, kBodiesAShare = 4096;
 
 }  // namespace
 
@@ -19,10 +19,9 @@ void SortedBodies::fill(const SceneBodies& bodies, std::span<const BodyId> order
   for (LargeVector<double>* column : {&x, &y, &z, &radius}) column->resize(n + kRoom);
   const double* const from = bodies.poses().data();
   const bool is_one_shape = bodies.shapes().size() == 1;
-  on_threads(n_threads, [&](int thread) {
-    const Part part = part_of(n, thread, n_threads);
-    for (std::size_t k = part.first; k < part.end; ++k) {
-      if (k + kAhead < part.end) {
+  share_range(n_threads, n, kBodiesAShare, [&](std::size_t first, std::size_t end) {
+    for (std::size_t k = first; k < end; ++k) {
+      if (k + kAhead < end) {
         const double* const next = from + kNumbersABody * order[k + kAhead];
         __builtin_prefetch(next);
         __builtin_prefetch(next + kNumbersABody - 1);

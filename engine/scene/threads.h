@@ -75,22 +75,27 @@ void on_threads(int n, Work&& work) {
   }
 }
 
-/// work(part) for every part in [0, n_parts), by at most `n_threads`; which of them takes a part is open.
+/// work(part) for every part in [0, n_parts), by at most `n_threads`; which of them takes a part is open. Each asks
+/// before a part whether the work is to end, so that whoever shares work must be fit to do it anew.
 template <class Work>
 void share_parts(int n_threads, std::size_t n_parts, const Work& work) {
   std::atomic<std::size_t> next{0};
   const std::size_t n = std::min(static_cast<std::size_t>(std::max(n_threads, 1)), n_parts);
   on_threads(static_cast<int>(n), [&](int) {
-    for (std::size_t part = next++; part < n_parts; part = next++) work(part);
+    for (std::size_t part = next++; part < n_parts; part = next++) {
+      end_if_interrupted();
+      work(part);
+    }
   });
 }
 
-/// work(first, last) for ranges that make up [0, n): about four a thread, none of fewer than `least` but the last, each
-/// of a multiple of `least`.
+/// work(first, last) for ranges that make up [0, n): about four a thread, or more where an interruption would wait long
+/// for one; none of fewer than `least` but the last, each of a multiple of `least`.
 template <class Work>
 void share_range(int n_threads, std::size_t n, std::size_t least, const Work& work) {
   const std::size_t n_parts = n_threads > 1 ? 4 * static_cast<std::size_t>(n_threads) : 1;
-  const std::size_t part = std::max<std::size_t>((n / n_parts + least) / least, 1) * least;
+  constexpr std::size_t kMost = std::size_t{1} << 16;
+  const std::size_t part = std::max<std::size_t>((std::min(n / n_parts, kMost) + least) / least, 1) * least;
   share_parts(n_threads, (n + part - 1) / part, [&](std::size_t k) { work(k * part, std::min(n, (k + 1) * part)); });
 }
 

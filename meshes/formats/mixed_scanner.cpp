@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/numeric/errors.h"
+#include "engine/numeric/interruption.h"
 #include "meshes/formats/text_scanner.h"
 
 namespace vex {
@@ -41,7 +42,12 @@ void MixedScanner::set_encoding(Encoding encoding) {
   swapped_ = (encoding == Encoding::big_endian) != (std::endian::native == std::endian::big);
 }
 
+void MixedScanner::end_now_and_then_if_interrupted() {
+  if (++n_numbers_ % 1024 == 0) end_if_interrupted();
+}
+
 std::int64_t MixedScanner::whole_word(const Expected& expected, std::int64_t least, std::int64_t most) {
+  end_now_and_then_if_interrupted();
   std::string_view word = next_word();
   const std::string_view shown = word;
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
@@ -90,6 +96,7 @@ double MixedScanner::coordinate(ScalarType type, const Expected& expected) {
     written_.note(bytes_.substr(begin_of_last_, at_ - begin_of_last_), static_cast<double>(value));
     return static_cast<double>(value);
   }
+  end_now_and_then_if_interrupted();
   if (is_text_) {
     const std::string_view word = next_word();
     const std::optional<double> value = written_.parse(word);
@@ -108,6 +115,7 @@ double MixedScanner::coordinate(ScalarType type, const Expected& expected) {
 std::int64_t MixedScanner::whole_number(ScalarType type, const Expected& expected, std::int64_t least,
                                         std::int64_t most) {
   if (is_text_) return whole_word(expected, least, most);
+  end_now_and_then_if_interrupted();
   const std::int64_t value = load_whole(take(1, size_of(type), expected).data(), type, swapped_);
   if (value >= least && value <= most) return value;
   refuse(std::to_string(value) + " is out of range",
@@ -121,6 +129,7 @@ void MixedScanner::skip(ScalarType type, std::uint64_t n, const Expected& expect
     return;
   }
   for (std::uint64_t i = 0; i < n; ++i) {
+    end_now_and_then_if_interrupted();
     if (next_word().empty()) refuse("the file ends early", expected.text());
   }
 }

@@ -75,6 +75,8 @@ class MixedScanner {
                            const std::string& advice = "mend the file") const;
 
  private:
+  /// Called for each number.
+  void end_now_and_then_if_interrupted();
   static constexpr bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
   std::string_view bytes_;
@@ -86,6 +88,7 @@ class MixedScanner {
   WrittenDigits written_;
   double largest_ = 0.0;  // of all binary magnitudes
   bool any_float_ = false;
+  unsigned n_numbers_ = 0;
 };
 
 }  // namespace vex

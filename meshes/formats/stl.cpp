@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "engine/numeric/errors.h"
+#include "engine/numeric/interruption.h"
 #include "meshes/formats/mixed_scanner.h"
 #include "meshes/formats/soup_faces.h"
 #include "meshes/formats/strict_readers.h"
@@ -81,6 +82,7 @@ PolygonSoup read_binary(std::string_view bytes, const std::string& name) {
   soup.face_sizes.assign(n, 3);
   double largest = 0.0;
   for (std::size_t i = 0; i < 3 * n; ++i) {
+    if (i % 4096 == 0) end_if_interrupted();
     const char* const at = bytes.data() + kBegin + i / 3 * kBytesOfTriangle + 12 * (1 + i % 3);
     const auto number = [&](std::size_t axis) { return load_number(at + 4 * axis, ScalarType::float32, kSwapped); };
     const Vec3d point{number(0), number(1), number(2)};

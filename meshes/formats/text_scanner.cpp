@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/numeric/errors.h"
+#include "engine/numeric/interruption.h"
 
 namespace vex {
 
@@ -48,7 +49,7 @@ bool TextScanner::next_line() {
   const std::size_t end = std::min(next_feed_, next_return_);
   put_line(text_.substr(next_, end - next_));
   next_ = std::min(text_.size(), end + (next_return_ + 1 == next_feed_ ? 2 : 1));
-  ++line_number_;
+  if (++line_number_ % 256 == 0) end_if_interrupted();
   if (line_number_ == 1 && (line_.starts_with("\xFF\xFE") || line_.starts_with("\xFE\xFF"))) {
     refuse("the text is in UTF-16", "ASCII or UTF-8", "save it in UTF-8");
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/numeric/interruption.h"
+
 namespace vex {
 namespace {
 
@@ -46,6 +48,7 @@ bool XmlTags::skip_past(std::string_view end) {
 
 std::optional<XmlTag> XmlTags::next() {
   while (skip_past("<")) {
+    if (++n_tags_ % 256 == 0) end_if_interrupted();
     const std::string_view rest = text_.substr(at_);
     if (rest.starts_with("!--")) {
       at_ += 3;

@@ -33,6 +33,7 @@ class XmlTags {
 
   std::string_view text_;
   std::size_t at_ = 0;
+  unsigned n_tags_ = 0;
 };
 
 }  // namespace vex

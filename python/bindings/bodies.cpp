@@ -90,6 +90,17 @@ double scale_factor(double scale, bool unit_volume, const Measures& measures) {
   return scale / std::cbrt(measures.volume);
 }
 
+/// What make() gives, as Python holds it.
+template <class Make>
+PyBody body_of_mesh(const char* what, const Make& make) {
+  return interruptibly([&]() -> PyBody {
+    ConvexMesh mesh = make();
+    require_size_in_range(mesh.body, mesh.measures, what);
+    MeshReport report = std::move(mesh.report);
+    return {std::move(mesh), std::move(report)};
+  });
+}
+
 PyBody mesh_body(const PolygonSoup& soup, bool hull, std::optional<double> convex_tolerance, std::optional<double> weld,
                  const std::string& unit, double scale, bool unit_volume) {
   MeshOptions options;
@@ -101,12 +112,12 @@ PyBody mesh_body(const PolygonSoup& soup, bool hull, std::optional<double> conve
   if (scale != 1.0 || unit_volume) {
     options.scale = [&](const Measures& measures) { return scale_factor(scale, unit_volume, measures); };
   }
-  return interruptibly([&]() -> PyBody {
-    ConvexMesh mesh = convex_mesh_from(soup, options);
-    require_size_in_range(mesh.body, mesh.measures, "the mesh");
-    MeshReport report = std::move(mesh.report);
-    return {std::move(mesh), std::move(report)};
-  });
+  return body_of_mesh("the mesh", [&] { return convex_mesh_from(soup, options); });
+}
+
+PyBody hull_body(const Floats& array) {
+  const std::vector<Vec3d> points = points_of(array);
+  return body_of_mesh("the hull", [&] { return hull_of(points); });
 }
 
 PyBody scaled_body(const PyBody& body, const std::array<double, 3>& factors) {
@@ -286,18 +297,7 @@ void bind_bodies(py::module_& module) {
   });
   module.def("mesh_body", &mesh_body, py::arg("surface"), py::arg("hull"), py::arg("convex_tolerance"), py::arg("weld"),
              py::arg("unit"), py::arg("scale"), py::arg("unit_volume"));
-  module.def(
-      "hull_body",
-      [](const Floats& array) -> PyBody {
-        const std::vector<Vec3d> points = points_of(array);
-        return interruptibly([&]() -> PyBody {
-          ConvexMesh mesh = hull_of(points);
-          require_size_in_range(mesh.body, mesh.measures, "the hull");
-          MeshReport report = std::move(mesh.report);
-          return {std::move(mesh), std::move(report)};
-        });
-      },
-      py::arg("points"));
+  module.def("hull_body", &hull_body, py::arg("points"));
   module.def(
       "rounded_body",
       [](const PyBody& body, double radius, const std::string& source) {

@@ -16,9 +16,12 @@ struct PyBody {
 };
 
 void bind_bodies(py::module_& module);
+void bind_depletion(py::module_& module);
 void bind_excluded_volume(py::module_& module);
+void bind_nematic(py::module_& module);
 void bind_queries(py::module_& module);
 void bind_scenes(py::module_& module);
+void bind_separations(py::module_& module);
 void bind_poses(py::module_& module);
 void bind_percolation(py::module_& module);
 void bind_virial(py::module_& module);

@@ -63,9 +63,12 @@ PYBIND11_MODULE(_vex, module) {
   vex::python::bind_bodies(module);
   vex::python::bind_excluded_volume(module);
   vex::python::bind_queries(module);
+  vex::python::bind_separations(module);
   vex::python::bind_scenes(module);
   vex::python::bind_percolation(module);
   vex::python::bind_virial(module);
+  vex::python::bind_nematic(module);
+  vex::python::bind_depletion(module);
   vex::python::bind_worlds(module);
   vex::python::bind_poses(module);
 }

@@ -1,4 +1,4 @@
-// Queries over arrays of poses.
+// Overlaps and first contacts over arrays of poses.
 #include <pybind11/stl.h>
 
 #include <array>
@@ -6,62 +6,24 @@
 #include <memory>
 
 #include "engine/query/contact_certificate.h"
-#include "engine/query/contact_manifold.h"
 #include "engine/query/first_contact.h"
-#include "engine/query/manifold_certificate.h"
 #include "engine/query/margin.h"
 #include "engine/query/overlap.h"
 #include "engine/query/overlap_backend.h"
 #include "engine/query/packets/packet_overlap.h"
-#include "engine/query/separation.h"
-#include "engine/query/separation_certificate.h"
 #include "python/bindings/body.h"
+#include "python/bindings/proofs.h"
 
 namespace vex::python {
 namespace {
 
 using Verdicts = py::array_t<std::int8_t>;
 
-struct SeparationRow {
-  double value, lower, upper;
-  double normal[3], point_a[3], point_b[3];
-  std::int8_t verdict;
-  bool is_rough;
-};
 struct ContactRow {
   double time, lower, upper;
   double normal[3], point_a[3], point_b[3];
   std::int8_t verdict;
 };
-struct ManifoldRow {
-  double point_a[3], point_b[3], distance;
-  std::uint64_t feature_a, feature_b;
-};
-
-/// Whether each answer was proven again by the checker, and what is missing where it was not; where that was asked for.
-class Proofs {
- public:
-  Proofs(bool wanted, std::size_t n) : is_wanted_(wanted), checks_(wanted ? n : 0) {}
-
-  bool is_wanted() const { return is_wanted_; }
-  void set(std::size_t k, CertificateCheck check) { checks_[k] = std::move(check); }
-  /// None; or an array of truth values, and the faults.
-  py::object arrays() const {
-    if (!is_wanted_) return py::none();
-    py::array_t<bool> is_proven(static_cast<py::ssize_t>(checks_.size()));
-    py::list faults;
-    for (std::size_t k = 0; k < checks_.size(); ++k) {
-      is_proven.mutable_data()[k] = checks_[k].is_proven;
-      faults.append(checks_[k].fault);
-    }
-    return py::make_tuple(is_proven, faults);
-  }
-
- private:
-  bool is_wanted_;
-  std::vector<CertificateCheck> checks_;
-};
-
 /// Blocks of the backend's own size, so that packets are full.
 constexpr std::size_t kPosesABlock = PacketOverlap::kMostTrials;
 
@@ -115,61 +77,6 @@ Verdicts within_of_poses(const PyBody& a, const PyBody& b, const Floats& rows,
   over_each_pose(poses, threads,
                  [&](std::size_t k, const Pose& pose) { to[k] = number_of(within_margin(pairs, pose).outcome); });
   return verdicts;
-}
-
-enum class Wanted : std::uint8_t { signed_distance, distance, depth };
-
-SeparationRow row_of(const Separation& found, Wanted wanted) {
-  SeparationRow row{};
-  row.verdict = number_of(found.verdict.outcome);
-  row.is_rough = found.is_rough;
-  row.value = found.signed_distance;
-  row.lower = found.lower;
-  row.upper = found.upper;
-  if (wanted == Wanted::depth) {
-    row.value = 0.0 - row.value;
-    row.lower = -found.upper;
-    row.upper = -found.lower;
-  }
-  if (wanted != Wanted::signed_distance) {  // a distance, and a depth, is never below 0
-    row.value = std::max(row.value, 0.0);
-    row.lower = std::max(row.lower, 0.0);
-    row.upper = std::max(row.upper, 0.0);
-  }
-  if (found.has_witnesses) {
-    put(row.normal, found.normal);
-    put(row.point_a, found.point_a);
-    put(row.point_b, found.point_b);
-  } else {
-    for (double* const to : {row.normal, row.point_a, row.point_b}) put_nan(to);
-  }
-  return row;
-}
-
-template <Wanted wanted>
-py::tuple separation_of_poses(const PyBody& a, const PyBody& b, const Floats& rows,
-                              const std::optional<Floats>& translations, double relative_gap, double max_distance,
-                              bool certify_answers, int threads) {
-  if (!(relative_gap >= 0.0)) throw UsageError("a relative gap is a number from 0 up - 0 asks for full precision");
-  if (std::isnan(max_distance)) throw UsageError("a largest distance that is no number - leave it out");
-  const PoseRows poses(rows, translations);
-  py::array_t<SeparationRow> result(static_cast<py::ssize_t>(poses.size()));
-  SeparationRow* const to = result.mutable_data();
-  SeparationSettings settings;
-  settings.relative_gap = relative_gap;
-  settings.max_distance = max_distance;
-  Proofs proofs(certify_answers, poses.size());
-  over_each_pose(poses, threads, [&](std::size_t k, const Pose& pose) {
-    constexpr auto query = wanted == Wanted::signed_distance ? signed_distance
-                           : wanted == Wanted::distance      ? distance
-                                                             : penetration_depth;
-    const Separation found = query(a.body, b.body, pose, settings, nullptr);
-    to[k] = row_of(found, wanted);
-    if (proofs.is_wanted()) {
-      proofs.set(k, check_certificate(a.body, b.body, pose, found, certify(a.body, b.body, pose, found)));
-    }
-  });
-  return py::make_tuple(result, proofs.arrays());
 }
 
 ContactRow row_of(const FirstContact& found) {
@@ -269,41 +176,6 @@ py::tuple impacts(const PyBody& a, const PyBody& b, const Floats& rows, const st
       });
 }
 
-/// Of each pose the separation and the contacts.
-py::tuple manifolds(const PyBody& a, const PyBody& b, const Floats& rows, const std::optional<Floats>& translations,
-                    double margin, double feature_angle, bool four_at_most, bool certify_answers, int threads) {
-  const PoseRows poses(rows, translations);
-  std::vector<ContactManifold> found(poses.size());
-  Proofs proofs(certify_answers, poses.size());
-  over_each_pose(poses, threads, [&](std::size_t k, const Pose& pose) {
-    thread_local ManifoldMemory memory;
-    contact_manifold(a.body, b.body, pose,
-                     {.margin = margin, .feature_angle = feature_angle, .four_at_most = four_at_most}, memory,
-                     found[k]);
-    if (proofs.is_wanted()) {
-      const ManifoldCertificate certificate = certify(a.body, b.body, pose, found[k]);
-      proofs.set(k, check_certificate(a.body, b.body, pose, found[k], certificate, margin, feature_angle));
-    }
-  });
-  py::list result;
-  for (const ContactManifold& manifold : found) {
-    py::array_t<ManifoldRow> contacts(static_cast<py::ssize_t>(manifold.contacts.size()));
-    ManifoldRow* to = contacts.mutable_data();
-    for (const ContactManifold::Contact& contact : manifold.contacts) {
-      put(to->point_a, contact.point_a);
-      put(to->point_b, contact.point_b);
-      to->distance = contact.signed_distance;
-      to->feature_a = contact.feature_a;
-      to->feature_b = contact.feature_b;
-      ++to;
-    }
-    py::array_t<SeparationRow> separation(1);
-    *separation.mutable_data() = row_of(manifold.separation, Wanted::signed_distance);
-    result.append(py::make_tuple(separation, contacts));
-  }
-  return py::make_tuple(result, proofs.arrays());
-}
-
 /// What proves a verdict, for whoever wants to prove it with a checker of his own (certificate.h).
 py::dict overlap_certificate(const PyBody& a, const PyBody& b, const Floats& rows,
                              const std::optional<Floats>& translations) {
@@ -349,9 +221,7 @@ py::dict overlap_certificate(const PyBody& a, const PyBody& b, const Floats& row
 }  // namespace
 
 void bind_queries(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE(SeparationRow, value, lower, upper, normal, point_a, point_b, verdict, is_rough);
   PYBIND11_NUMPY_DTYPE(ContactRow, time, lower, upper, normal, point_a, point_b, verdict);
-  PYBIND11_NUMPY_DTYPE(ManifoldRow, point_a, point_b, distance, feature_a, feature_b);
 
   const auto a = py::arg("a"), b = py::arg("b"), poses = py::arg("poses"), threads = py::arg("threads"),
              certify = py::arg("certify"), until = py::arg("until");
@@ -360,19 +230,11 @@ void bind_queries(py::module_& module) {
   module.def("certified_overlap", &certified_overlap_of_poses, a, b, poses, translations, threads);
   module.def("overlap_certificate", &overlap_certificate, a, b, poses, translations);
   module.def("within", &within_of_poses, a, b, poses, translations, py::arg("margin"), threads);
-  module.def("signed_distance", &separation_of_poses<Wanted::signed_distance>, a, b, poses, translations,
-             py::arg("relative_gap"), py::arg("max_distance"), certify, threads);
-  module.def("distance", &separation_of_poses<Wanted::distance>, a, b, poses, translations, py::arg("relative_gap"),
-             py::arg("max_distance"), certify, threads);
-  module.def("depth", &separation_of_poses<Wanted::depth>, a, b, poses, translations, py::arg("relative_gap"),
-             py::arg("max_distance"), certify, threads);
   module.def("ray_cast", &rays, a, py::arg("origins"), py::arg("directions"), until, certify, threads);
   module.def("linear_cast", &casts, a, b, poses, translations, py::arg("motions"), until, certify, threads);
   module.def("time_of_impact", &impacts, a, b, poses, translations, py::arg("velocities"),
              py::arg("angular_velocities"), py::arg("velocities_a").none(true),
              py::arg("angular_velocities_a").none(true), until, certify, threads);
-  module.def("contact_manifold", &manifolds, a, b, poses, translations, py::arg("margin"), py::arg("feature_angle"),
-             py::arg("four_at_most"), certify, threads);
 }
 
 }  // namespace vex::python

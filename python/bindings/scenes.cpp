@@ -9,55 +9,12 @@
 
 #include "engine/scene/scene.h"
 #include "python/bindings/body.h"
+#include "python/bindings/scene_rows.h"
 
 namespace vex::python {
 namespace {
 
-struct PairRow {
-  std::int64_t a, b;  // -1: no body
-  std::int32_t image[3];
-};
-struct DistanceRow {
-  std::int64_t a, b;
-  std::int32_t image[3];
-  double distance, lower, upper;
-  double normal[3], point_a[3], point_b[3];
-};
-
-struct SceneContactRow {
-  std::int64_t a, b;
-  std::int32_t image[3];
-  double normal[3], point_a[3], point_b[3], distance;
-  std::uint64_t feature_a, feature_b;
-};
-
-void put(std::int32_t* to, const ImageOffset& image) {
-  for (std::size_t k = 0; k < 3; ++k) to[k] = image[k];
-}
-
-std::int64_t body_number(BodyId body) { return body == kNoBody ? -1 : static_cast<std::int64_t>(body); }
-
-py::array_t<PairRow> array_of(const std::vector<ScenePair>& pairs) {
-  py::array_t<PairRow> array(static_cast<py::ssize_t>(pairs.size()));
-  PairRow* to = array.mutable_data();
-  for (const ScenePair& pair : pairs) {
-    to->a = body_number(pair.a);
-    to->b = body_number(pair.b);
-    put(to->image, pair.image);
-    ++to;
-  }
-  return array;
-}
-
-py::dict dict_of(const SceneCounts& counts) {
-  py::dict dict;
-  for (int k = 0; k < kNSceneStages; ++k) {
-    const auto stage = static_cast<SceneStage>(k);
-    const SceneCounts::Stage& count = counts[stage];
-    if (count.seen > 0) dict[py::str(std::string(name_of(stage)))] = py::make_tuple(count.seen, count.settled);
-  }
-  return dict;
-}
+using Images = py::array_t<std::int32_t, py::array::c_style>;
 
 /// One at a time: Python's threads may share a scene, whose queries release the GIL.
 class PyScene {
@@ -86,13 +43,17 @@ class PyScene {
   ShapeId add_shape(const PyBody& body) {
     return exclusively([&] { return scene_.add_shape(body.body.body); });
   }
-  /// Numbers of the bodies that were added, one a pose.
+  /// Numbers of the bodies that were added, one a pose. Images: by which they were moved before.
   std::vector<BodyId> add(const py::array_t<std::uint32_t, py::array::c_style>& shapes, const Floats& rows,
-                          const std::optional<Floats>& translations) {
+                          const std::optional<Floats>& translations, const std::optional<Images>& images) {
     const PoseRows poses(rows, translations);
     if (static_cast<std::size_t>(shapes.size()) != poses.size()) {
       throw UsageError("not a shape for each pose - give one each");
     }
+    if (images && static_cast<std::size_t>(images->size()) != 3 * poses.size()) {
+      throw UsageError("not an image for each pose - give one each");
+    }
+    const std::int32_t* const image = images ? images->data() : nullptr;
     const std::uint32_t* const shape = shapes.data();
     return exclusively([&] {
       // All are looked at before one is added: what is removed again leaves a gap in the numbers.
@@ -105,7 +66,12 @@ class PyScene {
       std::vector<BodyId> bodies;
       bodies.reserve(all.size());
       try {
-        for (std::size_t k = 0; k < all.size(); ++k) bodies.push_back(scene_.add(shape[k], all[k]));
+        for (std::size_t k = 0; k < all.size(); ++k) {
+          if (k % 256 == 0) end_if_interrupted();
+          const ImageOffset moved =
+              image == nullptr ? ImageOffset{} : ImageOffset{image[3 * k], image[3 * k + 1], image[3 * k + 2]};
+          bodies.push_back(scene_.add(shape[k], all[k], moved));
+        }
       } catch (...) {
         for (const BodyId body : bodies) scene_.remove(body);  // all or none
         throw;
@@ -132,6 +98,34 @@ class PyScene {
       scene_.move_all(all);
     });
   }
+  /// What a scene of the same settings and shapes is made from again: of each number the shape, -1 where no body has
+  /// it; rotation, translation and image.
+  py::tuple bodies() {
+    std::vector<std::int64_t> shapes;
+    std::vector<Transformd> poses;
+    std::vector<ImageOffset> images;
+    exclusively([&] {
+      for (BodyId body = 0; body < scene_.end(); ++body) {
+        if (body % 256 == 0) end_if_interrupted();
+        const bool is_there = scene_.has(body);
+        shapes.push_back(is_there ? static_cast<std::int64_t>(scene_.shape_of(body)) : -1);
+        poses.push_back(is_there ? scene_.pose(body) : Transformd{});
+        images.push_back(is_there ? scene_.image(body) : ImageOffset{});
+      }
+    });
+    const auto n = static_cast<py::ssize_t>(poses.size());
+    Floats rotations({n, py::ssize_t{3}, py::ssize_t{3}}), translations({n, py::ssize_t{3}});
+    Images moved({n, py::ssize_t{3}});
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      double* const rotation = rotations.mutable_data() + 9 * k;
+      put(rotation, poses[k].row_x);
+      put(rotation + 3, poses[k].row_y);
+      put(rotation + 6, poses[k].row_z);
+      put(translations.mutable_data() + 3 * k, poses[k].translation);
+      std::copy(images[k].begin(), images[k].end(), moved.mutable_data() + 3 * k);
+    }
+    return py::make_tuple(py::array_t<std::int64_t>(n, shapes.data()), rotations, translations, moved);
+  }
   std::size_t size() {
     return exclusively([&] { return scene_.size(); });
   }
@@ -154,26 +148,7 @@ class PyScene {
   py::tuple distances(double distance) {
     SceneDistances distances;
     exclusively([&] { scene_.distances_within(distance, distances); });
-    py::array_t<DistanceRow> array(static_cast<py::ssize_t>(distances.entries.size()));
-    DistanceRow* to = array.mutable_data();
-    for (const auto& [pair, found] : distances.entries) {
-      *to = {};
-      to->a = body_number(pair.a);
-      to->b = body_number(pair.b);
-      put(to->image, pair.image);
-      to->distance = std::max(found.signed_distance, 0.0);
-      to->lower = std::max(found.lower, 0.0);
-      to->upper = std::max(found.upper, 0.0);
-      if (found.has_witnesses) {
-        python::put(to->normal, found.normal);
-        python::put(to->point_a, found.point_a);
-        python::put(to->point_b, found.point_b);
-      } else {
-        for (double* const v : {to->normal, to->point_a, to->point_b}) put_nan(v);
-      }
-      ++to;
-    }
-    return py::make_tuple(array, array_of(distances.undecided), dict_of(distances.counts));
+    return py::make_tuple(rows_of(distances), rows_of(distances.undecided), stages_of(distances.counts));
   }
   /// A row each contact, those of a pair one after another.
   py::tuple contact_manifolds(double margin, double feature_angle, bool four_at_most) {
@@ -182,33 +157,14 @@ class PyScene {
       scene_.contact_manifolds(manifolds,
                                {.margin = margin, .feature_angle = feature_angle, .four_at_most = four_at_most});
     });
-    std::size_t n = 0;
-    for (const SceneManifolds::Entry& entry : manifolds.entries) n += entry.manifold.contacts.size();
-    py::array_t<SceneContactRow> array(static_cast<py::ssize_t>(n));
-    SceneContactRow* to = array.mutable_data();
-    for (const auto& [pair, manifold] : manifolds.entries) {
-      for (const ContactManifold::Contact& contact : manifold.contacts) {
-        *to = {};
-        to->a = body_number(pair.a);
-        to->b = body_number(pair.b);
-        put(to->image, pair.image);
-        python::put(to->normal, manifold.separation.normal);
-        python::put(to->point_a, contact.point_a);
-        python::put(to->point_b, contact.point_b);
-        to->distance = contact.signed_distance;
-        to->feature_a = contact.feature_a;
-        to->feature_b = contact.feature_b;
-        ++to;
-      }
-    }
-    return py::make_tuple(array, array_of(manifolds.undecided), dict_of(manifolds.counts));
+    return py::make_tuple(rows_of(manifolds), rows_of(manifolds.undecided), stages_of(manifolds.counts));
   }
   /// The answer, an undecided pair where that is the answer, counts.
   py::tuple any_overlap() {
     const SceneAnswer found = exclusively([&] { return scene_.any_overlap(); });
     std::vector<ScenePair> undecided;
     if (found.outcome == Outcome::undecided) undecided.push_back(found.pair);
-    return py::make_tuple(number_of(found.outcome), array_of(undecided), dict_of(found.counts));
+    return py::make_tuple(number_of(found.outcome), rows_of(undecided), stages_of(found.counts));
   }
   py::tuple overlaps_of(BodyId body) {
     ScenePairs found;
@@ -263,7 +219,7 @@ class PyScene {
       const std::array<bool, 3> along = clusters.wraps(static_cast<BodyId>(k));
       for (std::size_t i = 0; i < 3; ++i) wraps.mutable_data()[3 * labels[k] + i] = along[i];
     }
-    return py::make_tuple(label, wraps, array_of(clusters.undecided), dict_of(clusters.counts));
+    return py::make_tuple(label, wraps, rows_of(clusters.undecided), stages_of(clusters.counts));
   }
 
  private:
@@ -297,14 +253,14 @@ class PyScene {
     return body;
   }
   static py::tuple answer(const ScenePairs& found) {
-    return py::make_tuple(array_of(found.pairs), array_of(found.undecided), dict_of(found.counts));
+    return py::make_tuple(rows_of(found.pairs), rows_of(found.undecided), stages_of(found.counts));
   }
   static py::tuple answer(const SceneHit& hit) {
     const FirstContact& contact = hit.contact;
     const auto triple = [](const Vec3d& v) { return py::make_tuple(v.x, v.y, v.z); };
     return py::make_tuple(number_of(contact.verdict.outcome), body_number(hit.body), hit.image, contact.time,
                           contact.lower, contact.upper, triple(contact.normal), triple(contact.point_a),
-                          array_of(hit.undecided));
+                          rows_of(hit.undecided));
   }
 
   Scene scene_;
@@ -314,18 +270,15 @@ class PyScene {
 }  // namespace
 
 void bind_scenes(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE(PairRow, a, b, image);
-  PYBIND11_NUMPY_DTYPE(DistanceRow, a, b, image, distance, lower, upper, normal, point_a, point_b);
-
-  PYBIND11_NUMPY_DTYPE(SceneContactRow, a, b, image, normal, point_a, point_b, distance, feature_a, feature_b);
-
+  register_scene_rows();
   const auto poses = py::arg("poses"), body = py::arg("body"), visitor = py::arg("visitor");
   const auto translations = py::arg("translations").none(true);
   py::class_<PyScene>(module, "Scene", "Many bodies, in open space or in a periodic box.")
       .def(py::init<const std::optional<std::vector<double>>&, const std::string&, double, int>(),
            py::arg("box").none(true), py::arg("broad_phase"), py::arg("skin"), py::arg("threads"))
       .def("add_shape", &PyScene::add_shape, body)
-      .def("add", &PyScene::add, py::arg("shapes"), poses, translations)
+      .def("add", &PyScene::add, py::arg("shapes"), poses, translations, py::arg("images").none(true))
+      .def("bodies", &PyScene::bodies)
       .def("remove", &PyScene::remove, body)
       .def("move", &PyScene::move, body, poses, translations)
       .def("move_all", &PyScene::move_all, poses, translations)

@@ -6,12 +6,11 @@ import math
 from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
-import numpy as np
 import numpy.typing as npt
 
 from . import _vex
-from ._arrays import Floats, as_floats, as_quaternions, threads_of
-from .bodies import Body, BodyLike, as_body
+from ._arrays import as_floats, as_quaternions, threads_of
+from .bodies import BodyLike, as_body
 
 
 @dataclass(frozen=True)

@@ -236,16 +236,26 @@ class Body:
 
         Raises
         ------
+        UsageError
+            The one factor is not a finite number above 0.
         InputError
-            A factor is 0, not finite or out of range, or a size becomes so.
+            One of three factors is 0, not finite or out of range, or a size becomes so.
         """
         if np.ndim(factor) > 0:
             factors = _three(factor, "factors")
-            body = self.scaled(1.0, unit_volume=True) if unit_volume else self
-            return Body._from_recipe(("scaled", factors, body))
+            return (self.scaled(1.0, unit_volume=True) if unit_volume else self)._stretched(factors)
         return self._evenly_scaled(float(factor), unit_volume)  # type: ignore[arg-type]
 
+    def _stretched(self, factors: Tuple[float, float, float]) -> "Body":
+        body = self
+        if {abs(factor) for factor in factors} == {1.0} and self._recipe[0] == "scaled":  # a mirror image of a mirror image is exact
+            x, y, z = (factor * before for factor, before in zip(factors, self._recipe[1]))
+            factors, body = (x, y, z), self._recipe[2]
+        return body if factors == (1.0, 1.0, 1.0) else Body._from_recipe(("scaled", factors, body))
+
     def _evenly_scaled(self, factor: float, unit_volume: bool) -> "Body":
+        if not factor > 0.0 or not math.isfinite(factor):
+            raise _vex.UsageError(f"a scale is a finite number above 0 ({factor!r}) - `mirrored`, and three factors, mirror")
         kind = self._recipe[0]
         if kind == "named":
             _, text, scale, unit = self._recipe
@@ -265,8 +275,6 @@ class Body:
             return Body._from_recipe(("hull", self._recipe[1] * float(factor)))
         if kind == "rounded":
             return Body._from_recipe(("rounded", self._recipe[1] * factor, self._recipe[2].scaled(factor)))
-        if not factor > 0.0 or not math.isfinite(factor):
-            raise _vex.UsageError("a scale is a finite number above 0")
         return Body._from_recipe(("scaled", (factor, factor, factor), self))
 
     def mirrored(self) -> "Body":

@@ -85,6 +85,9 @@ class Scene:
     Bodies that were added stay known to it after they are removed.
 
     Of bodies that reach over a periodic box several images may overlap: then a pair stands in the list once for each.
+
+    Scenes can be copied and pickled: bodies keep their numbers, places, images and answers, bit for bit. What `skin`
+    remembers is found again.
     """
 
     def __init__(self, bodies: Union[None, BodyLike, Sequence[BodyLike]] = None, poses: Optional[Poses] = None, *,
@@ -94,7 +97,8 @@ class Scene:
         if edges is not None and edges.shape not in ((3,), (6,)):
             raise _vex.UsageError(f"box: an array of shape {edges.shape} - give its edges (Lx, Ly, Lz), or these and its "
                                   "tilts (xy, xz, yz)")
-        self._core = _vex.Scene(None if edges is None else edges.tolist(), str(broad_phase), float(skin), threads_of(threads))
+        self._settings = (None if edges is None else edges.tolist(), str(broad_phase), float(skin), threads_of(threads))
+        self._core = _vex.Scene(*self._settings)
         self._shapes: Dict[Body, int] = {}
         self.undecided: npt.NDArray[Any] = np.empty((0, 2), dtype=np.int64)  #: pairs (M, 2) of the last query
         self.counts: Dict[str, Tuple[int, int]] = {}  #: of the last query: how many pairs each stage saw and settled
@@ -121,7 +125,7 @@ class Scene:
             if shapes is not None:
                 raise _vex.UsageError("shapes pick from a list of bodies - give a list")
             ids = np.full(n, self._shape(bodies), dtype=np.uint32)
-        return np.array(self._core.add(np.ascontiguousarray(ids), rows, translations), dtype=np.int64)
+        return np.array(self._core.add(np.ascontiguousarray(ids), rows, translations, None), dtype=np.int64)
 
     def _shape(self, body: BodyLike) -> int:
         made = as_body(body)
@@ -246,6 +250,26 @@ class Scene:
         labels, wraps, undecided, counts = self._core.clusters(float(distance))
         self._told(undecided, counts)
         return Clusters(labels, wraps)
+
+    def __getstate__(self) -> Dict[str, Any]:
+        state = self.__dict__.copy()
+        del state["_core"]
+        state["_bodies"] = self._core.bodies()
+        return state
+
+    def __setstate__(self, state: Dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        shapes, rotations, translations, images = self.__dict__.pop("_bodies")
+        self._core = _vex.Scene(*self._settings)
+        # Bodies that are the same to C++ alone may be of one shape before, and of two now.
+        ids = np.zeros(1 + max(self._shapes.values(), default=0), dtype=np.uint32)
+        for body, shape in self._shapes.items():
+            ids[shape] = self._core.add_shape(body._core)
+        self._shapes = {body: int(ids[shape]) for body, shape in self._shapes.items()}
+        is_free = shapes < 0
+        self._core.add(ids[np.where(is_free, 0, shapes)], rotations, translations, images)
+        for number in np.flatnonzero(is_free):
+            self._core.remove(int(number))
 
     def __repr__(self) -> str:
         return f"<vex.Scene of {len(self)} bodies>"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/numeric/errors.h"
+#include "engine/numeric/interruption.h"
 
 namespace vex {
 namespace {
@@ -34,6 +35,7 @@ BothDensities MixtureFluid::equilibrium(const TwoDensities& n, const TwoSeries& 
   for (EvenSeries& of_kind : moments) of_kind.resize(n_degrees, 0.0);
   double mixing = 1.0, change_before = 2.0;
   for (int iteration = 0; iteration < kMostRounds; ++iteration) {
+    end_if_interrupted();
     double change = 0.0;
     for (std::size_t i = 0; i < 2; ++i) {
       EvenSeries field(n_degrees, 0.0);

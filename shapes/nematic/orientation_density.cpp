@@ -4,6 +4,8 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
+#include "engine/numeric/interruption.h"
+
 namespace vex {
 namespace {
 
@@ -78,6 +80,7 @@ OrientationDensity OrientationGrid::equilibrium(double coupling, const EvenSerie
   moments.resize(series_.size(), 0.0);
   double mixing = 1.0, change_before = 2.0;
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+    end_if_interrupted();
     EvenSeries field(series_.size(), 0.0);
     for (std::size_t k = 1; k < series_.size(); ++k) field[k] = -2.0 * coupling * series_[k] * moments[k];
     OrientationDensity density = in_field(field);

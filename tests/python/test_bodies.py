@@ -225,3 +225,25 @@ def test_the_hull_of_a_file_is_a_text(tmp_path):
     assert rounded.volume == pytest.approx(1.0, rel=1e-12)
     with pytest.raises(vex.UsageError, match="hull:FILE"):
         vex.Body("hull:box:1,1,1")
+
+
+def test_one_factor_does_not_mirror():
+    points = np.random.default_rng(3).normal(size=(40, 3))
+    for body in (vex.hull(points), vex.box(1, 1, 1), vex.hull(points).rounded(0.1), vex.superball(1.5, 1.0),
+                 vex.cone(1, 1).scaled((1, 2, 3)), vex.Body(types.SimpleNamespace(vertices=points))):
+        for factor in (-1.0, -2, 0.0, math.nan, math.inf):
+            with pytest.raises(vex.UsageError, match="mirrored"):
+                body.scaled(factor)
+    assert vex.hull(points).scaled((-1, -1, -1)) == vex.hull(-points)
+
+
+def test_a_mirror_image_of_a_mirror_image_is_the_body(meshes):
+    for body in (vex.superball(1.5, 1.0), vex.superellipsoid(1, 2, 3, 0.5, 0.7), vex.lens(1.0, 0.4),
+                 vex.superball(1.5, 1.0).rounded(0.1), vex.superball(1.5, 1.0).scaled((1, 2, 3)), vex.cone(1, 1),
+                 vex.load(meshes / "gem.obj")):
+        twice = body.mirrored().mirrored()
+        assert twice == body and hash(twice) == hash(body) and body.mirrored().scaled((1, 1, 1)) == body.mirrored()
+        assert twice.support([0.3, 0.2, -0.9]).tolist() == body.support([0.3, 0.2, -0.9]).tolist()
+        turned = body.scaled((1, -1, 1)).mirrored()
+        assert turned == body.scaled((-1, -1, 1)) == body.mirrored().scaled((1, -1, 1))
+        assert pickle.loads(pickle.dumps(turned)) == turned

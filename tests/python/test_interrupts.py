@@ -1,4 +1,5 @@
-"""Ctrl-C ends long calls. Each of these would take minutes of a processor, and the hull three seconds of one."""
+"""Ctrl-C ends long calls. Each of these would take minutes of a processor, and the hull and the compound three seconds of
+one."""
 
 import signal
 import time
@@ -73,8 +74,34 @@ def clusters():
     return scene.clusters
 
 
+def compound():
+    rng = np.random.default_rng(3)
+    triangles = 100 * rng.random((1_000_000, 1, 3)) + rng.random((1_000_000, 3, 3))
+    return lambda: vex.Compound.of_triangles(triangles)
+
+
+def steps_of_a_pair():
+    poses, state = np.tile(random_poses(1000, 1.9), (2000, 1)), vex.WarmStart()
+    return lambda: vex.depth("cone:1,1", "cylinder:1,0.5", poses, warm_start=state)
+
+
+def depletion():
+    return lambda: vex.depletion_at("cone:1,1", "cone:1,1", [1.5, 0, 0, 1, 0, 0, 0], ball_radius=0.5, rel_error=1e-7)
+
+
+def depletion_of_many_poses():
+    poses = random_poses(200_000, 1.9)
+    return lambda: vex.depletion_at("cone:1,1", "cone:1,1", poses, ball_radius=0.5, trials=2000, threads=2)
+
+
+def depletion_of_ones_own():
+    body = slow_body()
+    return lambda: vex.depletion_average(body, body, 2.1, ball_radius=0.5, threads=2)
+
+
 @pytest.mark.parametrize("work", [hull, validation, validation_of_ones_own, queries_of_ones_own, average_of_ones_own,
-                                  scene_of_ones_own, pairs, pairs_in_a_tree, clusters])
+                                  scene_of_ones_own, pairs, pairs_in_a_tree, clusters, compound, steps_of_a_pair,
+                                  depletion, depletion_of_many_poses, depletion_of_ones_own])
 def test_ctrl_c_ends(work):
     call = work()
     before = time.process_time()

@@ -1,4 +1,6 @@
+import copy
 import math
+import pickle
 
 import numpy as np
 import pytest
@@ -155,3 +157,35 @@ def test_what_is_no_pose_is_refused_and_named():
     for threads in (0, -1, 1.5):
         with pytest.raises(vex.UsageError):
             vex.overlap(CUBE, CUBE, [good], threads=threads)
+
+
+def walk(n, step, seed=6):
+    """A pose that turns by steps, and goes out of the other body and into it."""
+    turns = np.array([1, 0.1, 0.2, 0.3]) + np.cumsum(step * np.random.default_rng(seed).normal(size=(n, 4)), axis=0)
+    away = 1.3 + 0.6 * np.sin(3.0 * step * np.arange(n))
+    return np.concatenate([np.stack([away, 0.3 + 0 * away, 0.2 + 0 * away], axis=1), turns], axis=1)
+
+
+def test_a_warm_start_changes_the_time_and_nothing_that_is_proven():
+    for a, b in (("icosahedron:1", "dodecahedron:0.6"), ("cone:1,1", "cylinder:1,0.5"), ("ellipsoid:1,0.5,0.7", "disc:1")):
+        poses = walk(300, 0.02)
+        for query in (vex.signed_distance, vex.distance, vex.depth):
+            cold, state = query(a, b, poses), vex.WarmStart()
+            warm = query(a, b, poses, warm_start=state)
+            assert (warm["verdict"] == cold["verdict"]).all() and 0.1 < cold["verdict"].mean() < 0.9
+            assert (np.maximum(warm["lower"], cold["lower"]) <= np.minimum(warm["upper"], cold["upper"])).all()
+            # One by one, in the same order, with whatever copy of the state.
+            one, others = vex.WarmStart(), []
+            for k, pose in enumerate(poses):
+                others.append(query(a, b, pose, warm_start=one))
+                one = (one, copy.copy(one), copy.deepcopy(one), pickle.loads(pickle.dumps(one)))[k % 4]
+            for field in warm.dtype.names:
+                np.testing.assert_array_equal(np.array(others)[field], warm[field])
+    foreign = vex.WarmStart()
+    vex.signed_distance("icosahedron:1", "icosahedron:1", walk(20, 0.1), warm_start=foreign)
+    found, proof = vex.signed_distance("box:1,1,1", "cone:1,1", walk(20, 0.1), warm_start=foreign, certify=True)
+    assert proof.is_proven.all() and (found["lower"] <= found["value"]).all()
+    with pytest.raises(vex.UsageError, match="one thread"):
+        vex.distance(CUBE, CUBE, walk(3, 0.1), warm_start=foreign, threads=2)
+    with pytest.raises(TypeError):
+        vex.distance(CUBE, CUBE, walk(3, 0.1), warm_start=b"none")

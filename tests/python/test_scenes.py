@@ -1,10 +1,16 @@
+import copy
 import itertools
+import multiprocessing
+import pathlib
+import pickle
 
 import numpy as np
 import pytest
 
 import vex
 from conftest import random_poses
+
+MESHES = pathlib.Path(__file__).resolve().parents[2] / "meshes" / "data"
 
 
 def brute_force(bodies, poses, box=None):
@@ -164,3 +170,46 @@ def test_percolation_is_the_programs(program):
         vex.percolation("box:1,1,3", law="aligned", sizes=(3,))
     with pytest.raises(vex.InputError, match="never overlap"):
         vex.percolation("needle:1")
+
+
+def test_scenes_are_copied_and_pickled():
+    shapes = [vex.box(1, 1, 1), vex.capsule(1, 0.3), vex.load(MESHES / "gem.obj", unit_volume=True)]
+    for box in (None, (4.0, 4.0, 4.0), (4.0, 5.0, 4.0, 0.1, -0.2, 0.3)):
+        poses = random_scene(60, 20.0 if box else 4.0, seed=8)  # in a box: many outside, which are moved into it
+        scene = vex.Scene(shapes, poses, shapes=np.arange(60) % 3, box=box, skin=0.1, broad_phase="tree", threads=2)
+        scene.pairs()
+        for number in (17, 3, 44):
+            scene.remove(number)
+        scene.move(5, poses[17])
+        pairs, labels = scene.pairs(), scene.clusters(0.1).labels
+        counts = scene.counts
+        assert len(pairs) > 10 and len(counts) > 1
+        for again in (pickle.loads(pickle.dumps(scene)), copy.copy(scene), copy.deepcopy(scene)):
+            assert len(again) == 57 and again.counts == counts and again.undecided.tolist() == []
+            for number in (set(range(60)) - {3, 17, 44}):
+                for one, other in zip(again.pose(number), scene.pose(number)):
+                    assert np.array_equal(one, other)  # rotation, translation, image
+            with pytest.raises(vex.UsageError):
+                again.pose(17)
+            assert (again.pairs() == pairs).all() and (again.clusters(0.1).labels == labels).all()
+            # It is one of its own, and goes on as the other would.
+            assert again.add(shapes[2], poses[3]).tolist() == [3] and again.add("sphere:1", poses[17]).tolist() == [17]
+            again.remove(0)
+            assert len(scene) == 57 and (scene.pairs() == pairs).all()
+        again = pickle.loads(pickle.dumps(pickle.loads(pickle.dumps(scene))))
+        assert (again.pairs() == pairs).all()
+    for empty in (vex.Scene(box=(3, 3, 3)), vex.Scene("box:1,1,1", poses[:2])):
+        for number in range(len(empty)):
+            empty.remove(number)
+        again = copy.deepcopy(empty)
+        assert len(again) == 0 and again.pairs().shape == (0, 2) and again.add("box:1,1,1", poses[0]).tolist() == [0]
+
+
+def pairs_of(scene):
+    return scene.pairs().tolist()
+
+
+def test_scenes_go_to_other_processes():
+    scene = vex.Scene("box:1,1,1", random_scene(50, 3.0, seed=9), box=(3, 3, 3))
+    with multiprocessing.get_context("spawn").Pool(1) as pool:
+        assert pool.map(pairs_of, [scene]) == [scene.pairs().tolist()]

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 
 #include <algorithm>
 #include <cctype>
@@ -13,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/numeric/interruption.h"
 #include "meshes/convex_mesh.h"
 #include "meshes/data/mesh_writers.h"
 #include "refusal.h"
@@ -47,6 +49,28 @@ TEST_P(EveryFormat, GivesTheSameBodyToTheLastBit) {
   ASSERT_EQ(mesh.polytope().n_vertices(), expected.polytope().n_vertices());
   for (std::size_t i = 0; i < mesh.polytope().n_vertices(); ++i) {
     EXPECT_EQ(norm(mesh.polytope().vertex(i) - expected.polytope().vertex(i)), 0.0);
+  }
+}
+
+// From the file's bytes, or the process that reads it, on.
+TEST_P(EveryFormat, IsReadNoFurtherThanAnInterruption) {
+  const TemporaryFolder folder;
+  const auto path = folder.file(std::string("body") + GetParam(),
+                                mesh_bytes(sphere_soup(20, [](const Vec3d& v) { return v; }), GetParam()));
+  int n_asked = 0;
+  {
+    const Interruption counts([&] {
+      ++n_asked;
+      return false;
+    });
+    EXPECT_GT(read_polygon_soup(path).points.size(), 1000u);
+  }
+  EXPECT_GE(n_asked, 4);
+  for (const int n : {0, 1, 2, 3}) {
+    int n_left = n;
+    const Interruption later([&] { return n_left-- == 0; });
+    EXPECT_THROW(static_cast<void>(read_polygon_soup(path)), Interrupted);
+    EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1) << "a reading process was left behind";
   }
 }
 

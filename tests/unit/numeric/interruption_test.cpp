@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <optional>
 #include <thread>
 #include <vector>
 
 #include "engine/numeric/errors.h"
+#include "engine/scene/compound.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/threads.h"
 #include "engine/support/validate.h"
@@ -116,6 +118,112 @@ TEST(Interruption, EndsAQueryInItsMiddle_AndMoreOfItLater) {
   EXPECT_GT(n_ended, 5);
   scene.overlapping_pairs(pairs);
   EXPECT_EQ(pairs.pairs, expected.pairs);
+}
+
+// work(), ended at its first question, its second, and so on until it is not ended; after each time is_as_before().
+template <class Work, class Check>
+int end_everywhere(const Work& work, const Check& is_as_before) {
+  for (int n = 0;; ++n) {
+    int n_left = n;
+    try {
+      const Interruption later([&] { return n_left-- == 0; });
+      work();
+      return n;
+    } catch (const Interrupted&) {
+      is_as_before();
+    }
+  }
+}
+
+// What is made for one query is there, or half of it, when the next one comes.
+TEST(Interruption, EndsTheMakingOfGridsAndTrees_AndTheyAreMadeAnew) {
+  constexpr int kASide = 14;
+  for (const BroadPhase phase : {BroadPhase::grid, BroadPhase::tree}) {
+    for (const int n_threads : {1, 2}) {
+      for (const bool in_box : {false, true}) {
+        const auto made = [&] {
+          const SceneSettings settings{.broad_phase = phase, .n_threads = n_threads};
+          Scene scene = in_box ? Scene(PeriodicBox(13.0, 13.0, 13.0), settings) : Scene(settings);
+          const ShapeId shape = scene.add_shape(Box(1.0, 1.0, 1.0));
+          for (const Pose& pose : places(kASide)) scene.add(shape, pose);
+          return scene;
+        };
+        const ScenePair first{0, 1, {}};
+        Scene scene = made(), other = made();
+        ScenePairs touching, near, of_one, found;
+        other.overlapping_pairs(touching);
+        other.pairs_within(0.25, near);
+        other.overlaps_of(5, of_one);
+        const SceneNeighbour nearest = other.nearest(7);
+        ASSERT_EQ(touching.pairs.front(), first);
+        ASSERT_GT(near.pairs.size(), touching.pairs.size());
+        const auto is_as_before = [&] {
+          scene.pairs_within(0.25, found);
+          EXPECT_EQ(found.pairs, near.pairs);
+          scene.overlapping_pairs(found);
+          EXPECT_EQ(found.pairs, touching.pairs);
+          scene.overlaps_of(5, found);
+          EXPECT_EQ(found.pairs, of_one.pairs);
+          EXPECT_EQ(scene.nearest(7).body, nearest.body);
+        };
+        // Of what is not true any more, of what is true of another margin, and of what was never made.
+        const auto move_a_little = [&] { scene.move(3, Pose(scene.pose(3))); };
+        EXPECT_GT(end_everywhere([&] { scene.overlapping_pairs(found); }, is_as_before), 0);
+        EXPECT_GT(end_everywhere(
+                      [&] {
+                        scene.move_all(places(kASide));
+                        scene.pairs_within(0.25, found);
+                      },
+                      is_as_before),
+                  3);
+        EXPECT_GT(end_everywhere(
+                      [&] {
+                        move_a_little();
+                        scene.pairs_within(0.25, found);
+                        scene.overlapping_pairs(found);
+                      },
+                      is_as_before),
+                  6);
+        EXPECT_GT(end_everywhere(
+                      [&] {
+                        scene.move_all(places(kASide));
+                        scene.overlaps_of(5, found);
+                        scene.nearest(7);
+                      },
+                      is_as_before),
+                  3);
+      }
+    }
+  }
+}
+
+TEST(Interruption, EndsTheMakingOfACompound) {
+  std::vector<std::array<Vec3d, 3>> triangles;
+  for (int k = 0; k < 100'000; ++k) {
+    const double x = 0.5 * k;
+    triangles.push_back({{{x, 0.0, 0.0}, {x + 1.0, 0.0, 0.0}, {x, 1.0, 0.0}}});
+  }
+  int n_asked = 0, n_of_parts = 0;
+  {
+    const Interruption counts([&] {
+      ++n_asked;
+      return false;
+    });
+    static_cast<void>(compound_of_triangles(triangles));
+  }
+  n_of_parts = 2 * (100'000 / 256 + 1);
+  EXPECT_GT(n_asked, n_of_parts + 5) << "the tree asks, too";
+  int n_left = n_of_parts + 3;
+  const Interruption in_the_tree([&] { return n_left-- == 0; });
+  EXPECT_THROW(static_cast<void>(compound_of_triangles(triangles)), Interrupted);
+}
+
+TEST(Interruption, EndsARayThroughMillionsOfBoxes) {
+  Scene scene(PeriodicBox(1.0, 1.0, 1.0));
+  scene.add(Box(0.1, 0.1, 0.1), Pose());
+  int n_asked = 0;
+  const Interruption later([&] { return ++n_asked == 1000; });
+  EXPECT_THROW(static_cast<void>(scene.cast_ray({0.5, 0.5, 0.5}, {1.0, 0.0, 0.0}, 9e5)), Interrupted);
 }
 
 TEST(Interruption, OfAThreadDoesNotHideTheFailureThatBroughtIt) {
