@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "engine/numeric/directions.h"
+#include "engine/query/search/advance_search.h"
 #include "engine/query/search/parting_start.h"
 #include "engine/query/search/ray_search.h"
 #include "engine/query/separation_with_verdict.h"
@@ -14,7 +16,7 @@ namespace {
 
 // A motion that needs more is given up and said to be, with the time until which nothing touches: one of some hundred
 // turns on the way, or along a gap that is a billionth of the bodies.
-constexpr int kMostSupportCalls = 1 << 13;
+constexpr int kMostSupportCalls = 3 << 11;
 // Of them for a proof of contact where bodies touch to within rounding, as those that slide on each other may for as
 // long as they move.
 constexpr int kMostCallsOfTouch = 1 << 11;
@@ -22,13 +24,15 @@ constexpr int kMostCallsOfTouch = 1 << 11;
 // row.
 constexpr double kShortAdvance = 0x1p-20;
 constexpr int kMostShortAdvances = 64;
-// Trials of the length of one advance; of how late there is contact; and of how early once it is found.
-constexpr int kMostTrials = 10, kMostDoublings = 64, kMostHalvings = 2;
+// Trials of how late there is contact; and of how early once it is found.
+constexpr int kMostDoublings = 64, kMostHalvings = 2;
 
 // Of the circumradii: nearer than this the normal has hardly turned since the last gap was measured.
 constexpr double kNearGap = 0x1p-12;
 // Of such a gap: as well as it need be known, for an advance leaves more of it than that.
 constexpr double kRoughly = 0x1p-4;
+// And farther away the line between the centres will do for a normal.
+constexpr double kFarGap = 2.0;
 // What happens later is not looked at.
 constexpr double kLatest = 0x1p480;
 
@@ -41,6 +45,7 @@ class Advancement {
         b_(b),
         record_(record),
         sweep_(a, b, a_from_b, motion.of_b, motion.spin_of_a, motion.is_exact),
+        advances_(sweep_, a.circumradius() + b.circumradius()),
         start_(a, b, a_from_b, start, motion.turns, sweep_, record),
         size_(a.circumradius() + b.circumradius()),
         is_curved_(!a.is_rounded_polytope() || !b.is_rounded_polytope()),
@@ -64,8 +69,8 @@ class Advancement {
       if (touched_ && n_calls() - n_calls_before_touch_ > kMostCallsOfTouch) {
         return undecided(UndecidedReason::rounding);
       }
-      Separation apart = separation_now();
-      const double gap = apart.has_witnesses ? sweep_.gap_during(apart.normal, time_, 0.0) : 0.0;
+      double gap = 0.0;
+      Separation apart = separation_now(gap);
       last_gap_ = std::fmax(gap, 0.0);
       last_normal_ = apart.normal;
       // Bodies that slide by each other hardly farther away than rounding come on no more than they turn in, so slowly
@@ -73,7 +78,7 @@ class Advancement {
       const bool creeps = n_short_advances_ > kMostShortAdvances;
       if (gap > sweep_.rounding_at(time_) && !creeps) {
         const double from = time_;
-        const double advance = longest_advance(apart.normal, gap);
+        const double advance = advances_.longest(apart.normal, time_, until_, gap);
         time_ += advance;
         const bool is_short = advance * sweep_.most_speed(apart.normal) < kShortAdvance * size_;
         n_short_advances_ = is_short ? n_short_advances_ + 1 : 0;
@@ -131,7 +136,20 @@ class Advancement {
     return found;
   }
 
-  Separation separation_now() {
+  double gap_along(const Separation& apart) {
+    return apart.has_witnesses ? sweep_.gap_during(apart.normal, time_, 0.0) : 0.0;
+  }
+
+  // And the gap along its normal.
+  Separation separation_now(double& gap) {
+    if (last_gap_ > kFarGap * size_ && last_gap_ < HUGE_VAL) {
+      Separation apart;
+      apart.verdict = Verdict::disjoint(DecidedBy::gjk);
+      apart.has_witnesses = true;
+      apart.normal = unit_along(sweep_.between_centres(time_));
+      gap = gap_along(apart);
+      if (gap > size_) return apart;
+    }
     if (is_curved_ && last_gap_ < kNearGap * size_ && norm_1(last_normal_) > 0.0) {
       Separation apart;
       apart.verdict = Verdict::disjoint(DecidedBy::gjk);
@@ -139,13 +157,18 @@ class Advancement {
       apart.normal = last_normal_;
       apart.upper = HUGE_VAL;
       look_closer(apart);
+      gap = gap_along(apart);
       return apart;
     }
     // Gaps shrink as the squares of those before them; so much of the next one is left open.
     const double last = std::fmin(1.0, last_gap_ / size_);
     Separation apart = separation_at(time_, 0x1p-7 * last * last);
     // Nearer than was thought: nothing is said of a gap before it is known as well as it can be, and along this normal.
-    if (!apart.has_witnesses || !(sweep_.gap_during(apart.normal, time_, 0.0) > 0.5 * apart.upper)) look_closer(apart);
+    gap = gap_along(apart);
+    if (!apart.has_witnesses || !(gap > 0.5 * apart.upper)) {
+      look_closer(apart);
+      gap = gap_along(apart);
+    }
     return apart;
   }
 
@@ -170,41 +193,6 @@ class Advancement {
     apart.point_b = touch.point_b;
     apart.point_b_in_b = touch.point_b_in_b;
     apart.upper = std::fmin(apart.upper, std::ldexp(bounds.upper, -search.exponent()) * norm(dir));
-  }
-
-  // The longest time, nearly, in which the bodies are proven to stay apart along the normal: a secant search for where
-  // the bound is next to nought, as near to it as the gap after it will be. That no point of B moves faster than so
-  // much gives a first one.
-  double longest_advance(const Vec3d& normal, double gap) {
-    const double most_speed = sweep_.most_speed(normal), remaining = until_ - time_;
-    const double near_enough = gap * std::fmin(0.125, gap / size_) + sweep_.rounding_at(time_);
-    double proven = 0.0, gap_proven = gap, failed = remaining * (1.0 + 4.0 * kUnitRoundoff), gap_failed = 0.0;
-    bool has_failed = false;
-    if (!(gap < most_speed * remaining)) return failed;
-    double trial = std::fmin(failed, 4.0 * gap / most_speed);
-    for (int k = 0; k < kMostTrials; ++k) {
-      const double found = sweep_.gap_during(normal, time_, trial);
-      if (found > 0.0) {
-        if (trial >= failed) return trial;
-        proven = trial;
-        gap_proven = found;
-      } else {
-        failed = trial;
-        gap_failed = found;
-        has_failed = true;
-      }
-      if (!has_failed) {
-        trial = std::fmin(failed, 4.0 * trial);
-        continue;
-      }
-      if (gap_proven < near_enough || !(proven < failed * (1.0 - 0x1p-40))) break;
-      const double share = (gap_proven - 0.5 * near_enough) / (gap_proven - gap_failed);
-      // Where one end stays for long the middle is taken.
-      trial = proven + (k % 4 == 3 ? 0.5 : share) * (failed - proven);
-    }
-    // Added to the time it is rounded: gaps above the pose's own rounding are worth more than that.
-    const double surely = gap / most_speed;
-    return std::fmax(proven, surely * (1.0 - gamma(8)) - 2.0 * kUnitRoundoff * (time_ + surely));
   }
 
   // In which the bodies come to be in each other by some roundings, enough for double precision to see it, if they go
@@ -298,6 +286,7 @@ class Advancement {
   const ConvexBody& b_;
   std::vector<ApartDuring>* record_;
   RigidSweep sweep_;
+  AdvanceSearch advances_;
   PartingStart start_;
   double size_;
   // Distances of polytopes and balls come to an end by themselves; small ones of curved bodies are dear.

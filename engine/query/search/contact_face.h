@@ -92,28 +92,31 @@ class ContactFace {
     for (const std::size_t k : {std::size_t{0}, side, side + 1}) {
       if (outline_[k].x == place.x && outline_[k].y == place.y) return outline_corners_[k].height;
     }
-    Triangle best = highest_known_at(place);
-    // Corner by corner upwards, as portals go; each step is higher. First by those near the place, which are nearly
-    // enough.
     patches_.look_near(place);
+    Triangle best = highest_known_at(place);
+    // Corner by corner upwards, as portals go. First by those near the place, which are nearly enough. Above a corner
+    // or an edge there is nothing to gain, and to rounding its triangles would take turns for ever.
+    constexpr int kMostWithoutGain = 8;
     bool are_near_ones_below = false;
-    for (std::size_t step = 0; step < 2 * corners_.size(); ++step) {
-      const Corner* const above = are_near_ones_below ? patches_.farthest_above(best.plane(), resolution_)
-                                                      : patches_.farthest_near(best.plane(), resolution_);
-      if (above == nullptr && are_near_ones_below) break;
-      if (above == nullptr) {
-        are_near_ones_below = true;
-        continue;
-      }
+    double height = best.plane_at(place);
+    for (int n_without_gain = 0; n_without_gain < kMostWithoutGain;) {
+      const Corner* above = nullptr;
+      if (!are_near_ones_below) above = patches_.farthest_near(best.plane(), resolution_);
+      are_near_ones_below = above == nullptr;
+      if (are_near_ones_below) above = patches_.farthest_above(best.plane(), resolution_);
+      if (above == nullptr) break;
       Triangle next;
       for (std::size_t k = 0; k < 3; ++k) {
         next.take_if_better({best.corners[k], best.corners[(k + 1) % 3], *above}, place);
       }
       best = next;
+      const double next_height = best.plane_at(place);
+      n_without_gain = next_height > height ? 0 : n_without_gain + 1;
+      height = std::fmax(height, next_height);
     }
     last_ = best;
     has_last_ = true;
-    return best.plane_at(place);
+    return height;
   }
 
  private:
@@ -210,23 +213,27 @@ class ContactFace {
     return {{outline_corners_[0], outline_corners_[k], outline_corners_[k + 1]}, 0.0};
   }
 
-  // What is known to begin with: the outline's triangles, the last place's, for neighbours may share it, and those of
-  // its corners with a side of the outline.
+  // What is known to begin with: the outline's triangles, and what a walk from the last place's comes to, for
+  // neighbours share one or are a few apart: over the side that the place is beyond, to the corner near it that leaves
+  // all others below, as hulls are wrapped.
   Triangle highest_known_at(const PlanarPoint& place) const {
-    Triangle best = triangle_at(place);
+    constexpr int kMostSteps = 12;
+    constexpr double kBeside = 0x1p-30;  // places on a side of the outline are beside it by rounding
+    const Triangle best = triangle_at(place);
     if (!has_last_) return best;
-    double highest = best.plane_at(place);
-    const auto consider = [&](const std::array<Corner, 3>& corners) {
-      Triangle other;
-      other.take_if_better(corners, place);
-      if (!(other.inside > 0.0) || !(other.plane_at(place) > highest)) return;
-      highest = other.plane_at(place);
-      best = other;
-    };
-    consider(last_.corners);
-    for (const Corner& corner : last_.corners) {
-      const std::size_t side = side_beyond(corner.at, place);
-      consider({corner, outline_corners_[side], outline_corners_[(side + 1) % outline_corners_.size()]});
+    Triangle next = last_;
+    for (int step = 0; step < kMostSteps; ++step) {
+      const std::array<double, 3> inside = next.weights(place);
+      const std::size_t behind = static_cast<std::size_t>(std::ranges::min_element(inside) - inside.begin());
+      next.inside = inside[behind];
+      if (next.inside > -kBeside) return next.plane_at(place) > best.plane_at(place) ? next : best;
+      const Corner &from = next.corners[(behind + 1) % 3], &to = next.corners[(behind + 2) % 3];
+      const PlanarPoint along = to.at - from.at;
+      const double side = turn(along, next.corners[behind].at - from.at) > 0.0 ? 1.0 : -1.0;
+      const PlanarPoint beyond = (side / std::sqrt(dot(along, along))) * PlanarPoint{along.y, -along.x};
+      const Corner* const corner = patches_.least_below(next.plane(), from.at, beyond, resolution_);
+      if (corner == nullptr) return best;
+      next.corners = {from, to, *corner};
     }
     return best;
   }

@@ -97,6 +97,25 @@ const ContactCorner* ContactPatches::farthest_near(const ContactPlane& plane, do
   return farthest;
 }
 
+const ContactCorner* ContactPatches::least_below(const ContactPlane& plane, const PlanarPoint& from,
+                                                 const PlanarPoint& beyond, double least) const {
+  const ContactCorner* first = nullptr;
+  double height_of_first = 0.0, off_of_first = 0.0;
+  for (std::size_t i = 0; i < n_near_; ++i) {
+    const Patch& patch = patches_[near_[i]];
+    for (std::size_t k = patch.from; k < patch.to; ++k) {
+      const double off = dot(beyond, corners_[k].at - from);
+      if (!(off > least)) continue;
+      const double height = plane.height_of(corners_[k]);
+      if (first != nullptr && !(height * off_of_first > height_of_first * off)) continue;
+      first = &corners_[k];
+      height_of_first = height;
+      off_of_first = off;
+    }
+  }
+  return first;
+}
+
 void ContactPatches::look_at(const Patch& patch, const ContactPlane& plane, double& least,
                              const ContactCorner*& farthest) const {
   for (std::size_t k = patch.from; k < patch.to; ++k) {

@@ -39,6 +39,10 @@ class ContactPatches {
   /// The patches about a place, a few; and the same of their corners alone.
   void look_near(const PlanarPoint& place);
   const ContactCorner* farthest_near(const ContactPlane& plane, double least) const;
+  /// Of those that are farther than `least` beyond a line of the plane, through `from` and across the unit vector
+  /// `beyond`, the one that the plane comes to first if it is turned about the line, downwards from above them all.
+  const ContactCorner* least_below(const ContactPlane& plane, const PlanarPoint& from, const PlanarPoint& beyond,
+                                   double least) const;
 
  private:
   static constexpr std::size_t kNear = 4;

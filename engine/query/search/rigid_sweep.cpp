@@ -141,6 +141,10 @@ Transformd RigidSweep::relative_pose(double time) const {
   return {{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}, of_a.direction_to_b(of_b.translation)};
 }
 
+Vec3d RigidSweep::between_centres(double time) const {
+  return pose_at(a_from_b_, motion_.velocity, turning_, time)(b_.centre()) - turned_with_a(time, a_.centre());
+}
+
 // E23: what pose_at may be off by, at a point of B's core.
 double RigidSweep::pose_error(double time) const {
   const double lost = time * kSubnormal * (1.0 + from_origin_ + from_origin_a_);
@@ -194,7 +198,7 @@ double RigidSweep::gap_during(const Vec3d& unit_normal, double from, double dura
   Transformd turn = pose_at(a_from_b_, motion_.velocity, turning_, middle);
   const Vec3d origin = turn.translation;
   turn.translation = {};
-  if (n_gaps_++ == 0 || norm_1(last_normal_ - unit_normal) > 0.0) look_along(unit_normal);
+  if (n_gaps_++ == 0 || !(norm_1(last_normal_ - unit_normal) == 0.0)) look_along(unit_normal);
   const Vec3d &turning = last_turning_, &turning_of_a = last_turning_of_a_;
   const Transformd turn_of_a = a_turns() ? this->turn_of_a(middle) : Transformd{};
   double least = HUGE_VAL, longest = 0.0;

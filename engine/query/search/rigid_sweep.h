@@ -53,6 +53,10 @@ class RigidSweep {
   /// A lower bound of the gap along `unit_normal` at every time from `from` to `from` + `duration`.
   double gap_during(const Vec3d& unit_normal, double from, double duration);
 
+  /// What a square of the duration takes off that bound is an eighth of this at least, along the normal of the last
+  /// one.
+  double bend() const { return last_bend_; }
+
   /// A time until which, `last` at most, nothing touches along that normal from `from` on, itself among them: shown in
   /// twice the precision, which tells gaps that double precision takes for contact. `from` where nothing is shown, as
   /// after `short_time`. `forms`: those of the bodies at the start, B rounded
@@ -73,6 +77,8 @@ class RigidSweep {
 
   /// B's pose in A's frame as it is then; and vectors from that frame to the one at first, and back.
   Transformd relative_pose(double time) const;
+  /// From A's to B's, to rounding.
+  Vec3d between_centres(double time) const;
   Vec3d turned_with_a(double time, const Vec3d& vector) const;
   Vec3d turned_back(double time, const Vec3d& vector) const;
   int n_support_calls() const { return n_support_calls_; }
