@@ -33,10 +33,7 @@ bool TriangleIntegrand::is_for(const ConvexBody& body, const OrientationLaw& law
                                double relative_error) {
   constexpr double kMostError = 1e-9;
   if (!(excluded_volume > 0.0 && relative_error < kMostError)) return false;
-  // Aligned bodies are as good when they are stretched, as far as rounding allows.
-  constexpr double kLongest = 24.0, kLongestAligned = 1024.0;
-  const bool is_aligned = law.kind() == OrientationLaw::Kind::aligned;
-  return TriangleMap(body, law).longest_by_shortest() < (is_aligned ? kLongestAligned : kLongest);
+  return TriangleMap(body, law).is_usable();
 }
 
 double TriangleIntegrand::cost() const {

@@ -7,9 +7,9 @@
 // lambda z being as far as T^-1 C reaches: (x, w) = T z, and lambda is the least of the radial functions of the three
 // differences along x, w and w - x. With <V_ex> = 2 B2, B3 / B2^2 = (4/3) <|C|> / <V_ex>^2.
 //
-// T may depend on the orientations, and the nearer T^-1 C is to a ball, the less is left to vary. With D the root of
-// the body's ellipsoid, turned with it, K_ij is nearly the image of the unit ball under D_i + D_j = D_ij (which is in
-// the sum of the two ellipsoids), and with G = (D13 + D23)^-1
+// T may depend on the orientations, and the nearer T^-1 C is to a ball, the less is left to vary. Q being the matrix of
+// an ellipsoid like the body, turned with it, K_ij is nearly the image of a ball under D_ij, the root of Q_i + Q_j, and
+// with G = (D13 + D23)^-1
 //   x = 2 / sqrt(3) D12 z',   w = D13 G (x + 2 D23 z''),   z = (z', z''):
 // the third body is drawn about the middle of the first two, as its two neighbours' shapes have it. Of like balls this
 // is the ellipsoid that has the triangle's symmetry.
@@ -58,8 +58,9 @@ class TriangleMap {
   int dimension() const { return is_isotropic_ ? kMaxDimension : 6; }
   /// Of each pair of bodies, where rays begin.
   BodyPoints points() const { return {body_.centre, body_.centre}; }
-  /// Of the ellipsoid like the body, whose axes T is made of.
-  double longest_by_shortest() const;
+  /// Whether the body is not longer than 2^10 of what it is across; where all are turned alike, of what it is anywhere.
+  /// Flat bodies cross each other, and their difference is not flat.
+  bool is_usable() const;
 
   template <class L>
   Triangle<L> operator()(std::span<const L> point) const {
@@ -67,13 +68,13 @@ class TriangleMap {
     triangle.pick = point[static_cast<std::size_t>(dimension() - 1)];
     const std::size_t n_turned = is_isotropic_ ? 3 : 1;
     std::array<Frame<L>, 3> own;  // the bodies' own axes as the world sees them
-    std::array<Symmetric<L>, 3> d;
+    std::array<Symmetric<L>, 3> q;
     for (std::size_t k = 0; k < 3; ++k) {
       own[k] = k < n_turned ? axes_of(point[2 + 2 * k], point[3 + 2 * k], point[2 + 2 * n_turned + k], triangle.pick)
                             : own[0];
-      d[k] = k < n_turned ? root_in_world(own[k]) : d[0];
+      q[k] = k < n_turned ? in_world(own[k]) : q[0];
     }
-    const Inverse<L> d_12(sum(d[0], d[1])), d_13(sum(d[0], d[2])), d_23(sum(d[1], d[2]));
+    const Inverse<L> d_12(root(sum(q[0], q[1]))), d_13(root(sum(q[0], q[2]))), d_23(root(sum(q[1], q[2])));
     const Inverse<L> both_of_third(sum(d_13.of, d_23.of));
 
     // |z'|^2 has the density (8 / pi) sqrt(t (1 - t)).
@@ -104,6 +105,34 @@ class TriangleMap {
     return {(m.xx * v.x + m.xy * v.y) + m.xz * v.z, (m.xy * v.x + m.yy * v.y) + m.yz * v.z,
             (m.xz * v.x + m.yz * v.y) + m.zz * v.z};
   }
+  // A symmetric matrix like the root of Q: by the theorem of Cayley and Hamilton, from its own invariants (A. Hoger and
+  // D. E. Carlson, Q. Appl. Math. 42, 113, 1984). Its trace is the largest root of a quartic, to which Newton's steps
+  // come down; where they end too early the matrix is another one, but it still turns with Q.
+  template <class L>
+  static Symmetric<L> root(const Symmetric<L>& q) {
+    const L two(2.0), four(4.0), one = (q.xx + q.yy) + q.zz;
+    const L xx = q.yy * q.zz - q.yz * q.yz, yy = q.xx * q.zz - q.xz * q.xz, zz = q.xx * q.yy - q.xy * q.xy;
+    const L second = (xx + yy) + zz;
+    const L det = (q.xx * xx + q.xy * (q.xz * q.yz - q.xy * q.zz)) + q.xz * (q.xy * q.yz - q.xz * q.yy);
+    const L third = square_root(larger(det, L(0x1p-50) * ((one * one) * one)));
+    L trace = square_root(L(3.0) * one);
+    constexpr int kSteps = 12;
+    for (int step = 0; step < kSteps; ++step) {
+      const L square = trace * trace, cubic = trace * (square - one);
+      const L value =
+          (square * square - two * (one * square)) - (L(8.0) * (third * trace) - (one * one - four * second));
+      trace = trace - value / (four * cubic - L(8.0) * third);
+    }
+    const L middle = L(0.5) * (trace * trace - one), scale = L(1.0) / (trace * middle - third);
+    const L of_one = scale * (trace * third), of_q = scale * (trace * trace - middle);
+    const Vec3<L> x{q.xx, q.xy, q.xz}, y{q.xy, q.yy, q.yz}, z{q.xz, q.yz, q.zz};
+    return {(of_one + of_q * q.xx) - scale * dot(x, x),
+            (of_one + of_q * q.yy) - scale * dot(y, y),
+            (of_one + of_q * q.zz) - scale * dot(z, z),
+            of_q * q.xy - scale * dot(x, y),
+            of_q * q.xz - scale * dot(x, z),
+            of_q * q.yz - scale * dot(y, z)};
+  }
   template <class L>
   struct Inverse {
     explicit Inverse(const Symmetric<L>& m) : of(m) {
@@ -129,9 +158,9 @@ class TriangleMap {
     return f;
   }
   template <class L>
-  Symmetric<L> root_in_world(const Frame<L>& own) const {
+  Symmetric<L> in_world(const Frame<L>& own) const {
     const Vec3<L>&x = own.across_1, &y = own.across_2, &z = own.axis;
-    const Vec3<L> a = L(root_.x) * x, b = L(root_.y) * y, c = L(root_.z) * z;
+    const Vec3<L> a = L(squares_.x) * x, b = L(squares_.y) * y, c = L(squares_.z) * z;
     return {(a.x * x.x + b.x * y.x) + c.x * z.x, (a.y * x.y + b.y * y.y) + c.y * z.y,
             (a.z * x.z + b.z * y.z) + c.z * z.z, (a.x * x.y + b.x * y.y) + c.x * z.y,
             (a.x * x.z + b.x * y.z) + c.x * z.z, (a.y * x.z + b.y * y.z) + c.y * z.z};
@@ -179,7 +208,7 @@ class TriangleMap {
 
   bool is_isotropic_;
   RadialBody body_;
-  Vec3d root_;  // D in the body's own axes, where it is as good as diagonal, in circumradii
+  Vec3d squares_;  // Q in the body's own axes, where it is as good as diagonal, in units of the circumradius
 };
 
 }  // namespace vex

@@ -145,12 +145,14 @@ TEST(TriangleIntegrand, AValueHangsOnItsPointAlone) {
 }
 
 TEST(TriangleIntegrand, IsForBodiesThatAreKnownAndNotTooLong) {
-  const ConvexBody cube = Box(1.0, 1.0, 1.0), rod = Box(1000.0, 1.0, 1.0);
+  const ConvexBody cube = Box(1.0, 1.0, 1.0), rod = Box(1500.0, 1.0, 1.0), slab = Box(1500.0, 1500.0, 1.0);
   EXPECT_TRUE(TriangleIntegrand::is_for(cube, {}, 11.0, 0x1p-40));
   EXPECT_FALSE(TriangleIntegrand::is_for(cube, {}, std::nan(""), 0x1p-40));
   EXPECT_FALSE(TriangleIntegrand::is_for(cube, {}, 11.0, 1e-6));
   EXPECT_FALSE(TriangleIntegrand::is_for(rod, {}, 1.0, 0x1p-40));
-  EXPECT_TRUE(TriangleIntegrand::is_for(rod, kAligned, 8000.0, 0x1p-40));
+  EXPECT_FALSE(TriangleIntegrand::is_for(slab, kAligned, 1.0, 0x1p-40));
+  EXPECT_TRUE(TriangleIntegrand::is_for(slab, {}, 1.0, 0x1p-40));
+  EXPECT_TRUE(TriangleIntegrand::is_for(Box(900.0, 1.0, 1.0), kAligned, 7200.0, 0x1p-40));
   EXPECT_THROW(TriangleIntegrand(cube, OrientationLaw::onsager(3.0), 11.0, 0x1p-40), UsageError);
 }
 
