@@ -49,23 +49,23 @@ VolumeEstimate third(const std::string& text, const OrientationLaw& law, std::ui
   return volume_estimate(record.tally, settings.domain);
 }
 
-double z_of(const VolumeEstimate& estimate, double known) {
+double errors_off(const VolumeEstimate& estimate, double known) {
   return (estimate.excluded_volume - known) / estimate.std_error;
 }
 
 const OrientationLaw kAligned = OrientationLaw::aligned();
-constexpr double kOfSpheres = 5.0 / 8.0, kOfAlignedCubes = 9.0 / 16.0;
+constexpr double kB3OfSpheres = 5.0 / 8.0, kB3OfAlignedCubes = 9.0 / 16.0;
 
 TEST(TriangleIntegrand, OfSpheresAndAlignedBoxesTheCoefficientIsTheKnownOne) {
   for (const char* const text : {"sphere:0.5", "ellipsoid:1,1,100", "ellipsoid:0.2,1,7"}) {
     const VolumeEstimate found = third(text, kAligned, 1u << 16);
-    EXPECT_LT(std::fabs(z_of(found, kOfSpheres)), 4.0) << text;
+    EXPECT_LT(std::fabs(errors_off(found, kB3OfSpheres)), 4.0) << text;
     EXPECT_LT(found.std_error, 5e-5) << text;
   }
-  EXPECT_LT(std::fabs(z_of(third("sphere:2", {}, 1u << 16), kOfSpheres)), 4.0);
+  EXPECT_LT(std::fabs(errors_off(third("sphere:2", {}, 1u << 16), kB3OfSpheres)), 4.0);
   for (const char* const text : {"box:1,1,1", "box:0.1,2,9"}) {
     const VolumeEstimate found = third(text, kAligned, 1u << 16);
-    EXPECT_LT(std::fabs(z_of(found, kOfAlignedCubes)), 4.0) << text;
+    EXPECT_LT(std::fabs(errors_off(found, kB3OfAlignedCubes)), 4.0) << text;
     EXPECT_LT(found.std_error, 3e-4) << text;
   }
 }
@@ -76,8 +76,8 @@ TEST(TriangleIntegrand, ErrorsAreHonest) {
   constexpr int kSeeds = 40;
   double of_spheres = 0.0, of_cubes = 0.0;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    const double z_sphere = z_of(third("sphere:0.5", {}, 1u << 12, seed), kOfSpheres);
-    const double z_cube = z_of(third("box:1,1,1", kAligned, 1u << 12, seed), kOfAlignedCubes);
+    const double z_sphere = errors_off(third("sphere:0.5", {}, 1u << 12, seed), kB3OfSpheres);
+    const double z_cube = errors_off(third("box:1,1,1", kAligned, 1u << 12, seed), kB3OfAlignedCubes);
     of_spheres += z_sphere * z_sphere;
     of_cubes += z_cube * z_cube;
   }
@@ -106,7 +106,7 @@ TEST(TriangleIntegrand, AgreesWithClustersThatAreHitOrMissed) {
 
 TEST(TriangleIntegrand, WrongOnesAreFoundOut) {
   const auto z = [](const Wrong& wrong) {
-    return z_of(third("sphere:0.5", {}, 1u << 14, 1, 1, best_instruction_set(), wrong), kOfSpheres);
+    return errors_off(third("sphere:0.5", {}, 1u << 14, 1, 1, best_instruction_set(), wrong), kB3OfSpheres);
   };
   EXPECT_LT(std::fabs(z({})), 4.0);
   EXPECT_GT(std::fabs(z({1.001, 3})), 8.0);
