@@ -142,8 +142,8 @@ void require_ended_by_trials(bool complete, const std::string& stopped_by, std::
       file, "only ranges that --trials ended are added: finish an interrupted one with --resume");
 }
 
-MergedTally merge_tallies(const std::vector<TallyOfFile>& tallies, const MergeOptions& options,
-                          const std::string& name) {
+MergedTally merge_tallies(const std::vector<TallyOfFile>& tallies, const MergeOptions& options, const std::string& name,
+                          std::uint64_t driver_trials_of_one) {
   struct Part {
     std::size_t number;
     RunState state;
@@ -154,7 +154,8 @@ MergedTally merge_tallies(const std::vector<TallyOfFile>& tallies, const MergeOp
   for (const auto& [file, tally] : tallies) {
     const std::vector<std::string> of = tally->at("of").get<std::vector<std::string>>();
     parts.push_back({parts.size(), state_of(*tally, file)});
-    ranges.push_back({file, parts.back().state.first_trial, parts.back().state.end()});
+    const RunState& state = parts.back().state;
+    ranges.push_back({file, state.first_trial / driver_trials_of_one, state.end() / driver_trials_of_one});
     if (parts.size() == 1) merged.of = of;
     require_same_run(merged.of, tallies.front().first, of, file);
   }

@@ -52,9 +52,10 @@ struct MergedTally {
 };
 /// A file, and in its document the tally (tally_json, estimate_report.h).
 using TallyOfFile = std::pair<std::string, const nlohmann::ordered_json*>;
-/// Throws InputError where one is damaged, where two are of unlike runs, and as `require_every_trial_once`.
+/// Throws InputError where one is damaged, where two are of unlike runs, and as `require_every_trial_once`. What the
+/// user calls a trial may be several of the driver's.
 MergedTally merge_tallies(const std::vector<TallyOfFile>& tallies, const MergeOptions& options,
-                          const std::string& name = "");
+                          const std::string& name = "", std::uint64_t driver_trials_of_one = 1);
 
 /// What is told of the whole.
 struct MergedReport {

@@ -1,5 +1,7 @@
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "apps/common/body_report.h"
 #include "apps/common/numbers.h"
@@ -25,6 +27,12 @@ RunRecord whole_record(RunState&& state) {
   return record;
 }
 
+// B3 may be of single triangles, of which each is a sample.
+std::uint64_t driver_trials_of_one(const VirialJson& entry) {
+  const bool is_of_triangles = entry.at("samples") == entry.at("tally").at("trials");
+  return is_of_triangles ? VirialCoefficient::kTrianglesOfBunch : 1;
+}
+
 // Which of the coefficients it is, in a message.
 std::string name_of_entry(const VirialJson& entry, bool is_mixture) {
   return is_mixture ? " of B_" + entry.at("bodies").get<std::string>()
@@ -39,8 +47,10 @@ MergedReport merged_virial(const std::vector<Document>& documents, const MergeOp
   const std::size_t n_entries = documents.front().json.at(list).size();
   if (n_entries == 0) refuse_document("a document without coefficients", documents.front().file, kDocumentAdvice);
   std::vector<MergedTally> merged;
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> ranges;  // of what users call trials
   for (std::size_t k = 0; k < n_entries; ++k) {
     const std::string name = name_of_entry(documents.front().json.at(list).at(k), is_mixture);
+    const std::uint64_t of_one = driver_trials_of_one(documents.front().json.at(list).at(k));
     std::vector<TallyOfFile> tallies;
     for (const Document& one : documents) {
       if (!one.json.contains(list) || one.json.at(list).size() != n_entries) {
@@ -49,17 +59,15 @@ MergedReport merged_virial(const std::vector<Document>& documents, const MergeOp
       }
       const VirialJson& entry = one.json.at(list).at(k);
       const VirialJson& tally = entry.at("tally");
-      require_ended_by_trials(entry.at("complete") == true, entry.at("stopped_by").get<std::string>(),
-                              tally.at("first_trial").get<std::uint64_t>() + tally.at("trials").get<std::uint64_t>(),
-                              one.file);
+      require_ended_by_trials(
+          entry.at("complete") == true, entry.at("stopped_by").get<std::string>(),
+          (tally.at("first_trial").get<std::uint64_t>() + tally.at("trials").get<std::uint64_t>()) / of_one, one.file);
       tallies.emplace_back(one.file, &tally);
     }
-    merged.push_back(merge_tallies(tallies, options, name));
+    merged.push_back(merge_tallies(tallies, options, name, of_one));
+    ranges.push_back({merged.back().state.first_trial / of_one, merged.back().state.end() / of_one});
     // One document is the first of all coefficients: all have the same ranges.
-    const auto differs = [&](const MergedTally& other) {
-      return other.state.end() != merged.front().state.end() || other.first != merged.front().first;
-    };
-    if (differs(merged.back())) {
+    if (ranges.back() != ranges.front() || merged.back().first != merged.front().first) {
       refuse_document("a document of other trials" + name + " than of the first coefficient", documents.front().file,
                       "it is damaged");
     }
@@ -74,7 +82,7 @@ MergedReport merged_virial(const std::vector<Document>& documents, const MergeOp
     found.b2_std_error = number_of(document.at("b2_std_error"));
     found.b2_per_volume = number_of(document.at("b2_per_volume"));
   }
-  const std::uint64_t first = merged.front().state.first_trial, end = merged.front().state.end();
+  const auto [first, end] = ranges.front();
   for (std::size_t k = 0; k < n_entries; ++k) {
     VirialJson& entry = document.at(list).at(k);
     RunRecord record = whole_record(std::move(merged[k].state));

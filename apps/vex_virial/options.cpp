@@ -42,8 +42,9 @@ void declare_run(OptionParser& options, VirialCommandLine& words) {
       .type_name("N")
       .group(stop);
   options
-      .add_option("--trials", words.trials,
-                  "The same in trials: bunches of 244 clusters, from the sixth coefficient on of 488")
+      .add_option(
+          "--trials", words.trials,
+          "The same in trials: bunches of 244 clusters, from the sixth coefficient on of 488, of B3 mostly of 256")
       .type_name("N")
       .group(stop);
   const std::string system = "System";

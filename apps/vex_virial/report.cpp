@@ -50,7 +50,7 @@ std::string pairs_text(const VirialRun& run) {
     sum.n_undecided += found.pairs.n_undecided;
   }
   const auto number = [](std::uint64_t n) { return short_count(static_cast<double>(n)); };
-  std::string text = "of " + number(sum.n_all) + " pairs of the clusters, neighbours left out, " +
+  std::string text = "of " + number(sum.n_all) + " pairs of the clusters, neighbours of chains and trees left out, " +
                      number(sum.n_by_balls) + " were decided by balls, " + number(sum.n_searched) + " by a search, " +
                      number(sum.n_skipped()) + " skipped: the cluster had no weight; " +
                      plural(sum.n_undecided, "pair is UNDECIDED", "pairs are undecided") + "\n";

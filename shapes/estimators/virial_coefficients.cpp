@@ -8,6 +8,7 @@
 
 #include "engine/numeric/errors.h"
 #include "engine/sampling/virial/cluster_weights.h"
+#include "engine/sampling/virial/triangle_integrand.h"
 #include "engine/sampling/virial/virial_integrand.h"
 #include "shapes/estimators/exact_average.h"
 #include "shapes/formula.h"
@@ -75,8 +76,25 @@ MonteCarloSettings driver_settings(const VirialSettings& settings) {
   return driver;
 }
 
-// Of one coefficient: what all its integrands have in common is made by the call, each of them by what it returns.
-using PrepareIntegrand = std::function<MakeIntegrand(const std::shared_ptr<const ClusterWeights>&)>;
+constexpr std::uint64_t kTrianglesOfBunch = VirialCoefficient::kTrianglesOfBunch;
+static_assert(kTrianglesOfBunch % kClasses == 0);
+
+bool is_of_triangles(const Tally& tally) { return tally.by_class.kind == ClassTally::Kind::scramblings; }
+
+std::uint64_t n_samples(const Tally& tally, int n) {
+  return tally.n_trials * (is_of_triangles(tally) ? 1 : VirialIntegrand::n_clusters(n));
+}
+
+std::uint64_t triangles_of(std::uint64_t bunches) {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max() / kTrianglesOfBunch;
+  return std::min(bunches, kMost) * kTrianglesOfBunch;
+}
+
+// Of one coefficient.
+struct Integration {
+  MakeIntegrand integrand;
+  bool is_of_triangles = false;
+};
 
 // The runs of the driver, a coefficient each, one after another.
 class VirialRuns {
@@ -93,12 +111,19 @@ class VirialRuns {
   double seconds() const { return seconds_; }
 
   // Of this order; what the driver calls the domain of hit or miss is not looked at.
-  RunRecord next(int n, const ConvexBody& a, const ConvexBody& b, const PrepareIntegrand& prepare) {
+  RunRecord next(int n, const ConvexBody& a, const ConvexBody& b, const Integration& integration) {
     MonteCarloSettings driver = driver_;
-    driver.integrand = prepare(std::make_shared<const ClusterWeights>(n));
+    driver.integrand = integration.integrand;
     if (settings_.samples) {
-      const std::uint64_t n_bunches = (*settings_.samples - 1) / VirialIntegrand::n_clusters(n) + 1;
+      const std::uint64_t n_of_bunch = integration.is_of_triangles ? kTrianglesOfBunch : VirialIntegrand::n_clusters(n);
+      const std::uint64_t n_bunches = (*settings_.samples - 1) / n_of_bunch + 1;
       driver.stop.trials = std::min(driver.stop.trials.value_or(n_bunches), n_bunches);
+    }
+    if (integration.is_of_triangles) {
+      driver.sequence = Sequence::sobol;
+      driver.first_trial = triangles_of(driver.first_trial);
+      driver.stop.max_trials = triangles_of(driver.stop.max_trials);
+      if (driver.stop.trials) driver.stop.trials = triangles_of(*driver.stop.trials);
     }
     // What is left of the time, for as many runs as are left.
     if (driver.stop.seconds) {
@@ -140,6 +165,22 @@ ReducedVirial reduced_virial(const Tally& tally) {
   return {estimate.excluded_volume, estimate.std_error};
 }
 
+Integration integration_of(int n, const ConvexBody& body, const VirialSettings& settings, double excluded_volume,
+                           double relative_error) {
+  const OrientationLaw law = settings.law;
+  const InstructionSet set = settings.instruction_set;
+  const double error = relative_error + 0x1p-40;
+  if (n == 3 && TriangleIntegrand::is_for(body, law, excluded_volume, error)) {
+    return {[=] { return std::make_unique<TriangleIntegrand>(body, law, excluded_volume, error, set); }, true};
+  }
+  const auto weights = std::make_shared<const ClusterWeights>(n);
+  // Of larger clusters next to nothing hangs on the distance of single neighbours.
+  constexpr int kLastControlled = 6;
+  const auto control =
+      n > kLastControlled ? nullptr : VirialIntegrand::control_of(body, law, weights, excluded_volume, error, set);
+  return {[=] { return std::make_unique<VirialIntegrand>(body, law, weights, set, control); }};
+}
+
 }  // namespace
 
 bool VirialCoefficient::sign_is_settled() const {
@@ -160,7 +201,7 @@ void VirialCoefficient::conclude(double b2_per_volume, double b2_relative_error)
   const ReducedVirial found = reduced_virial(record.tally);
   reduced = found.value;
   std_error = found.std_error;
-  samples = record.tally.n_trials * VirialIntegrand::n_clusters(n);
+  samples = n_samples(record.tally, n);
   pairs = VirialPairs::of(record.tally);
   const double power = std::pow(b2_per_volume, n - 1);
   per_volume = reduced * power;
@@ -171,7 +212,7 @@ void MixedVirial::conclude() {
   const ReducedVirial found = reduced_virial(record.tally);
   reduced = found.value;
   reduced_std_error = found.std_error;
-  samples = record.tally.n_trials * VirialIntegrand::n_clusters(3);
+  samples = n_samples(record.tally, 3);
   pairs = VirialPairs::of(record.tally);
   value = reduced * b2_product;
   std_error = std::hypot(reduced_std_error * b2_product, value * b2_relative_error);
@@ -195,18 +236,8 @@ VirialCoefficients virial_coefficients(const Body& body, const VirialSettings& s
   for (int n = ClusterWeights::kLeastOrder; n <= settings.order; ++n) {
     VirialCoefficient found;
     found.n = n;
-    found.record = runs.next(n, body.body, body.body, [&](const auto& weights) -> MakeIntegrand {
-      const double excluded_volume = 2.0 * b2.value, error = result.b2_relative_error() + 0x1p-40;
-      // Of larger clusters next to nothing hangs on the distance of single neighbours.
-      constexpr int kLastControlled = 6;
-      const auto control = n > kLastControlled
-                               ? nullptr
-                               : VirialIntegrand::control_of(body.body, settings.law, weights, excluded_volume, error,
-                                                             settings.instruction_set);
-      return [&, weights, control] {
-        return std::make_unique<VirialIntegrand>(body.body, settings.law, weights, settings.instruction_set, control);
-      };
-    });
+    found.record = runs.next(n, body.body, body.body,
+                             integration_of(n, body.body, settings, 2.0 * b2.value, result.b2_relative_error()));
     found.conclude(result.b2_per_volume, result.b2_relative_error());
     result.complete = result.complete && found.record.complete;
     const bool is_interrupted = found.record.stopped_by == StopReason::interrupted;
@@ -235,13 +266,13 @@ std::array<MixedVirial, 4> third_virials_of_mixture(const Body& a, const Body& b
     require_overlaps(second, *bodies[1], settings.law);
     mixed.b2_product = first.value * second.value;
     mixed.b2_relative_error = std::hypot(first.error / first.value, second.error / second.value);
-    mixed.record = runs.next(3, bodies[0]->body, bodies[2]->body, [&](const auto& weights) -> MakeIntegrand {
-      return [&, weights] {
-        return std::make_unique<VirialIntegrand>(
-            std::array<ConvexBody, 3>{bodies[0]->body, bodies[1]->body, bodies[2]->body}, settings.law, weights,
-            settings.instruction_set);
-      };
-    });
+    const auto weights = std::make_shared<const ClusterWeights>(3);
+    const auto make = [&] {
+      return std::make_unique<VirialIntegrand>(
+          std::array<ConvexBody, 3>{bodies[0]->body, bodies[1]->body, bodies[2]->body}, settings.law, weights,
+          settings.instruction_set);
+    };
+    mixed.record = runs.next(3, bodies[0]->body, bodies[2]->body, {make});
     mixed.conclude();
   }
   return result;

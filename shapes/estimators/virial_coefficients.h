@@ -1,5 +1,5 @@
 // Virial coefficients of hard convex bodies: B2 as it is known, B3 to B8 by Monte Carlo over clusters of overlapping
-// bodies (engine/sampling/virial).
+// bodies (engine/sampling/virial); B3 over triangles whose place is integrated, where that is better.
 //
 // p / kT = n + B2 n^2 + B3 n^3 + ..., n being the number of bodies a volume. B_n / B2^(n-1) is measured without B2.
 #pragma once
@@ -26,7 +26,7 @@ struct VirialSettings {
   std::optional<double> rel_error{};       // std_error / |B_n|
   std::optional<double> seconds{};         // of all coefficients: what one leaves of its part is the next ones'
   std::optional<std::uint64_t> samples{};  // clusters of each; as many more as make whole bunches
-  std::optional<std::uint64_t> trials{};   // the same in bunches of clusters, which are what the driver counts
+  std::optional<std::uint64_t> trials{};   // the same in bunches of clusters, or of as many triangles
   std::uint64_t max_trials = StopRule{}.max_trials;  // bunches
 
   OrientationLaw law{};  // isotropic or aligned: of others a chain of bodies is no power of B2
@@ -58,7 +58,10 @@ struct VirialCoefficient {
   double per_volume_std_error = 0.0;
   std::uint64_t samples = 0;  // clusters
   VirialPairs pairs;
-  RunRecord record;  // of the driver, whose trials are bunches of clusters
+  RunRecord record;  // of the driver, whose trials are bunches of clusters, or single triangles
+
+  /// As many triangles are what settings call a trial, so that all coefficients have one range of trials.
+  static constexpr std::uint64_t kTrianglesOfBunch = 256;
 
   /// Sets all but n from the record; B2 in units of V, its relative error.
   void conclude(double b2_per_volume, double b2_relative_error);

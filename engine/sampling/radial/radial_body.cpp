@@ -227,6 +227,8 @@ RadialBody radial_body(const ConvexBody& body) {
       break;
     }
   }
+  const Transformd about_x{found.axes.row_y, found.axes.row_z, found.axes.row_x, {}};
+  found.may_be_turned_over = looks_the_same_turned(body, found.centre, about_x, 0.5);
   // The ellipsoid is to have the symmetry, too.
   if (is_round || found.n_sectors > 1) found.q.xz = found.q.yz = 0.0;
   if (is_round || found.n_sectors > 2) {

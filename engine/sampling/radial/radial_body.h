@@ -94,7 +94,8 @@ struct RadialBody {
   bool is_upright = true;  // axes is I
   Symmetric<double> q;     // of the matching ellipsoid, in the axes
   Form form = Form::lump;
-  int n_sectors = 1;  // at most 5: turned by 1 / n_sectors of a turn about z the body looks the same
+  int n_sectors = 1;                // at most 5: turned by 1 / n_sectors of a turn about z the body looks the same
+  bool may_be_turned_over = false;  // half a turn about x changes nothing either
 };
 RadialBody radial_body(const ConvexBody& body);
 

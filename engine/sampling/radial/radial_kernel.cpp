@@ -12,6 +12,8 @@ class Kernel final : public PacketRays {
   Kernel(const PacketPairForms& forms, const BodyPoints& points) : search_(forms, points) {}
 
   void find(const RayTable& rays, RadialAnswers& answers) override { search_.find(rays, answers); }
+  void close_in(const RayTable& rays, RadialAnswers& answers) override { search_.close_in(rays, answers); }
+  void decide(RadialAnswers& answers) override { search_.decide(answers); }
 
  private:
   RadialSearch<kRegisterLanes> search_;

@@ -19,6 +19,7 @@
 #include "engine/numeric/transform.h"
 #include "engine/sampling/block.h"
 #include "engine/sampling/poses/orientation_law.h"
+#include "engine/sampling/radial/frames.h"
 #include "engine/sampling/radial/radial_body.h"
 #include "engine/sampling/radial/radial_function.h"
 #include "engine/sampling/radial/radial_steps.h"
@@ -113,32 +114,6 @@ class RadialNumbers {
  private:
   enum class LongBody { none, a, b, both };
 
-  // Right-handed: across_1, across_2, axis.
-  template <class L>
-  struct Frame {
-    Vec3<L> across_1, across_2, axis;
-  };
-  /// The axis uniform on the sphere.
-  template <class L>
-  static Frame<L> frame(const L& u, const L& v) {
-    const SinCos<L> azimuth = sincospi(v + v);
-    const L cos_polar = L(1.0) - (u + u), sin_polar = L(2.0) * square_root(u * (L(1.0) - u));
-    return {{cos_polar * azimuth.cos, cos_polar * azimuth.sin, -sin_polar},
-            {-azimuth.sin, azimuth.cos, L(0.0)},
-            {sin_polar * azimuth.cos, sin_polar * azimuth.sin, cos_polar}};
-  }
-  /// With a unit vector for its axis (T. Duff et al., "Building an orthonormal basis, revisited", J. Comput. Graph.
-  /// Tech. 6, 1, 2017).
-  template <class L>
-  static Frame<L> frame_about(const Vec3<L>& n) {
-    const L sign = select(n.z < L(0.0), L(-1.0), L(1.0));
-    const L p = L(-1.0) / (sign + n.z), xy = (n.x * n.y) * p;
-    return {{L(1.0) + sign * ((n.x * n.x) * p), sign * xy, -(sign * n.x)}, {xy, sign + (n.y * n.y) * p, -n.y}, n};
-  }
-  template <class L>
-  static Frame<L> turned(const Frame<L>& f, const SinCos<L>& turn) {
-    return {turn.cos * f.across_1 + turn.sin * f.across_2, turn.cos * f.across_2 - turn.sin * f.across_1, f.axis};
-  }
   template <class L>
   static Transform<L> columns(const Frame<L>& f) {
     return {{f.across_1.x, f.across_2.x, f.axis.x},
@@ -159,19 +134,6 @@ class RadialNumbers {
             row(a.across_1.y, a.across_2.y, a.axis.y),
             row(a.across_1.z, a.across_2.z, a.axis.z),
             {}};
-  }
-
-  // A turn of which nothing depends on the sector if the body looks the same in each: the coordinate's digits are all
-  // for the place within a sector, and which it is comes from the first digits of the pick, which are the least missed.
-  // Uniform whether the body is symmetric or not.
-  template <class L>
-  static L in_some_sector(int n_sectors, const L& u, L& pick) {
-    if (n_sectors == 1) return u;
-    const L n(static_cast<double>(n_sectors)), rounder(0x1.8p52);
-    const L scaled = n * pick;
-    const L sector = ((scaled - L(0.5)) + rounder) - rounder;  // 0, 1 ... n - 1
-    pick = scaled - sector;
-    return L(1.0 / n_sectors) * (sector + u);
   }
 
   template <class L>
@@ -279,11 +241,6 @@ class RadialNumbers {
     const L mixed = (L(q.xy) * (n.x * n.y) + L(q.xz) * (n.x * n.z)) + L(q.yz) * (n.y * n.z);
     return ((L(q.xx) * (n.x * n.x) + L(q.yy) * (n.y * n.y)) + L(q.zz) * (n.z * n.z)) + (mixed + mixed);
   }
-  template <class L>
-  static Vec3<L> scaled_to_unit(const Vec3<L>& v) {
-    return (L(1.0) / norm(v)) * v;
-  }
-
   const OrientationLaw* law_;
   RadialBody a_, b_;         // A and B throughout; of the caller's it is B and A if they are swapped
   bool is_swapped_ = false;  // to begin with the body that has an axis: rays are told apart by the angle with it

@@ -14,6 +14,8 @@ class OwningPacketRays final : public PacketRays {
       : pair_(std::move(pair)), kernel_(kernel(pair_->forms(), points)) {}
 
   void find(const RayTable& rays, RadialAnswers& answers) override { kernel_->find(rays, answers); }
+  void close_in(const RayTable& rays, RadialAnswers& answers) override { kernel_->close_in(rays, answers); }
+  void decide(RadialAnswers& answers) override { kernel_->decide(answers); }
 
  private:
   std::unique_ptr<PacketPair> pair_;

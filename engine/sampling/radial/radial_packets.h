@@ -34,6 +34,7 @@ struct RadialAnswers {
   static constexpr std::size_t kMostRays = 256;
 
   double cube[kMostRays], inner[kMostRays], outer[kMostRays];
+  double asked[kMostRays];  // of PacketRays::decide alone
 
   /// The first n are open, without bounds.
   void open_all(std::size_t n) {
@@ -68,6 +69,15 @@ class PacketRays {
   /// inner[k] and outer[k] are the two cubes, by which the question is to be decided all the same
   /// (RadialAnswers::cube_of). Of any other they are both 0.
   virtual void find(const RayTable& rays, RadialAnswers& answers) = 0;
+
+  /// The same in two halves, for a mean that hangs on several rays together. The first one answers where bounds meet;
+  /// of rays whose bounds are near enough it tells the cubes of these, inner[k] and outer[k], and the number that is to
+  /// be drawn is the caller's. All others are open.
+  virtual void close_in(const RayTable& rays, RadialAnswers& answers) = 0;
+  /// Right after it, of the same answers: whether r(d)^3 is asked[k] or more, for all rays with an inner[k] and
+  /// outer[k]. cube[k] is at least asked[k] where it is, and otherwise less; or a NaN where the search ended without an
+  /// answer.
+  virtual void decide(RadialAnswers& answers) = 0;
 };
 
 inline constexpr double kRadialGap = 0x1p-10;

@@ -54,18 +54,22 @@ class RadialSearch {
 
   RadialSearch(const PacketPairForms& forms, const BodyPoints& points) : pair_(forms, points) {}
 
-  /// PacketRays::find.
+  /// PacketRays::find, close_in and decide.
   __attribute__((flatten)) void find(const RayTable& rays, RadialAnswers& answers) {
-    answers.open_all(rays.n);
-    n_ended_ = n_wedge_ = n_portal_ = n_near_ = n_lost_ = 0;
-    first_portal(rays);
-    span_wedges();
-    for (int round = 0; round < kMostWedges && n_wedge_ > 0; ++round) turn_wedges();
-    for (int round = 0; round < kMostPortals && n_portal_ > 0; ++round) narrow(rays);
-    for (int round = 0; round < kMostPortals && n_near_ > 0; ++round) decide();
-    for (std::size_t k = 0; k < n_ended_; ++k) answers.cube[row_at(ended_[0], k)] = ended_[1][k];
-    for (std::size_t k = 0; k < n_lost_; ++k) leave_open(lost_[0], lost_[1], lost_[2], k, answers);
+    search(rays, answers);
+    for (std::size_t k = 0; k < n_near_; ++k) {
+      const double pick = rays.columns[RayTable::kPick * rays.stride + row_at(near_[kRow], k)];
+      near_[kAsked][k] = near_[kInner][k] + pick * (near_[kOuter][k] - near_[kInner][k]);
+    }
+    finish(answers);
+  }
+  __attribute__((flatten)) void close_in(const RayTable& rays, RadialAnswers& answers) {
+    search(rays, answers);
     for (std::size_t k = 0; k < n_near_; ++k) leave_open(near_[kRow], near_[kInner], near_[kOuter], k, answers);
+  }
+  __attribute__((flatten)) void decide(RadialAnswers& answers) {
+    for (std::size_t k = 0; k < n_near_; ++k) near_[kAsked][k] = answers.asked[row_at(near_[kRow], k)];
+    finish(answers);
   }
 
  private:
@@ -125,6 +129,27 @@ class RadialSearch {
     const std::size_t row = row_at(rows, k);
     answers.inner[row] = inner[k];
     answers.outer[row] = outer[k];
+  }
+
+  // Until all bounds have met or are near, or the search has ended.
+  void search(const RayTable& rays, RadialAnswers& answers) {
+    answers.open_all(rays.n);
+    n_ended_ = n_wedge_ = n_portal_ = n_near_ = n_lost_ = 0;
+    first_portal(rays);
+    span_wedges();
+    for (int round = 0; round < kMostWedges && n_wedge_ > 0; ++round) turn_wedges();
+    for (int round = 0; round < kMostPortals && n_portal_ > 0; ++round) narrow();
+    tell_ended(answers);
+  }
+  void finish(RadialAnswers& answers) {
+    for (int round = 0; round < kMostPortals && n_near_ > 0; ++round) ask_near();
+    tell_ended(answers);
+    for (std::size_t k = 0; k < n_lost_; ++k) leave_open(lost_[0], lost_[1], lost_[2], k, answers);
+    for (std::size_t k = 0; k < n_near_; ++k) leave_open(near_[kRow], near_[kInner], near_[kOuter], k, answers);
+  }
+  void tell_ended(RadialAnswers& answers) {
+    for (std::size_t k = 0; k < n_ended_; ++k) answers.cube[row_at(ended_[0], k)] = ended_[1][k];
+    n_ended_ = 0;
   }
 
   void end(std::size_t& n_ended, const L& row, const L& value, const Mask& ends) {
@@ -242,7 +267,7 @@ class RadialSearch {
     }
   }
 
-  void narrow(const RayTable& rays) {
+  void narrow() {
     const std::size_t n = n_portal_;
     const RadialError error = pair_.error;
     find_sections(portals_, n);
@@ -259,9 +284,7 @@ class RadialSearch {
       const L row = L::load(portals_[kRow] + k);
       end(n_ended, row, inner, meets);
       if (any(is_near)) {
-        const L pick = gather(rays.columns + RayTable::kPick * rays.stride, row_numbers(row, is_near));
-        append(near_, n_near, Compaction<W>(is_near), portals_[0], kColumn, k, row, next.portal, inner, outer,
-               inner + pick * (outer - inner));
+        append(near_, n_near, Compaction<W>(is_near), portals_[0], kColumn, k, row, next.portal, inner, outer);
       }
       append(portals_, n_portal, Compaction<W>(goes_on), portals_[0], kColumn, k, row, next.portal);
     }
@@ -269,13 +292,8 @@ class RadialSearch {
     n_portal_ = n_portal;
     n_near_ = n_near;
   }
-  // As whole numbers in lanes; 0 where the mask is off.
-  static L row_numbers(const L& row, const Mask& mask) {
-    const L number = from_bits(bits_of(row) | Bits(0x4330000000000000u)) - L(0x1p52);
-    return select(mask, number, L(0.0));
-  }
 
-  void decide() {
+  void ask_near() {
     const std::size_t n = n_near_;
     const RadialError error = pair_.error;
     find_sections(near_, n);

@@ -293,11 +293,7 @@ std::shared_ptr<const VirialControl> VirialIntegrand::control_of(const ConvexBod
 
 void VirialIntegrand::count(std::span<std::uint64_t> counted) {
   VEX_EXPECT(counted.size() == Tally::kNCounted);
-  const VirialPairs now = std::exchange(counts_, {});
-  std::size_t k = 0;
-  for (const std::uint64_t n : {now.n_all, now.n_by_balls, now.n_searched, now.n_undecided, now.n_candidates}) {
-    counted[k++] += n;
-  }
+  std::exchange(counts_, {}).add_to(counted);
 }
 
 Doubts VirialIntegrand::evaluate(std::span<const double> points, std::span<double> values) {
