@@ -281,6 +281,7 @@ std::optional<Triangles> exact_hull(std::span<const Vec3d> points) {
   };
   constexpr std::array<Attempt, 3> kAttempts{
       {{{0.271, 0.229, 0.243}, 100}, {{0.2633, 0.2377, 0.2219}, 400}, {{0.2371, 0.2593, 0.2917}, 400}}};
+  end_if_interrupted();
   std::vector<std::uint32_t> order = joining_order(points);
   std::uint64_t another = 0;
   bool is_too_slow = false;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/numeric/errors.h"
+#include "engine/numeric/interruption.h"
 #include "meshes/exact_hull.h"
 #include "meshes/exact_sign.h"
 #include "meshes/report_text.h"
@@ -57,6 +58,7 @@ int dimension_of(std::span<const Vec3d> points) {
 std::vector<bool> hull_corners(const Triangles& convex) {
   std::vector<unsigned char> n_edges(convex.vertices.size(), 0);
   for (std::uint32_t h = 0; h < convex.mates.size(); ++h) {
+    if (h % 4096 == 0) end_if_interrupted();
     const std::uint32_t tail = convex.tail(h);
     if (n_edges[tail] < 3 &&
         orientation_sign(convex.point(tail), convex.point(convex.head(h)), convex.point(convex.opposite(h)),

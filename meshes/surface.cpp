@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/numeric/errors.h"
+#include "engine/numeric/interruption.h"
 #include "meshes/report_text.h"
 
 namespace vex {
@@ -53,6 +54,7 @@ struct SortedHalfEdges {
 template <class Visit>  // visit(corner, its vertex, the next vertex)
 void for_each_half_edge(const PolygonSurface& surface, const Visit& visit) {
   for (std::size_t f = 0; f < surface.n_faces(); ++f) {
+    if (f % 4096 == 0) end_if_interrupted();
     const std::uint32_t begin = surface.face_begin[f];
     const std::uint32_t last = surface.face_begin[f + 1] - 1;
     for (std::uint32_t corner = begin; corner <= last; ++corner) {
@@ -90,6 +92,7 @@ EdgeCensus pair_half_edges(const PolygonSurface& surface, std::vector<std::uint3
   EdgeCensus census;
   mates->assign(surface.corners.size(), 0);
   for (std::uint32_t v = 0; v < surface.vertices.size(); ++v) {
+    if (v % 4096 == 0) end_if_interrupted();
     const std::uint32_t end = sorted.begin[v + 1];
     for (std::uint32_t i = sorted.begin[v], next = i; i < end; i = next) {
       const HalfEdge& first = sorted.half_edges[i];
@@ -144,6 +147,7 @@ void PolygonSurface::put_in_order() {
     order[next[face(f).front()]++] = static_cast<std::uint32_t>(f);
   }
   for (std::size_t v = 0; v + 1 < begin_of_vertex.size(); ++v) {
+    if (v % 4096 == 0) end_if_interrupted();
     std::sort(order.begin() + begin_of_vertex[v], order.begin() + begin_of_vertex[v + 1],
               [this](std::uint32_t f, std::uint32_t g) {
                 return std::lexicographical_compare(face(f).begin(), face(f).end(), face(g).begin(), face(g).end());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/numeric/interruption.h"
 #include "meshes/determinant.h"
 
 namespace vex {
@@ -39,6 +40,7 @@ Triangles fan_triangles(const PolygonSurface& surface, std::span<const std::uint
   result.mates.assign(3 * n_triangles, 0);
   std::vector<std::uint32_t> half_edge_of_corner(surface.corners.size());
   for (std::size_t f = 0; f < surface.n_faces(); ++f) {
+    if (f % 4096 == 0) end_if_interrupted();
     const auto face = surface.face(f);
     const std::uint32_t begin = surface.face_begin[f];
     const auto size = static_cast<std::uint32_t>(face.size());

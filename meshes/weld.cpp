@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/numeric/errors.h"
+#include "engine/numeric/interruption.h"
 #include "meshes/hash_key.h"
 #include "meshes/report_text.h"
 
@@ -94,7 +95,9 @@ void sort_vertices(Vertices* found) {
   for (const Vec3d& v : found->vertices) {
     placed.push_back({v, static_cast<std::uint32_t>(placed.size())});
   }
-  std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
+  std::size_t n_compared = 0;
+  std::sort(placed.begin(), placed.end(), [&n_compared](const Placed& a, const Placed& b) {
+    if (++n_compared % (1 << 16) == 0) end_if_interrupted();
     return a.at.x != b.at.x ? a.at.x < b.at.x : a.at.y != b.at.y ? a.at.y < b.at.y : a.at.z < b.at.z;
   });
   std::vector<std::uint32_t> renumbered(placed.size());
@@ -121,6 +124,7 @@ Vertices welded_vertices(const PolygonSoup& soup, UnusedPoints unused) {
   std::vector<std::uint32_t> table(mask + 1, kUnused);
   const std::uint64_t key = hash_key();
   for (std::size_t i = 0; i < soup.points.size(); ++i) {
+    if (i % 4096 == 0) end_if_interrupted();
     if (result.of_point[i] == kUnused) {
       continue;
     }

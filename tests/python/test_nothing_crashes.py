@@ -100,7 +100,7 @@ def test_depletion_nematics_and_warm_starts(body, first, second, third):
     attempt(vex.depletion_at, body, body, [0, 0, 2, 1, 0, 0, 0], ball_radius=first, seed=second, **short)
     attempt(vex.depletion_average, body, body, first, ball_radius=0.25, law=second, seed=third, **short)
     attempt(vex.overlap_of_balls, first, second, third)
-    attempt(vex.nematic_transition, "disc:1", theory=first, trial_function=second)
+    attempt(vex.nematic_transition, "disc:1", theory=first)
     attempt(vex.mixture_transition, "needle:1", "disc:1", first, theory=second)
     state = vex.WarmStart()
     for query in (vex.signed_distance, vex.distance, vex.depth):

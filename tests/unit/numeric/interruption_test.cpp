@@ -137,13 +137,13 @@ int end_everywhere(const Work& work, const Check& is_as_before) {
 
 // What is made for one query is there, or half of it, when the next one comes.
 TEST(Interruption, EndsTheMakingOfGridsAndTrees_AndTheyAreMadeAnew) {
-  constexpr int kASide = 14;
+  constexpr int kASide = 8;
   for (const BroadPhase phase : {BroadPhase::grid, BroadPhase::tree}) {
     for (const int n_threads : {1, 2}) {
       for (const bool in_box : {false, true}) {
         const auto made = [&] {
           const SceneSettings settings{.broad_phase = phase, .n_threads = n_threads};
-          Scene scene = in_box ? Scene(PeriodicBox(13.0, 13.0, 13.0), settings) : Scene(settings);
+          Scene scene = in_box ? Scene(PeriodicBox(7.6, 7.6, 7.6), settings) : Scene(settings);
           const ShapeId shape = scene.add_shape(Box(1.0, 1.0, 1.0));
           for (const Pose& pose : places(kASide)) scene.add(shape, pose);
           return scene;
@@ -152,13 +152,13 @@ TEST(Interruption, EndsTheMakingOfGridsAndTrees_AndTheyAreMadeAnew) {
         Scene scene = made(), other = made();
         ScenePairs touching, near, of_one, found;
         other.overlapping_pairs(touching);
-        other.pairs_within(0.25, near);
+        other.pairs_within(0.85, near);
         other.overlaps_of(5, of_one);
         const SceneNeighbour nearest = other.nearest(7);
         ASSERT_EQ(touching.pairs.front(), first);
         ASSERT_GT(near.pairs.size(), touching.pairs.size());
         const auto is_as_before = [&] {
-          scene.pairs_within(0.25, found);
+          scene.pairs_within(0.85, found);
           EXPECT_EQ(found.pairs, near.pairs);
           scene.overlapping_pairs(found);
           EXPECT_EQ(found.pairs, touching.pairs);
@@ -172,14 +172,14 @@ TEST(Interruption, EndsTheMakingOfGridsAndTrees_AndTheyAreMadeAnew) {
         EXPECT_GT(end_everywhere(
                       [&] {
                         scene.move_all(places(kASide));
-                        scene.pairs_within(0.25, found);
+                        scene.pairs_within(0.85, found);
                       },
                       is_as_before),
                   3);
         EXPECT_GT(end_everywhere(
                       [&] {
                         move_a_little();
-                        scene.pairs_within(0.25, found);
+                        scene.pairs_within(0.85, found);
                         scene.overlapping_pairs(found);
                       },
                       is_as_before),
