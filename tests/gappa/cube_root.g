@@ -44,7 +44,8 @@ off2 = (t2 - C) / C;
   |t1 -/ C| <= 1e-4 /\ |t2 -/ C| <= 6.8e-13 /\ |t3 -/ C| <= 1b-52 }
 
 # What Gappa does not see by itself: x and t^3 are nearly one, so that rounding t^3 makes a third of its part of x in the
-# quotient; and a step without rounding cubes the error. These are identities, which it believes.
+# quotient; and a step without rounding cubes the error. These are identities, and it says so of any
+# that is none.
 C -> t0 / (1 + off0) { 1 + off0 <> 0, C <> 0 };
 short0 / whole0 - Short0 / Whole0 ->
   (short0 - Short0) / whole0 - (Short0 / Whole0) * ((whole0 - Whole0) / whole0)
