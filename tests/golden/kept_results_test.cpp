@@ -151,13 +151,15 @@ TEST_F(KeptResults, ANameThatIsTooLongIsRefusedBeforeTheRun) {
 TEST_F(KeptResults, ASignalEndsARunWhosePipeNobodyReads) {
   ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
   const std::string message = "interrupted before pipe was written";
-  expect_document(shell(kEndless + "--quiet --json pipe & program=$!; sleep 0.4; kill -TERM $program; wait $program"),
+  expect_document(shell(kEndless + "--quiet --json pipe & program=$!; " + kUntilItTakesSignals +
+                        "sleep 0.4; kill -TERM $program; wait $program"),
                   143, message);
-  expect_document(shell(kRun + "--quiet --json pipe & program=$!; sleep 0.4; kill -TERM $program; wait $program"), 143,
-                  message);
+  expect_document(shell(kRun + "--quiet --json pipe & program=$!; " + kUntilItTakesSignals +
+                        "sleep 0.4; kill -TERM $program; wait $program"),
+                  143, message);
   const std::string percolate = std::string(VEX_PERCOLATE_PROGRAM) + " box:1,1,1 --sizes 2,3 --realisations 2 --quiet ";
-  const Finished finished =
-      shell(percolate + "--csv pipe --json p.json & program=$!; sleep 0.4; kill -TERM $program; wait $program");
+  const Finished finished = shell(percolate + "--csv pipe --json p.json & program=$!; " + kUntilItTakesSignals +
+                                  "sleep 0.4; kill -TERM $program; wait $program");
   EXPECT_EQ(finished.exit_code, 143) << finished.err;
   EXPECT_EQ(finished.out.rfind("# vex_percolate", 0), 0u) << "the realisations: " << finished.out;
   EXPECT_TRUE(parsed(read_file("p.json")).is_object());

@@ -24,6 +24,11 @@ using Words = std::vector<std::string>;
 /// Seconds after which a program counts as hung; generous, because builds with sanitizers are slow.
 inline constexpr double kTimeLimit = 120.0;
 
+/// For the shell: waits until `$program` handles SIGUSR1, as all programs do from their first steps on, or a minute. A
+/// signal that comes before that ends a program as it ends any other, and a busy machine takes its time.
+inline const std::string kUntilItTakesSignals =
+    "for k in $(seq 1200); do grep -qs '^SigCgt:.*[2367abef]..$' /proc/$program/status && break; sleep 0.05; done; ";
+
 /// A test in an empty folder, which is the program's working folder and is gone afterwards.
 class ProgramTest : public testing::Test {
  protected:

@@ -66,9 +66,8 @@ TEST_F(SceneInterrupt, AFileThatTheSceneMayNameIsLeftAsItIs) {
 
 TEST_F(SceneInterrupt, WhileBodiesAreLoaded) {
   write_file("result.json", "of another run");
-  const Finished finished = shell(
-      "\"$VEX\" --random 10,-,0.1 --format obj --json result.json < pipe & program=$!; sleep 0.5; "
-      "kill -TERM $program; wait $program");
+  const Finished finished = shell("\"$VEX\" --random 10,-,0.1 --format obj --json result.json < pipe & program=$!; " +
+                                  kUntilItTakesSignals + "sleep 0.5; kill -TERM $program; wait $program");
   expect_nothing_known(finished, 143);
 }
 

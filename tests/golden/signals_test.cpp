@@ -21,7 +21,7 @@ class Signals : public ProgramTest {
  protected:
   json document(const std::string& name = "result.json") const { return json::parse(read_file(name), nullptr, false); }
   static std::string signalled(const std::string& line, const std::string& signals) {
-    return line + " & program=$!; sleep 0.2; " + signals + "wait $program";
+    return line + " & program=$!; " + kUntilItTakesSignals + "sleep 0.2; " + signals + "wait $program";
   }
 };
 
