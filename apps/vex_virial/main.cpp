@@ -103,8 +103,8 @@ int run_vex_virial(const VirialCommandLine& words, const std::string& command, P
 int main(int argc, char** argv) {
   const std::unique_ptr<vex::ProgramRanks> ranks = vex::join_ranks();
   vex::OptionParser options(
-      "Virial coefficients B3 to B8 of hard convex bodies, by Monte Carlo over clusters of overlapping bodies, with "
-      "errors; and the compressibility factor of the series.",
+      "Virial coefficients B3 to B8 of hard convex bodies, by Monte Carlo over clusters of overlapping bodies (B3 of "
+      "most bodies over triangles), with errors; and the compressibility factor of the series.",
       "vex_virial");
   vex::VirialCommandLine words;
   vex::declare_options(options, words);

@@ -37,8 +37,8 @@ void declare_run(OptionParser& options, VirialCommandLine& words) {
       .group(stop);
   options
       .add_option("--samples", words.samples,
-                  "Stop the run of each coefficient after this many clusters, written like 1e9 (rounded up to whole "
-                  "bunches of clusters)")
+                  "Stop the run of each coefficient after this many samples, clusters or triangles, written like 1e9 "
+                  "(rounded up to whole bunches)")
       .type_name("N")
       .group(stop);
   options

@@ -25,7 +25,7 @@ std::string with_error_or_dash(double value, double error) {
 
 std::string coefficients_text(const VirialRun& run) {
   std::vector<std::vector<std::string>> lines = {
-      {"n", "B_n / B2^(n-1)", "B_n / V^(n-1)", "clusters", "ended by", "seconds"}};
+      {"n", "B_n / B2^(n-1)", "B_n / V^(n-1)", "samples", "ended by", "seconds"}};
   std::string unsettled;
   for (const VirialCoefficient& found : run.found.higher) {
     lines.push_back({std::to_string(found.n), with_error_or_dash(found.reduced, found.std_error),
@@ -50,10 +50,12 @@ std::string pairs_text(const VirialRun& run) {
     sum.n_undecided += found.pairs.n_undecided;
   }
   const auto number = [](std::uint64_t n) { return short_count(static_cast<double>(n)); };
-  std::string text = "of " + number(sum.n_all) + " pairs of the clusters, neighbours of chains and trees left out, " +
-                     number(sum.n_by_balls) + " were decided by balls, " + number(sum.n_searched) + " by a search, " +
-                     number(sum.n_skipped()) + " skipped: the cluster had no weight; " +
-                     plural(sum.n_undecided, "pair is UNDECIDED", "pairs are undecided") + "\n";
+  std::string text =
+      "of " + number(sum.n_all) +
+      " pairs of the samples (clusters but for the neighbours that drew them; sides of B3's triangles), " +
+      number(sum.n_by_balls) + " were decided by balls, " + number(sum.n_searched) + " by a search, " +
+      number(sum.n_skipped()) + " skipped: the cluster had no weight; " +
+      plural(sum.n_undecided, "pair is UNDECIDED", "pairs are undecided") + "\n";
   if (sum.n_undecided > 0) text += "What undecided pairs may change is part of the errors.\n";
   return text;
 }

@@ -30,6 +30,19 @@ std::string in_python_words(const std::string& message) {
   return result + text.substr(from);
 }
 
+// Pickle's protocols 0 and 1 make an object of pybind11's own base, whose constructor throws through C and ends the
+// interpreter: whatever protocol is asked for, objects say how they are made as the second one has it.
+void pickle_as_protocol_2(const py::module_& module) {
+  const py::handle object = reinterpret_cast<PyObject*>(&PyBaseObject_Type);
+  for (const auto& [name, value] : module.attr("__dict__").cast<py::dict>()) {
+    if (std::string(py::str(py::type::handle_of(value).attr("__name__"))) != "pybind11_type") continue;
+    value.attr("__reduce_ex__") =
+        py::cpp_function([object](const py::object& self,
+                                  int protocol) { return object.attr("__reduce_ex__")(self, std::max(protocol, 2)); },
+                         py::name("__reduce_ex__"), py::is_method(value));
+  }
+}
+
 }  // namespace
 
 PYBIND11_MODULE(_vex, module) {
@@ -71,4 +84,5 @@ PYBIND11_MODULE(_vex, module) {
   vex::python::bind_depletion(module);
   vex::python::bind_worlds(module);
   vex::python::bind_poses(module);
+  pickle_as_protocol_2(module);
 }

@@ -102,7 +102,8 @@ def nematic_transition(body: BodyLike, *, theory: str = "onsager", trial_functio
 
     Returns
     -------
-    NematicTransition, of the numbers that `vex_nematic` tells, the same bits. Where there is no transition, as of
+    NematicTransition, of the numbers that `vex_nematic` tells, the same bits (of pressure and chemical potential, which
+    both fluids have to rounding, it prints the nematic one's). Where there is no transition, as of
     spheres, both fluids are None, and `reason` says why.
 
     Raises
@@ -125,7 +126,8 @@ def mixture_transition(a: BodyLike, b: BodyLike, compositions: Sequence[float] =
     ----------
     compositions
         Shares of B in the number of bodies of the isotropic fluid, ascending from 0 to 1. At each the equilibrium of
-        the least dense isotropic fluid is given.
+        the least dense isotropic fluid is given. Shares within 1e-7 of 0 or 1 stand for fluids with that much of the
+        other kind, or less.
     a, b, theory
         As of `nematic_transition`; the branch of equilibria begins at the fluid of A alone.
 

@@ -252,9 +252,10 @@ class Scene:
         return Clusters(labels, wraps)
 
     def __getstate__(self) -> Dict[str, Any]:
-        state = self.__dict__.copy()
+        # Another thread may add a body, and its shape, meanwhile: what is there first is not lost then.
+        bodies = self._core.bodies()
+        state = {**self.__dict__, "_bodies": bodies, "_shapes": dict(self._shapes)}
         del state["_core"]
-        state["_bodies"] = self._core.bodies()
         return state
 
     def __setstate__(self, state: Dict[str, Any]) -> None:

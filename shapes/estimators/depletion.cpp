@@ -7,6 +7,7 @@
 #include <numbers>
 #include <thread>
 
+#include "engine/numeric/double_double.h"
 #include "engine/numeric/errors.h"
 #include "engine/numeric/number_text.h"
 #include "engine/sampling/depletion/depletion_integrand.h"
@@ -75,14 +76,22 @@ DepletionValue certain(double value) {
 
 }  // namespace
 
+// The two caps that the plane of the common circle cuts off. Their heights are products of what the balls reach into
+// each other and out of each other, each of which is a sum of three lengths that is rounded once, so nothing cancels;
+// and in units of the smaller radius nothing overflows that is not too large itself.
 double overlap_of_balls(double radius_1, double radius_2, double distance) {
-  const double sum = radius_1 + radius_2, difference = radius_1 - radius_2;
-  if (distance >= sum) return 0.0;
-  const double smaller = std::min(radius_1, radius_2);
-  if (distance <= std::fabs(difference)) return 4.0 / 3.0 * pi * smaller * smaller * smaller;
-  const double gap = sum - distance;
-  return pi * gap * gap * (distance * distance + 2.0 * distance * sum - 3.0 * difference * difference) /
-         (12.0 * distance);
+  const double larger = std::max(radius_1, radius_2), smaller = std::min(radius_1, radius_2);
+  const DoubleDouble off = DoubleDouble(distance) + DoubleDouble(-larger);
+  const double into = (DoubleDouble(smaller) + -off).high, out_of = (DoubleDouble(smaller) + off).high;
+  if (!(into > 0.0) || !(smaller > 0.0)) return 0.0;
+  const auto times_cube = [smaller](double volume) { return volume * smaller * smaller * smaller; };
+  if (!(out_of > 0.0)) return times_cube(4.0 / 3.0 * pi);
+  const double share = into / smaller;
+  const double of_larger = 0.5 * (out_of / distance) * share;
+  const double of_smaller = (0.5 + 0.5 * ((larger - smaller) / distance)) * share;
+  const double radius = larger / smaller;
+  const double cap_of_larger = std::isfinite(radius) ? of_larger * of_larger * (3.0 * radius - of_larger) : 0.0;
+  return times_cube(pi / 3.0 * (cap_of_larger + of_smaller * of_smaller * (3.0 - of_smaller)));
 }
 
 double DepletionAverage::mean_of_free() const {

@@ -68,7 +68,7 @@ DepletionAtPose depletion_at(const Body& a, const Body& b, const Pose& a_from_b,
 DepletionAverage depletion_average(const Body& a, const Body& b, double distance, const OrientationLaw& law,
                                    const DepletionSettings& settings);
 
-/// The overlap of two balls of these radii with their centres this far apart.
+/// The overlap of two balls of these radii with their centres this far apart, to some 16 roundings.
 double overlap_of_balls(double radius_1, double radius_2, double distance);
 
 }  // namespace vex

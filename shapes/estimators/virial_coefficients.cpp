@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "engine/numeric/errors.h"
+#include "engine/sampling/points/trial_points.h"
 #include "engine/sampling/virial/cluster_weights.h"
 #include "engine/sampling/virial/triangle_integrand.h"
 #include "engine/sampling/virial/virial_integrand.h"
@@ -85,6 +86,16 @@ std::uint64_t n_samples(const Tally& tally, int n) {
   return tally.n_trials * (is_of_triangles(tally) ? 1 : VirialIntegrand::n_clusters(n));
 }
 
+// A range that there are points for, in the words of who asks for it.
+void require_triangles(const MonteCarloSettings& driver) {
+  constexpr std::uint64_t kMost = TrialPoints::kMostSobolTrials / kTrianglesOfBunch;
+  const std::uint64_t first = driver.first_trial, n = driver.stop.trials.value_or(1);
+  if (first < kMost && n <= kMost - first) return;
+  throw UsageError("B3 has no points for these trials (" + std::to_string(n) + " from " + std::to_string(first) +
+                   " on) - there are " + std::to_string(kMost) + ", of " + std::to_string(kTrianglesOfBunch) +
+                   " triangles each: give a range of these, and another seed for more");
+}
+
 std::uint64_t triangles_of(std::uint64_t bunches) {
   constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max() / kTrianglesOfBunch;
   return std::min(bunches, kMost) * kTrianglesOfBunch;
@@ -120,6 +131,7 @@ class VirialRuns {
       driver.stop.trials = std::min(driver.stop.trials.value_or(n_bunches), n_bunches);
     }
     if (integration.is_of_triangles) {
+      require_triangles(driver);
       driver.sequence = Sequence::sobol;
       driver.first_trial = triangles_of(driver.first_trial);
       driver.stop.max_trials = triangles_of(driver.stop.max_trials);

@@ -172,6 +172,23 @@ def test_percolation_is_the_programs(program):
         vex.percolation("needle:1")
 
 
+def test_every_protocol_of_pickle():
+    # The first two ended the interpreter: pickle made an object of a base class, whose constructor throws through C.
+    class Tetrahedron:
+        vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+        faces = []
+
+    body = vex.Body(Tetrahedron())
+    scene = vex.Scene(body, [[0, 0, 0, 1, 0, 0, 0]])
+    for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+        assert pickle.loads(pickle.dumps(body, protocol)) == body
+        assert len(pickle.loads(pickle.dumps(scene, protocol))) == 1
+        for other in (vex.WarmStart(), vex.OrientationLaw.parse("cone:10")):
+            assert type(pickle.loads(pickle.dumps(other, protocol))) is type(other)
+        with pytest.raises(TypeError):
+            pickle.dumps(scene._core, protocol)
+
+
 def test_scenes_are_copied_and_pickled():
     shapes = [vex.box(1, 1, 1), vex.capsule(1, 0.3), vex.load(MESHES / "gem.obj", unit_volume=True)]
     for box in (None, (4.0, 4.0, 4.0), (4.0, 5.0, 4.0, 0.1, -0.2, 0.3)):

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/numeric/expect.h"
+#include "engine/query/packets/packet_pair.h"
 #include "engine/sampling/radial/radial_function.h"
 #include "engine/sampling/virial/virial_integrand.h"
 
@@ -13,6 +14,12 @@ namespace vex {
 namespace {
 
 double cubed(double x) { return x * x * x; }
+
+// Of others packets leave rays open, for the powers of lengths that they take.
+bool is_usual_size(const ConvexBody& body) {
+  constexpr double kLargest = 0x1p40;
+  return body.circumradius() < kLargest && body.circumradius() > 1.0 / kLargest;
+}
 
 }  // namespace
 
@@ -33,6 +40,8 @@ bool TriangleIntegrand::is_for(const ConvexBody& body, const OrientationLaw& law
                                double relative_error) {
   constexpr double kMostError = 1e-9;
   if (!(excluded_volume > 0.0 && relative_error < kMostError)) return false;
+  // Rays one by one take a hundred times as long as in packets, which a body without an exact form has none of.
+  if (PacketPair::make(body, body) == nullptr || !is_usual_size(body)) return false;
   return TriangleMap(body, law).is_usable();
 }
 

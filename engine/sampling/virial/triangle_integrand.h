@@ -24,8 +24,8 @@ class TriangleIntegrand final : public Integrand {
   TriangleIntegrand(const ConvexBody& body, const OrientationLaw& law, double excluded_volume, double relative_error,
                     InstructionSet set = best_instruction_set(), int n_sides = 3);
 
-  /// Whether it is the better way: where <V_ex> is known, and the body is not so long or flat that clusters that are
-  /// hit or missed cost less.
+  /// Whether it is the better way: where <V_ex> is known, the body has packets, and it is not so long or flat that
+  /// clusters that are hit or missed cost as little, and that values have a tail which a short run does not show.
   static bool is_for(const ConvexBody& body, const OrientationLaw& law, double excluded_volume, double relative_error);
 
   int dimension() const override { return map_.dimension(); }

@@ -12,7 +12,7 @@ TriangleMap::TriangleMap(const ConvexBody& body, const OrientationLaw& law)
 }
 
 bool TriangleMap::is_usable() const {
-  constexpr double kLongest = 0x1p20;  // of squares
+  constexpr double kLongest = 0x1p14;  // of squares
   std::array<double, 3> squares{squares_.x, squares_.y, squares_.z};
   std::ranges::sort(squares);
   return squares[2] < kLongest * squares[is_isotropic_ ? 1 : 0];

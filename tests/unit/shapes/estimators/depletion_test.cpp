@@ -49,6 +49,12 @@ double disc_lens(double s, double d) {
 
 TEST(Depletion, OverlapOfBallsIsTheKnownLens) {
   for (const double d : {0.1, 0.7, 1.3, 1.99}) EXPECT_NEAR(overlap_of_balls(1.0, 1.0, d), equal_lens(1.0, d), 1e-14);
+  // By decimals of 80 digits: balls that hardly touch, of unlike sizes, and very large and small ones.
+  EXPECT_DOUBLE_EQ(overlap_of_balls(1.0, 1e-20, 1.0), 2.0943951023931953e-60);
+  EXPECT_DOUBLE_EQ(overlap_of_balls(1e103, 1.0, 1e103), 2.0943951023931953);
+  EXPECT_DOUBLE_EQ(overlap_of_balls(1e100, 1e100, 1e100), 1.3089969389957472e300);
+  EXPECT_NEAR(overlap_of_balls(1e-100, 1e-100, 1e-100), 1.3089969389957472e-300, 1e-314);
+  EXPECT_NEAR(overlap_of_balls(0.09446608887123319, 0.002637361716864607, 0.09710345058809779), 3.88e-37, 0.01e-37);
   EXPECT_EQ(overlap_of_balls(1.0, 2.0, 3.0), 0.0);
   EXPECT_NEAR(overlap_of_balls(1.0, 2.0, 1.0), 4.0 / 3.0 * pi, 1e-14);
   EXPECT_NEAR(overlap_of_balls(1.0, 2.0, 1.0 + 1e-9), 4.0 / 3.0 * pi, 1e-8);
