@@ -171,7 +171,8 @@ TEST(TouchingStarts, OfTheStrataAreSeldomLeftOpen) {
     EXPECT_LE(n_open, 0.05 * n_apart) << stratum.name;
   }
   EXPECT_LE(n_at_start, 1) << "a hemisphere's rim";
-  EXPECT_LE(n_late, 1) << "edges that cross, apart by 3e-16, and turn out of the plane between them";
+  EXPECT_LE(n_late, 2) << "edges that cross, apart by 3e-16, and turn out of the plane between them; and a plate on a "
+                          "cube, which was left open until advances began as long as the last one";
 }
 
 }  // namespace
