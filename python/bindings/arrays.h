@@ -73,6 +73,15 @@ inline void put(double* to, const Vec3d& v) {
   to[2] = v.z;
 }
 inline void put_nan(double* to) { put(to, {kNan, kNan, kNan}); }
+/// Into a row that has a contact's points, distance and features.
+template <class Row, class Contact>
+void put_contact(Row& row, const Contact& contact) {
+  put(row.point_a, contact.point_a);
+  put(row.point_b, contact.point_b);
+  row.distance = contact.signed_distance;
+  row.feature_a = contact.feature_a;
+  row.feature_b = contact.feature_b;
+}
 
 /// The rows of an array (N, 3). Refers to it.
 class Rows3 {

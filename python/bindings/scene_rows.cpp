@@ -69,12 +69,7 @@ py::array rows_of(const SceneManifolds& manifolds) {
     for (const ContactManifold::Contact& contact : manifold.contacts) {
       *to = row_of_pair<SceneContactRow>(pair);
       put(to->normal, manifold.separation.normal);
-      put(to->point_a, contact.point_a);
-      put(to->point_b, contact.point_b);
-      to->distance = contact.signed_distance;
-      to->feature_a = contact.feature_a;
-      to->feature_b = contact.feature_b;
-      ++to;
+      put_contact(*to++, contact);
     }
   }
   return array;

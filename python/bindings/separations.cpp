@@ -119,14 +119,7 @@ py::tuple manifolds(const PyBody& a, const PyBody& b, const Floats& rows, const 
   for (const ContactManifold& manifold : found) {
     py::array_t<ManifoldRow> contacts(static_cast<py::ssize_t>(manifold.contacts.size()));
     ManifoldRow* to = contacts.mutable_data();
-    for (const ContactManifold::Contact& contact : manifold.contacts) {
-      put(to->point_a, contact.point_a);
-      put(to->point_b, contact.point_b);
-      to->distance = contact.signed_distance;
-      to->feature_a = contact.feature_a;
-      to->feature_b = contact.feature_b;
-      ++to;
-    }
+    for (const ContactManifold::Contact& contact : manifold.contacts) put_contact(*to++, contact);
     py::array_t<SeparationRow> separation(1);
     *separation.mutable_data() = row_of(manifold.separation, Wanted::signed_distance);
     result.append(py::make_tuple(separation, contacts));

@@ -248,7 +248,8 @@ class Body:
 
     def _stretched(self, factors: Tuple[float, float, float]) -> "Body":
         body = self
-        if {abs(factor) for factor in factors} == {1.0} and self._recipe[0] == "scaled":  # a mirror image of a mirror image is exact
+        if {abs(factor) for factor in factors} == {1.0} and self._recipe[0] == "scaled":
+            # A mirror image of a mirror image is exact.
             x, y, z = (factor * before for factor, before in zip(factors, self._recipe[1]))
             factors, body = (x, y, z), self._recipe[2]
         return body if factors == (1.0, 1.0, 1.0) else Body._from_recipe(("scaled", factors, body))

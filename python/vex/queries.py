@@ -122,8 +122,7 @@ def depth(a: BodyLike, b: BodyLike, poses: Poses, *, relative_gap: float = 0.0, 
     """The penetration depth: the length of the shortest translation of B that leaves the bodies touching.
 
     Fields as of `signed_distance`, but for the sign: point_b - point_a = -value * normal, and moving B by value * normal
-    makes contact. 0 where the bodies are apart: normal and
-    points are then NaN.
+    makes contact. 0 where the bodies are apart: normal and points are then NaN.
     """
     return _separation(_vex.depth, a, b, poses, relative_gap, math.inf, certify, warm_start, threads)
 

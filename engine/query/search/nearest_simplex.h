@@ -18,7 +18,7 @@ namespace vex {
 template <class L, class Point>
 class NearestSimplex {
  public:
-  int size() const { return points_.size(); }
+  int size() const { return static_cast<int>(points_.size()); }
   const Point& point(int k) const { return points_.point(static_cast<std::size_t>(k)); }
   const L& weight(int k) const { return points_.weight(static_cast<std::size_t>(k)); }
   /// The corners, with the weights that make the nearest point of them.
@@ -35,7 +35,7 @@ class NearestSimplex {
   /// is nearer. Not for a simplex around the origin. `may_hold_origin`: false where K is proven to lie on one side of
   /// it.
   bool add(const Point& newest, bool may_hold_origin = true) {
-    const std::size_t n = static_cast<std::size_t>(size());
+    const std::size_t n = points_.size();
     Candidate best;
     if (n == 0) {
       best = vertex(newest.w);

@@ -268,7 +268,7 @@ void WarmMemory::keep_nearest(const Found& found, const CoreSearchSettings<doubl
     keep_place(place);
   }
   const DirectionCode frame = frame_of(state_.normal_, state_.x_, state_.y_);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(found.points.size()); ++k) {
+  for (std::size_t k = 0; k < found.points.size(); ++k) {
     const std::optional<std::uint32_t> code = code_of(found.points.point(k), frame);
     if (!code) return;
     state_.dirs_[k] = *code;

@@ -25,7 +25,7 @@ class WeightedPoints {
     return *this;
   }
 
-  int size() const { return static_cast<int>(size_); }
+  std::size_t size() const { return size_; }
   const Point& point(std::size_t k) const { return items_[k].point; }
   const L& weight(std::size_t k) const { return items_[k].weight; }
 
@@ -56,7 +56,7 @@ inline double rounded(const DoubleDouble& x) { return x.high; }
 template <class L, class Point>
 Vec3d weighted_sum(const WeightedPoints<L, Point>& points, Vec3d Point::*member) {
   Vec3d sum;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(points.size()); ++k) {
+  for (std::size_t k = 0; k < points.size(); ++k) {
     sum = sum + rounded(points.weight(k)) * (points.point(k).*member);
   }
   return sum;

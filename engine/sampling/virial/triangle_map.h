@@ -58,7 +58,7 @@ class TriangleMap {
   int dimension() const { return is_isotropic_ ? kMaxDimension : 6; }
   /// Of each pair of bodies, where rays begin.
   BodyPoints points() const { return {body_.centre, body_.centre}; }
-  /// Whether the body is not longer than 2^10 of what it is across; where all are turned alike, of what it is anywhere.
+  /// Whether the body is not longer than 2^7 of what it is across; where all are turned alike, of what it is anywhere.
   /// Flat bodies cross each other, and their difference is not flat.
   bool is_usable() const;
 
