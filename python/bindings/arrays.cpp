@@ -1,5 +1,8 @@
 #include "python/bindings/arrays.h"
 
+#include <cxxabi.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <thread>
@@ -186,14 +189,24 @@ int number_of_threads(int threads) {
   return n_cores == 0 ? 1 : static_cast<int>(std::min<unsigned>(n_cores, kMostThreads));
 }
 
-void sleep_if_ending() {
-#if PY_VERSION_HEX >= 0x030d0000
-  const auto is_ending = [] { return Py_IsFinalizing() != 0; };
-#else
-  const auto is_ending = [] { return _Py_IsFinalizing() != 0; };
-#endif
+void take_gil(const std::function<void()>& take) {
   // The main thread itself ends the interpreter with the GIL; it comes here from destructors then.
-  while (is_ending() && PyGILState_Check() == 0) std::this_thread::sleep_for(std::chrono::hours(1));
+  const auto is_ending = [] {
+#if PY_VERSION_HEX >= 0x030d0000
+    return Py_IsFinalizing() != 0 && PyGILState_Check() == 0;
+#else
+    return _Py_IsFinalizing() != 0 && PyGILState_Check() == 0;
+#endif
+  };
+  // Once it has ended it says neither that it is ending nor who has the GIL.
+  const auto has_ended = [] { return Py_IsInitialized() == 0 && ::gettid() != ::getpid(); };
+  const auto sleep = [] { std::this_thread::sleep_for(std::chrono::hours(1)); };
+  while (is_ending() || has_ended()) sleep();
+  try {
+    take();
+  } catch (const abi::__forced_unwind&) {
+    while (true) sleep();  // the end has begun while the thread waited
+  }
 }
 
 namespace {

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -25,9 +26,10 @@ namespace vex::python {
 
 namespace py = pybind11;
 
-/// Whether the interpreter is ending: then no thread but the main one may have the GIL, and who asks for it is unwound
-/// through C++ by force, which ends the process. Such a thread sleeps instead, until the process has ended.
-void sleep_if_ending();
+/// Calls what takes the GIL. While the interpreter ends no thread but the main one may have it, and one that asks for
+/// it or waits for it is unwound through C++ by force, which ends the process with an error. Such a thread sleeps
+/// instead, until the process has ended.
+void take_gil(const std::function<void()>& take);
 
 /// As py::gil_scoped_release, but for that.
 class WithoutGil {
@@ -36,8 +38,7 @@ class WithoutGil {
   WithoutGil(const WithoutGil&) = delete;
   WithoutGil& operator=(const WithoutGil&) = delete;
   ~WithoutGil() {
-    sleep_if_ending();
-    PyEval_RestoreThread(state_);
+    take_gil([this] { PyEval_RestoreThread(state_); });
   }
 
  private:
@@ -48,8 +49,7 @@ class WithoutGil {
 class WithGil {
  public:
   WithGil() {
-    sleep_if_ending();
-    gil_.emplace();
+    take_gil([this] { gil_.emplace(); });
   }
 
  private:

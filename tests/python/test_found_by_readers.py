@@ -46,8 +46,14 @@ def test_a_scene_that_threads_share_answers_each_of_them():
     "vex.distance('cone:1,1', 'cone:1,1', np.tile([1.5, .3, .2, 1, .1, .2, .3], (10**7, 1)))",
     "vex.percolation('box:1,1,1', sizes=(20,), realisations=10**5)"])
 def test_the_interpreter_ends_while_a_thread_is_at_work(work):
+    # Also one that asks for the interpreter after its end, as of one that ends soon after a thread has begun.
+    for pause in (.5, .12, .14, .16):
+        end_while_at_work(work, pause)
+
+
+def end_while_at_work(work, pause):
     script = ("import threading, time, numpy as np, vex\n"
-              f"threading.Thread(target=lambda: {work}, daemon=True).start()\ntime.sleep(.5)\n")
+              f"threading.Thread(target=lambda: {work}, daemon=True).start()\ntime.sleep({pause})\n")
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60)
     assert done.returncode == 0, done.stderr
 
