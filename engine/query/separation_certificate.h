@@ -8,12 +8,16 @@
 
 namespace vex {
 
+/// The least positive double: a bound that proves a verdict where it is 0 by itself.
+inline constexpr double kLeastGap = 0x1p-1074;
+
 /// What re-proves a `Separation`.
 ///
-/// The verdict: by the bounds where they have one sign, else by `sign`. `lower`: along `dir` the bodies are apart by
-/// that much, or less deep in each other than minus that. `upper`: the hull comes as near to the origin as the sum of
-/// the radii and `upper`; where that sum is negative it goes around the ball of minus that. The points: those of A in
-/// `near_a` have `point_a` near their hull, as far apart as the radius of the ball, and so has B.
+/// The verdict: by the bounds where they have one sign, else by `sign`; where that proves nothing, as where a distance
+/// is asked with more calls than an overlap, by `dir` or the hull for a bound of +-kLeastGap. `lower`: along `dir` the
+/// bodies are apart by that much, or less deep in each other than minus that. `upper`: the hull comes as near to the
+/// origin as the sum of the radii and `upper`; where that sum is negative it goes around the ball of minus that. The
+/// points: those of A in `near_a` have `point_a` near their hull, as far apart as the radius of the ball, and so has B.
 struct SeparationCertificate {
   OverlapCertificate sign;
   ExactVector dir;

@@ -13,6 +13,8 @@
 #include <string>
 
 #include "engine/query/overlap.h"
+#include "engine/query/separation.h"
+#include "engine/query/separation_certificate.h"
 #include "shapes/any_shape.h"
 #include "shapes/cone.h"
 #include "shapes/ellipsoid.h"
@@ -116,6 +118,27 @@ TEST(FlatPlacements, ApexOnApexIsContactAtOnce) {
     EXPECT_EQ(found.verdict, Verdict::undecided(DecidedBy::double_double, UndecidedReason::rounding)) << cone;
     EXPECT_LT(found.certificate.n_support_calls, 100) << cone;
   }
+}
+
+// Overlap's portal leaves a needle undecided that ends 4e-17 beside a disc, and the search for the distance does not:
+// the certificate of the depth asked overlap alone for the sign, found nothing, and the checker refused the answer.
+TEST(FlatPlacements, DepthsOfWhatOnlyADistanceTellsApartAreProven) {
+  const ConvexBody needle = body_of("needle:2"), disc = body_of("disc:0.7");
+  const Pose pose(Transformd{{-0x1p-53, -1, 0},
+                             {-0x1p-54, 0, 0x1.ffffffffffffdp-1},
+                             {-0x1.ffffffffffffep-1, -0x1p-53, 0x1p-54},
+                             {0, 0, 0x1.000000004p+0}});
+  const Separation found = penetration_depth(needle, disc, pose);
+  EXPECT_EQ(found.verdict.outcome, Outcome::disjoint);
+  SeparationCertificate certificate = certify(needle, disc, pose, found);
+  EXPECT_EQ(check_certificate(needle, disc, pose, found, certificate).fault, "");
+  // Touching bodies have no such direction, and what meets no hull around a ball.
+  Separation wrong = found;
+  wrong.verdict = Verdict::overlap(DecidedBy::gjk);
+  wrong.lower = -HUGE_VAL, wrong.upper = 0.0;
+  EXPECT_FALSE(check_certificate(needle, disc, pose, wrong, certificate).is_proven);
+  certificate.dir = {};
+  EXPECT_FALSE(check_certificate(needle, disc, pose, found, certificate).is_proven);
 }
 
 TEST(FlatPlacements, FarVerticesAreProvenToo) {

@@ -1,4 +1,5 @@
 // The checker of distances and depths (docs/derivations.md, E24).
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -33,23 +34,23 @@ std::string fault_of_bounds(const ConvexBody& a, const ConvexBody& b, const Pose
   }
   const bool sign_is_proven =
       outcome != Outcome::undecided && check_certificate(a, b, pose.a_from_b(), outcome, certificate.sign).is_proven;
-  const bool lower_by_sign = sign_is_proven && outcome == Outcome::disjoint && claimed.lower <= 0.0;
-  const bool upper_by_sign = sign_is_proven && outcome == Outcome::overlap && claimed.upper >= 0.0;
-  if (!lower_by_sign && claimed.lower > -HUGE_VAL) {
-    if (!std::isfinite(claimed.lower)) return "the lower bound is no number";
-    if (!is_apart_by(pair, certificate.dir, Dyadic(claimed.lower))) {
-      return "the direction does not prove the lower bound";
-    }
+  const bool is_apart = outcome == Outcome::disjoint, meets = outcome == Outcome::overlap;
+  // A sign that is not proven by itself is one that a bound proves.
+  const double lower = is_apart && !sign_is_proven ? std::max(claimed.lower, kLeastGap) : claimed.lower;
+  const double upper = meets && !sign_is_proven ? std::min(claimed.upper, -kLeastGap) : claimed.upper;
+  const bool lower_by_sign = is_apart && sign_is_proven && lower <= 0.0;
+  const bool upper_by_sign = meets && sign_is_proven && upper >= 0.0;
+  if (!lower_by_sign && lower > -HUGE_VAL) {
+    if (!std::isfinite(lower)) return "the lower bound is no number";
+    if (!is_apart_by(pair, certificate.dir, Dyadic(lower))) return "the direction does not prove the lower bound";
   }
-  if (!upper_by_sign && claimed.upper < HUGE_VAL) {
-    if (!std::isfinite(claimed.upper)) return "the upper bound is no number";
-    if (!comes_as_near_as(pair, certificate.hull, Dyadic(claimed.upper)) &&
-        !checker::balls_come_as_near_as(pair.a(), pair.b(), pose.a_from_b(), Dyadic(claimed.upper))) {
+  if (!upper_by_sign && upper < HUGE_VAL) {
+    if (!std::isfinite(upper)) return "the upper bound is no number";
+    if (!comes_as_near_as(pair, certificate.hull, Dyadic(upper)) &&
+        !checker::balls_come_as_near_as(pair.a(), pair.b(), pose.a_from_b(), Dyadic(upper))) {
       return "the witnesses do not prove the upper bound";
     }
   }
-  if (outcome == Outcome::disjoint && !sign_is_proven && !(claimed.lower > 0.0)) return "disjointness is not proven";
-  if (outcome == Outcome::overlap && !sign_is_proven && !(claimed.upper <= 0.0)) return "the overlap is not proven";
   return {};
 }
 

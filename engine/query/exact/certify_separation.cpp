@@ -96,9 +96,9 @@ SeparationCertificate certify(const ConvexBody& a, const ConvexBody& b, const Po
   const bool is_shown = (outcome == Outcome::disjoint && found.lower > 0.0) ||
                         (outcome == Outcome::overlap && found.upper < 0.0) || outcome == Outcome::undecided;
   if (!is_shown) {
-    overlap(a, b, pose, &certificate.sign);
-    if (outcome == Outcome::disjoint) open.lower = -HUGE_VAL;
-    if (outcome == Outcome::overlap) open.upper = HUGE_VAL;
+    const bool is_sign = overlap(a, b, pose, &certificate.sign).outcome == outcome;
+    if (outcome == Outcome::disjoint) open.lower = is_sign ? -HUGE_VAL : kLeastGap;
+    if (outcome == Outcome::overlap) open.upper = is_sign ? HUGE_VAL : -kLeastGap;
   }
   std::string fault;
   const std::optional<ExactPair> pair = ExactPair::of(a, b, pose.a_from_b(), fault);

@@ -230,8 +230,8 @@ TEST(Realisations, AreToldOfAsTheyAreFinished) {
     EXPECT_EQ(told, wanted);
     EXPECT_EQ(counts.n_bodies, wanted_counts.n_bodies);
     EXPECT_EQ(counts.n_seen(), wanted_counts.n_seen());
-    EXPECT_GT(n_calls, 5u);
-    EXPECT_TRUE(n_threads > 1 || n_calls == 40u);
+    // Several threads may tell of all at once: the one that has the first realisation may be the last to run again.
+    EXPECT_TRUE(n_threads > 1 || n_calls == 40u) << n_calls;
   }
 }
 
