@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "engine/numeric/errors.h"
 #include "engine/numeric/interruption.h"
+#include "shapes/nematic/fixed_point.h"
 
 namespace vex {
 namespace {
@@ -29,37 +32,31 @@ MixtureFluid::MixtureFluid(const NematicMixture& mixture)
 
 BothDensities MixtureFluid::equilibrium(const TwoDensities& n, const TwoSeries& start) const {
   const double factor = scaling(n).factor;
-  BothDensities both;
-  TwoSeries moments = start;
   const std::size_t n_degrees = mixture_.aa.series.size();
-  for (EvenSeries& of_kind : moments) of_kind.resize(n_degrees, 0.0);
-  double mixing = 1.0, change_before = 2.0;
-  for (int iteration = 0; iteration < kMostRounds; ++iteration) {
+  BothDensities both;
+  std::vector<double> moments;  // A's and B's
+  for (EvenSeries of_kind : start) {
+    of_kind.resize(n_degrees, 0.0);
+    moments.insert(moments.end(), of_kind.begin(), of_kind.end());
+  }
+  std::vector<double> found(moments.size(), 0.0);
+  FixedPoint fixed_point;
+  for (int iteration = 0; iteration < kMostRounds && !both.converged; ++iteration) {
     end_if_interrupted();
-    double change = 0.0;
     for (std::size_t i = 0; i < 2; ++i) {
       EvenSeries field(n_degrees, 0.0);
       for (std::size_t j = 0; j < 2; ++j) {
         const EvenSeries& of_pair = series(i, j);
         for (std::size_t k = 1; k < std::min(n_degrees, of_pair.size()); ++k) {
-          field[k] -= 2.0 * factor * n[j] * b(i, j) * of_pair[k] * moments[j][k];
+          field[k] -= 2.0 * factor * n[j] * b(i, j) * of_pair[k] * moments[j * n_degrees + k];
         }
       }
       both.of[i] = grid_.in_field(field);
+      const EvenSeries& of_kind = both.of[i].moments;
+      std::copy_n(of_kind.begin(), std::min(n_degrees, of_kind.size()),
+                  found.begin() + static_cast<std::ptrdiff_t>(i * n_degrees));
     }
-    for (std::size_t i = 0; i < 2; ++i) {
-      for (std::size_t k = 1; k < std::min(n_degrees, both.of[i].moments.size()); ++k) {
-        const double step = both.of[i].moments[k] - moments[i][k];
-        change = std::max(change, std::fabs(step));
-        moments[i][k] += mixing * step;
-      }
-    }
-    if (change <= kMomentTolerance) {
-      both.converged = true;
-      return both;
-    }
-    if (change > change_before && change > 1e-11) mixing = std::max(0.5 * mixing, 1.0 / 64.0);
-    change_before = change;
+    both.converged = fixed_point.step(moments, found) <= kMomentTolerance;
   }
   return both;
 }

@@ -26,7 +26,7 @@ class MixtureFluid {
   /// <V_ex> / 2
   double b(std::size_t i, std::size_t j) const { return 0.5 * pair(i, j).excluded_volume; }
 
-  /// The fixed point for these densities, by iteration from the moments of `start`, damped where it overshoots.
+  /// The fixed point for these densities, by iteration from the moments of `start` (fixed_point.h).
   BothDensities equilibrium(const TwoDensities& n, const TwoSeries& start) const;
   BothDensities isotropic() const;
   EvenSeries start_of_order() const { return grid_.trial(10.0).moments; }

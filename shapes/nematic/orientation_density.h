@@ -5,6 +5,7 @@
 // of V_ex(gamma) then only even Legendre polynomials count.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
@@ -35,8 +36,8 @@ class OrientationGrid {
   const std::vector<double>& cosines() const { return cosines_; }
 
   /// The density that minimises sigma + C sum of k_l <P_l>^2, C = n <V_ex> / 2 in Onsager's theory: the fixed point of
-  /// f ~ exp(-2 C sum of k_l <P_l> P_l), by iteration from the moments `start`, damped where it overshoots, until no
-  /// moment changes by more than 1e-14. `converged` is false where it has not by then.
+  /// f ~ exp(-2 C sum of k_l <P_l> P_l), by iteration from the moments `start` (fixed_point.h), until no moment changes
+  /// by more than 1e-14. `converged` is false where it has not by then.
   OrientationDensity equilibrium(double coupling, const EvenSeries& start) const;
 
   /// f ~ exp(sum of field_l P_l), l = 0, 2, 4 ...; the interaction is with itself, by the grid's series.
@@ -48,12 +49,12 @@ class OrientationGrid {
 
  private:
   /// From ln f up to a constant.
-  OrientationDensity density_of(std::vector<double> logarithms) const;
-  double mean(const OrientationDensity& density, const std::vector<double>& values) const;
+  OrientationDensity density_of(Eigen::ArrayXd logarithms) const;
 
   EvenSeries series_;
-  std::vector<double> cosines_, weights_;         // weights of a mean over cos theta: their sum is 1
-  std::vector<std::vector<double>> polynomials_;  // by degree, then by node
+  std::vector<double> cosines_;
+  Eigen::ArrayXd weights_;       // of a mean over cos theta: their sum is 1
+  Eigen::MatrixXd polynomials_;  // a row a degree, a column a node
 };
 
 }  // namespace vex
