@@ -40,6 +40,7 @@ def stub() -> str:
     text = text.replace("(*args, **kwargs) -> Any: ...", "(*args: Any, **kwargs: Any) -> Any: ...")
     text = text.replace("def __eq__(self, arg0: OrientationLaw)", "def __eq__(self, other: object)")
     text = text.replace("support: function", "support: Any")
+    text = text.replace("warm_start: WarmStart", "warm_start: Optional[WarmStart]")
     text = re.sub(r"    def __reduce_ex__\(.*\n", "", text)  # as any object's
     text = text.replace("import numpy\n", "import numpy\nimport numpy.typing as npt\n\n", 1)
     text = re.sub(r"\bobject\b(?=\)|, |: \.\.\.)", "Any", text)

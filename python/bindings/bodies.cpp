@@ -82,7 +82,8 @@ PolygonSoup soup_from(const py::tuple& state) {
 }
 
 double scale_factor(double scale, bool unit_volume, const Measures& measures) {
-  if (!(scale > 0.0) || !std::isfinite(scale)) throw UsageError("a scale is a finite number above 0");
+  if (!(scale > 0.0) || !std::isfinite(scale))
+    throw UsageError("a scale is a finite number above 0 - `mirrored`, and three factors of `scaled`, mirror");
   if (!unit_volume) return scale;
   if (!(measures.volume > 0.0) || !std::isfinite(measures.volume)) {
     throw InputError("a body without a volume cannot be scaled to volume 1 - leave out unit_volume");

@@ -139,7 +139,7 @@ void bind_separations(py::module_& module) {
   const auto translations = py::arg("translations").none(true), warm_start = py::arg("warm_start").none(true);
   py::class_<WarmStart>(
       module, "WarmStart",
-      "What was found of a pair, for the next query of the same pair in a pose not far from this one.")
+      "What was found of a pair, for the next query of the same pair in a pose not far from this one.", py::is_final())
       .def(py::init<>())
       .def("__copy__", [](const WarmStart& state) { return state; })
       .def(

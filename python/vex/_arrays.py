@@ -27,6 +27,14 @@ def as_floats(values: npt.ArrayLike, what: str) -> Floats:
         return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
 
 
+def as_number(value: Any, what: str) -> float:
+    """A double; UsageError, which names it, for what is none."""
+    try:
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise _vex.UsageError(f"{what}: {value!r} - give a number") from None
+
+
 def as_rows(values: npt.ArrayLike, width: int, what: str) -> Tuple[Floats, bool]:
     """An array (N, width), and whether it was one row (width,) alone."""
     array = as_floats(values, what)

@@ -9,7 +9,7 @@ from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 import numpy.typing as npt
 
 from . import _vex
-from ._arrays import as_floats, as_quaternions, threads_of
+from ._arrays import as_floats, as_number, as_quaternions, threads_of
 from .bodies import BodyLike, as_body
 
 
@@ -185,9 +185,9 @@ def excluded_volume(a: BodyLike, b: Optional[BodyLike] = None, *, rel_error: Opt
                                "verify": bool(verify), "quick_verdicts": bool(quick_verdicts),
                                "exact_average": bool(exact_average)}
     if rel_error is not None:
-        options["rel_error"] = float(rel_error)
+        options["rel_error"] = as_number(rel_error, "rel_error")
     if seconds is not None:
-        options["seconds"] = float(seconds)
+        options["seconds"] = as_number(seconds, "seconds")
     for name, count in (("trials", trials), ("max_trials", max_trials)):
         if count is not None:
             options[name] = _whole(count, name)

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _vex
-from ._arrays import Floats, as_floats, as_rows
+from ._arrays import Floats, as_floats, as_number, as_rows
 
 #: What functions take as a body: a Body, a text such as "box:1,2,3", or any object with `vertices` (and `faces`).
 BodyLike = Union["Body", str, "os.PathLike[str]", Any]
@@ -64,7 +64,7 @@ class Body:
                  convex_tolerance: Optional[float] = None, weld: Optional[float] = None, unit: str = "",
                  format: str = "", require_confinement: bool = False) -> None:
         mesh = {"hull": bool(hull), "convex_tolerance": convex_tolerance, "weld": weld, "unit": unit,
-                "scale": float(scale), "unit_volume": bool(unit_volume)}
+                "scale": as_number(scale, "scale"), "unit_volume": bool(unit_volume)}
         if isinstance(source, Body):
             if scale != 1.0 or unit_volume:
                 made = source.scaled(scale, unit_volume=unit_volume)
@@ -244,7 +244,7 @@ class Body:
         if np.ndim(factor) > 0:
             factors = _three(factor, "factors")
             return (self.scaled(1.0, unit_volume=True) if unit_volume else self)._stretched(factors)
-        return self._evenly_scaled(float(factor), unit_volume)  # type: ignore[arg-type]
+        return self._evenly_scaled(as_number(factor, "factor"), unit_volume)
 
     def _stretched(self, factors: Tuple[float, float, float]) -> "Body":
         body = self
@@ -273,7 +273,7 @@ class Body:
                 raise _vex.InputError("a body without a known volume cannot be scaled to volume 1")
             factor = factor / self.volume ** (1.0 / 3.0)
         if kind == "hull":
-            return Body._from_recipe(("hull", self._recipe[1] * float(factor)))
+            return Body._from_recipe(("hull", self._recipe[1] * factor))
         if kind == "rounded":
             return Body._from_recipe(("rounded", self._recipe[1] * factor, self._recipe[2].scaled(factor)))
         return Body._from_recipe(("scaled", (factor, factor, factor), self))
@@ -299,7 +299,7 @@ class Body:
     def rounded(self, radius: float) -> "Body":
         """The body with a ball of this radius, above 0, about each of its points. Of a body of one's own its measures
         stay unknown."""
-        radius = float(radius)
+        radius = as_number(radius, "radius")
         if not radius > 0.0 or not math.isfinite(radius):
             raise _vex.UsageError(f"radius: {radius!r} - give a finite length above 0")
         return Body._from_recipe(("rounded", radius, self))
@@ -457,7 +457,7 @@ def _rounding_radius_of(source: Any) -> float:
     radius = getattr(source, "radius", None)
     if hasattr(source, "faces") or not isinstance(radius, (int, float)):
         return 0.0
-    return float(radius)
+    return as_number(radius, "radius")
 
 
 def _surface_of(source: Any, mesh: Dict[str, Any]) -> "_vex.Surface":
@@ -495,7 +495,7 @@ def load(path: Union[str, "os.PathLike[str]"], *, hull: bool = False, scale: flo
     takes the convex hull instead. Parameters as in `Body`.
     """
     mesh = {"hull": bool(hull), "convex_tolerance": convex_tolerance, "weld": weld, "unit": unit,
-            "scale": float(scale), "unit_volume": bool(unit_volume)}
+            "scale": as_number(scale, "scale"), "unit_volume": bool(unit_volume)}
     return Body._from_recipe(("mesh", _read(os.fspath(path), format, bool(require_confinement)), mesh))
 
 
@@ -550,7 +550,9 @@ def from_support(support: Callable[[Floats], npt.ArrayLike], *, circumradius: fl
     centre_ = tuple(float(x) for x in centre)
     if len(centre_) != 3:
         raise _vex.UsageError("centre: give three numbers")
-    body = Body._from_recipe(("own", support, (float(support_error), centre_, float(circumradius), float(inradius))))
+    claims = (as_number(support_error, "support_error"), centre_, as_number(circumradius, "circumradius"),
+              as_number(inradius, "inradius"))
+    body = Body._from_recipe(("own", support, claims))
     if check:
         broken = body.validate(n_directions=250)
         if broken:

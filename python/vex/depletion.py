@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _vex
-from ._arrays import Poses, as_floats, as_poses, threads_of
+from ._arrays import Poses, as_floats, as_number, as_poses, threads_of
 from .average import _whole, law_of
 from .bodies import BodyLike, as_body
 
@@ -105,7 +105,8 @@ def _seeds(seed: Union[int, Sequence[int]], n: int) -> npt.NDArray[np.uint64]:
 
 def _options(ball_radius: float, rel_error: Optional[float], trials: Optional[int], seconds: Optional[float],
              max_trials: int, threads: Optional[int]) -> Dict[str, Any]:
-    return {"ball_radius": float(ball_radius), "rel_error": None if rel_error is None else float(rel_error),
+    return {"ball_radius": as_number(ball_radius, "ball_radius"),
+            "rel_error": None if rel_error is None else as_number(rel_error, "rel_error"),
             "trials": None if trials is None else _whole(trials, "trials"),
-            "seconds": None if seconds is None else float(seconds), "max_trials": _whole(max_trials, "max_trials"),
-            "threads": threads_of(threads)}
+            "seconds": None if seconds is None else as_number(seconds, "seconds"),
+            "max_trials": _whole(max_trials, "max_trials"), "threads": threads_of(threads)}

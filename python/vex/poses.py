@@ -19,7 +19,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _vex
-from ._arrays import Floats, Poses, as_floats, as_poses, as_rows, repeated
+from ._arrays import Floats, Poses, as_floats, as_number, as_poses, as_rows, repeated
 
 
 class Pose(NamedTuple):
@@ -172,5 +172,6 @@ def relative_pose_error(world_from_a: Poses, world_from_b: Poses, reach_b: float
     """
     arrays, single = _pairs(world_from_a, world_from_b)
     first, first_t, second, second_t = arrays
-    found = _vex.relative_pose_error(first, first_t, second, second_t, float(reach_b), float(ball_radius_a))
+    found = _vex.relative_pose_error(first, first_t, second, second_t, as_number(reach_b, "reach_b"),
+                                     as_number(ball_radius_a, "ball_radius_a"))
     return float(found[0]) if single else found

@@ -21,7 +21,7 @@ import numpy.typing as npt
 
 from . import _vex
 from ._vex import WarmStart
-from ._arrays import Poses, as_many, as_poses, as_rows, threads_of, together
+from ._arrays import Poses, as_many, as_number, as_poses, as_rows, threads_of, together
 from .bodies import BodyLike, as_body
 
 
@@ -77,7 +77,8 @@ def overlap(a: BodyLike, b: BodyLike, poses: Poses, *, certify: bool = False,
 def within(a: BodyLike, b: BodyLike, poses: Poses, margin: float, *, threads: Optional[int] = None) -> Any:
     """Whether the bodies' gap is at most `margin`, a length from 0 on: as `overlap`, no distance is computed."""
     rows, translations, single = as_poses(poses)
-    found = _vex.within(as_body(a)._core, as_body(b)._core, rows, translations, float(margin), threads_of(threads))
+    found = _vex.within(as_body(a)._core, as_body(b)._core, rows, translations, as_number(margin, "margin"),
+                        threads_of(threads))
     return _answer(found, None, single)
 
 
@@ -132,8 +133,8 @@ def _separation(ask: Any, a: BodyLike, b: BodyLike, poses: Poses, relative_gap: 
     rows, translations, single = as_poses(poses)
     if warm_start is not None and threads is not None and threads_of(threads) > 1:
         raise _vex.UsageError("threads: with warm_start one thread answers, step by step - leave it out")
-    found, proof = ask(as_body(a)._core, as_body(b)._core, rows, translations, float(relative_gap),
-                       float(max_distance), bool(certify), warm_start, threads_of(threads))
+    found, proof = ask(as_body(a)._core, as_body(b)._core, rows, translations, as_number(relative_gap, "relative_gap"),
+                       as_number(max_distance, "max_distance"), bool(certify), warm_start, threads_of(threads))
     return _answer(found, proof, single)
 
 
@@ -155,7 +156,8 @@ def ray_cast(a: BodyLike, origins: npt.ArrayLike, directions: npt.ArrayLike, *, 
     ``point_a`` of the body, ``point_b`` of the ray (3,).
     """
     (from_, along), single = together((origins, "origins"), (directions, "directions"))
-    found, proof = _vex.ray_cast(as_body(a)._core, from_, along, float(until), bool(certify), threads_of(threads))
+    found, proof = _vex.ray_cast(as_body(a)._core, from_, along, as_number(until, "until"), bool(certify),
+                                 threads_of(threads))
     return _answer(found, proof, single)
 
 
@@ -165,8 +167,8 @@ def linear_cast(a: BodyLike, b: BodyLike, poses: Poses, motions: npt.ArrayLike, 
     rows, translations, single_pose = as_poses(poses)
     motion, single = as_rows(motions, 3, "motions")
     rows, translations, [motion] = as_many(rows, translations, [motion])
-    found, proof = _vex.linear_cast(as_body(a)._core, as_body(b)._core, rows, translations, motion, float(until),
-                                    bool(certify), threads_of(threads))
+    found, proof = _vex.linear_cast(as_body(a)._core, as_body(b)._core, rows, translations, motion,
+                                    as_number(until, "until"), bool(certify), threads_of(threads))
     return _answer(found, proof, single_pose and single)
 
 
@@ -192,7 +194,7 @@ def time_of_impact(a: BodyLike, b: BodyLike, poses: Poses, velocities: npt.Array
         single = single and single_vector
     rows, translations, (v, w, v_a, w_a) = as_many(rows, translations, vectors)
     found, proof = _vex.time_of_impact(as_body(a)._core, as_body(b)._core, rows, translations, v, w, v_a, w_a,
-                                       float(until), bool(certify), threads_of(threads))
+                                       as_number(until, "until"), bool(certify), threads_of(threads))
     return _answer(found, proof, single)
 
 
@@ -215,8 +217,9 @@ def contact_manifold(a: BodyLike, b: BodyLike, poses: Poses, *, margin: float = 
     which a body lies, its two ends; of what bends away there is one contact.
     """
     rows, translations, single = as_poses(poses)
-    found, proof = _vex.contact_manifold(as_body(a)._core, as_body(b)._core, rows, translations, float(margin),
-                                         float(feature_angle), bool(four_at_most), bool(certify), threads_of(threads))
+    found, proof = _vex.contact_manifold(as_body(a)._core, as_body(b)._core, rows, translations,
+                                         as_number(margin, "margin"), as_number(feature_angle, "feature_angle"),
+                                         bool(four_at_most), bool(certify), threads_of(threads))
     return _answer([Manifold(separation[0], contacts) for separation, contacts in found], proof, single)
 
 

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _vex
-from ._arrays import Floats, Poses, as_floats, as_poses, as_rows, threads_of
+from ._arrays import Floats, Poses, as_floats, as_number, as_poses, as_rows, threads_of
 from .bodies import Body, BodyLike, as_body
 
 
@@ -97,7 +97,8 @@ class Scene:
         if edges is not None and edges.shape not in ((3,), (6,)):
             raise _vex.UsageError(f"box: an array of shape {edges.shape} - give its edges (Lx, Ly, Lz), or these and its "
                                   "tilts (xy, xz, yz)")
-        self._settings = (None if edges is None else edges.tolist(), str(broad_phase), float(skin), threads_of(threads))
+        self._settings = (None if edges is None else edges.tolist(), str(broad_phase),
+                          as_number(skin, "skin"), threads_of(threads))
         self._core = _vex.Scene(*self._settings)
         self._shapes: Dict[Body, int] = {}
         self.undecided: npt.NDArray[Any] = np.empty((0, 2), dtype=np.int64)  #: pairs (M, 2) of the last query
@@ -175,7 +176,7 @@ class Scene:
 
     def pairs_within(self, distance: float, *, images: bool = False) -> Any:
         """The pairs whose distance is at most this: proven, but no distance is computed. Result as of `pairs`."""
-        found, undecided, counts = self._core.pairs(float(distance))
+        found, undecided, counts = self._core.pairs(as_number(distance, "distance"))
         self._told(undecided, counts)
         return (_numbers(found), found["image"].astype(np.int64)) if images else _numbers(found)
 
@@ -187,7 +188,7 @@ class Scene:
         array (M,) of fields ``a``, ``b``, ``image`` (3,), ``distance`` with bounds ``lower`` and ``upper``, and in the
         frame of body a ``normal``, ``point_a``, ``point_b`` (3,), NaN where the bodies overlap.
         """
-        found, undecided, counts = self._core.distances(float(distance))
+        found, undecided, counts = self._core.distances(as_number(distance, "distance"))
         self._told(undecided, counts)
         return found
 
@@ -201,7 +202,8 @@ class Scene:
         and in the frame of body a ``normal``, the pair's, ``point_a``, ``point_b`` (3,); ``distance``, negative where
         the bodies are in each other; ``feature_a`` and ``feature_b``, the same from step to step.
         """
-        found, undecided, counts = self._core.contact_manifolds(float(margin), float(feature_angle), bool(four_at_most))
+        found, undecided, counts = self._core.contact_manifolds(
+            as_number(margin, "margin"), as_number(feature_angle, "feature_angle"), bool(four_at_most))
         self._told(undecided, counts)
         return found
 
@@ -237,17 +239,17 @@ class Scene:
     def ray_cast(self, origin: npt.ArrayLike, direction: npt.ArrayLike, *, until: float = math.inf) -> Hit:
         """The first body on a ray. In a periodic box `until` must be finite."""
         return _hit(self._core.ray_cast(as_rows(origin, 3, "origin")[0], as_rows(direction, 3, "direction")[0],
-                                        float(until)))
+                                        as_number(until, "until")))
 
     def linear_cast(self, visitor: BodyLike, pose: Poses, motion: npt.ArrayLike, *, until: float = math.inf) -> Hit:
         """The first body that a visitor meets that moves without turning."""
         rows, translations, _ = as_poses(pose)
         return _hit(self._core.linear_cast(as_body(visitor)._core, rows, translations,
-                                           as_rows(motion, 3, "motion")[0], float(until)))
+                                           as_rows(motion, 3, "motion")[0], as_number(until, "until")))
 
     def clusters(self, distance: float = 0.0) -> Clusters:
         """Clusters of bodies that overlap, or whose distance is at most this, and which of them wrap around the box."""
-        labels, wraps, undecided, counts = self._core.clusters(float(distance))
+        labels, wraps, undecided, counts = self._core.clusters(as_number(distance, "distance"))
         self._told(undecided, counts)
         return Clusters(labels, wraps)
 

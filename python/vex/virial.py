@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Optional, Tuple, Union
 
 from . import _vex
-from ._arrays import threads_of
+from ._arrays import as_number, threads_of
 from .average import _whole, law_of, with_error
 from .bodies import BodyLike, as_body
 
@@ -62,7 +62,8 @@ def virial_coefficients(body: BodyLike, *, order: int = 4, rel_error: Optional[f
         The result is that of `vex_virial`, the same bits for any number of threads (but for runs that end by the clock).
     """
     b2, b2_per_volume, higher, complete, taken = _vex.virial_coefficients(
-        as_body(body)._core, _whole(order, "order"), None if rel_error is None else float(rel_error),
-        None if seconds is None else float(seconds), None if samples is None else _whole(samples, "samples"),
+        as_body(body)._core, _whole(order, "order"), None if rel_error is None else as_number(rel_error, "rel_error"),
+        None if seconds is None else as_number(seconds, "seconds"),
+        None if samples is None else _whole(samples, "samples"),
         law_of(law), _whole(seed, "seed"), threads_of(threads))
     return VirialCoefficients(b2, b2_per_volume, tuple(VirialCoefficient(**one) for one in higher), complete, taken)

@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _vex
-from ._arrays import Floats, Poses, as_floats, as_many, as_poses, as_rows, threads_of, together
+from ._arrays import Floats, Poses, as_floats, as_many, as_number, as_poses, as_rows, threads_of, together
 from .bodies import Body, BodyLike, as_body
 
 
@@ -25,7 +25,7 @@ class HalfSpace:
         if len(rows) != 1:
             raise _vex.UsageError(f"normal: {len(rows)} rows - give three numbers")
         self._normal = (float(rows[0, 0]), float(rows[0, 1]), float(rows[0, 2]))
-        self._offset = float(offset)
+        self._offset = as_number(offset, "offset")
         self._core = _vex.HalfSpace(list(self._normal), self._offset)
 
     @property
@@ -83,7 +83,7 @@ class HalfSpace:
         """The points of the body that are no farther than `margin` above the plane: fields point_a, point_b, distance,
         and feature, the same number for the same point in every pose."""
         rows, translations, _ = as_poses(pose)
-        return self._core.contacts(as_body(body)._core, rows, translations, float(margin))
+        return self._core.contacts(as_body(body)._core, rows, translations, as_number(margin, "margin"))
 
 
 class Compound:
@@ -145,7 +145,8 @@ class Compound:
         that is nearest (-1 where none is as near as `max_distance`). Where the bodies overlap normal and points are NaN.
         """
         rows, translations, single = as_poses(poses)
-        found = self._core.distance(as_body(body)._core, rows, translations, float(relative_gap), float(max_distance),
+        found = self._core.distance(as_body(body)._core, rows, translations,
+                                    as_number(relative_gap, "relative_gap"), as_number(max_distance, "max_distance"),
                                     threads_of(threads))
         return found[0] if single else found
 
@@ -169,7 +170,7 @@ class Compound:
         v, single_v = as_rows(velocities, 3, "velocities")
         w, single_w = as_rows(angular_velocities, 3, "angular velocities")
         rows, translations, (v, w) = as_many(rows, translations, [v, w])
-        found = self._core.time_of_impact(as_body(body)._core, rows, translations, v, w, float(until),
+        found = self._core.time_of_impact(as_body(body)._core, rows, translations, v, w, as_number(until, "until"),
                                           threads_of(threads))
         return found[0] if single and single_v and single_w else found
 
@@ -180,7 +181,7 @@ def _compound_of_parts(parts: Sequence[Body], rows: Floats, translations: Option
 
 def _rays(core: Any, origins: npt.ArrayLike, directions: npt.ArrayLike, until: float, threads: Optional[int]) -> Any:
     (from_, along), single = together((origins, "origins"), (directions, "directions"))
-    found = core.ray_cast(from_, along, float(until), threads_of(threads))
+    found = core.ray_cast(from_, along, as_number(until, "until"), threads_of(threads))
     return found[0] if single else found
 
 
@@ -189,5 +190,6 @@ def _casts(core: Any, body: BodyLike, poses: Poses, motions: npt.ArrayLike, unti
     rows, translations, single = as_poses(poses)
     motion, single_motion = as_rows(motions, 3, "motions")
     rows, translations, [motion] = as_many(rows, translations, [motion])
-    found = core.linear_cast(as_body(body)._core, rows, translations, motion, float(until), threads_of(threads))
+    found = core.linear_cast(as_body(body)._core, rows, translations, motion, as_number(until, "until"),
+                             threads_of(threads))
     return found[0] if single and single_motion else found

@@ -25,7 +25,8 @@ void require_settings(const Body& a, const Body& b, const DepletionSettings& set
   }
   const double reach = a.body.reach() + b.body.reach() + settings.ball_radius;
   if (!(reach < 1e75 && settings.ball_radius > 1e-75)) {
-    throw InputError("bodies or balls too large or small for their volumes to be numbers (" + shortest_number(reach) +
+    throw InputError("bodies or balls too large or small for their volumes to be numbers (sizes together " +
+                     shortest_number(reach) + ", radius of the ball " + shortest_number(settings.ball_radius) +
                      ") - choose another unit of length");
   }
   if (settings.threads < 0) {

@@ -180,3 +180,23 @@ def test_small_things():
     law = vex.OrientationLaw.cone(30)
     assert law == vex.OrientationLaw.cone(30) != vex.OrientationLaw.cone(31) and "cone:30" in repr(law)
     hash(vex.excluded_volume("box:1,1,1", trials=4096))
+
+
+def test_what_is_no_number_is_named():
+    body = vex.sphere(1)
+    pose = [3, 0, 0, 1, 0, 0, 0]
+    for name, ask in {"ball_radius": lambda x: vex.depletion_at(body, body, pose, ball_radius=x),
+                      "rel_error": lambda x: vex.excluded_volume(body, rel_error=x),
+                      "margin": lambda x: vex.within(body, body, pose, x),
+                      "until": lambda x: vex.ray_cast(body, [3, 0, 0], [-1, 0, 0], until=x),
+                      "scale": lambda x: vex.Body("box:1,1,1", scale=x),
+                      "distance": lambda x: vex.Scene([body], [pose]).pairs_within(x)}.items():
+        for wrong in ("a", [1, 2], 10 ** 400):
+            with pytest.raises(vex.UsageError, match=f"^{name}: .* - give a number$"):
+                ask(wrong)
+    with pytest.raises(vex.UsageError, match="mirrored"):
+        vex.Body("box:1,1,1", scale=-1)
+    with pytest.raises(vex.InputError, match="radius of the ball 1e-300"):
+        vex.depletion_at(body, body, pose, ball_radius=1e-300)
+    with pytest.raises(TypeError):
+        type("Mine", (vex.WarmStart,), {})  # whose copies would be without what it adds
