@@ -58,6 +58,7 @@ VirialIntegrand::VirialIntegrand(std::vector<ConvexBody> bodies, const Orientati
       decider_(bodies_.front(), bodies_.back(), set),
       clusters_(n_clusters(weights_->order())),
       world_from_bodies_(clusters_.size() * static_cast<std::size_t>(weights_->order())),
+      centres_(world_from_bodies_.size()),
       asked_(clusters_.size()),
       open_(clusters_.size()),
       outcomes_(clusters_.size()),
@@ -174,7 +175,6 @@ void VirialIntegrand::take(Cluster& cluster, std::size_t k, Outcome outcome) con
 // Pair after pair, of all clusters that may count: step by step, each over all of them, as the answers are for a
 // processor to guess in vain. What balls do not tell is searched together.
 void VirialIntegrand::ask(Outcome undecided, PairQuestions& questions) {
-  const Vec3d centre_a = bodies_.front().centre(), centre_b = bodies_.back().centre();
   const auto n = static_cast<std::size_t>(weights_->order());
   const auto pair_of = [this](std::size_t c, std::size_t k) {
     return clusters_[c].is_tree ? clusters_[c].pairs[k] : weights_->pairs()[k];
@@ -187,8 +187,8 @@ void VirialIntegrand::ask(Outcome undecided, PairQuestions& questions) {
     }
     for (std::size_t at = 0; at < n_asked; ++at) {
       const BodyPair pair = pair_of(asked_[at], k);
-      const Transformd* const world = &world_from_bodies_[asked_[at] * n];
-      outcomes_[at] = decider_.by_balls(world[pair.j](centre_b) - world[pair.i](centre_a));
+      const Vec3d* const centres = &centres_[asked_[at] * n];
+      outcomes_[at] = decider_.by_balls(centres[pair.j] - centres[pair.i]);
       open_[n_open] = at;
       n_open += outcomes_[at] == Outcome::undecided ? 1u : 0u;
     }
@@ -227,6 +227,13 @@ void VirialIntegrand::draw_clusters(std::uint64_t seed, std::uint64_t first) {
     const auto n_numbers = static_cast<std::size_t>(weights_->order() - 2);
     draw_unit_cube(seed + 1, Stream::virial_trees, first + c, std::span(point).first(n_numbers));
     set_tree(c, c % kPoses, step, point);
+  }
+  // Of a mixture only the first and the last body of a chain are asked.
+  const Vec3d centre_a = bodies_.front().centre(), centre_b = bodies_.back().centre();
+  const auto n = static_cast<std::size_t>(weights_->order());
+  for (std::size_t at = 0; at < centres_.size(); at += n) {
+    centres_[at] = world_from_bodies_[at](centre_a);
+    for (std::size_t k = 1; k < n; ++k) centres_[at + k] = world_from_bodies_[at + k](centre_b);
   }
 }
 

@@ -91,6 +91,7 @@ class VirialIntegrand final : public Integrand {
   std::array<Transformd, kPoses> poses_, second_poses_;
   std::vector<Cluster> clusters_;
   std::vector<Transformd> world_from_bodies_;  // cluster after cluster
+  std::vector<Vec3d> centres_;                 // of these bodies, in the world
   // Of one pair of each cluster that may count: whose it is, the answer; and what is searched.
   std::vector<std::size_t> asked_, open_;
   std::vector<Outcome> outcomes_;
