@@ -58,10 +58,9 @@ class CompoundImpact {
  private:
   // Of an A that does not turn: the boxes stand, and a ball about B's part goes past them.
   void along(const MovingPart& b) {
-    const Aabb at_first = box_seen(b.body, b.frame_from_body);
     const double reach = reach_seen(b);
     const MovingBox box = turns(motion_b_) ? MovingBox{b.frame_from_body.a_from_b().translation, {reach, reach, reach}}
-                                           : moving_box(at_first);
+                                           : moving_box(box_seen(b.body, b.frame_from_body));
     along_way(a_, box, relative_.velocity, b.number, earliest_,
               [&](std::uint32_t part, double last) { return ask(part, b, last); });
   }
@@ -82,17 +81,20 @@ class CompoundImpact {
     const double radii = (reach_a + reach_b) * (1.0 + 2.0 * kSeenOtherwise);
     const std::optional<Window> window = when_near(origin_of(parts), radii);
     if (!window) return;
-    const double spin_a = norm(motion_a_.angular_velocity), spin_b = norm(motion_b_.angular_velocity);
+    const double spin_a = safe_norm(motion_a_.angular_velocity), spin_b = safe_norm(motion_b_.angular_velocity);
     const double speed =
-        (norm(relative_.velocity) + spin_b * reach_b + spin_a * (radii + reach_b)) * (1.0 + kSeenOtherwise);
+        (safe_norm(relative_.velocity) + spin_b * reach_b + spin_a * (radii + reach_b)) * (1.0 + kSeenOtherwise);
     const double duration = window->to - window->from;
     const bool is_short = window->to * (spin_a + spin_b) < kMostAngle && speed * duration < HUGE_VAL;
     const double n =
         is_short
             ? std::ceil(std::clamp(speed * duration / (kWayOfInterval * least_size + 0x1p-500), 1.0, kMostIntervals))
             : 1.0;
-    for (double k = 0.0; k < n && window->from + duration * (k / n) <= earliest_.until(); ++k) {
-      const double middle = window->from + duration * ((k + 0.5) / n);
+    for (double k = 0.0; k < n; ++k) {
+      // Of an end that is infinite there is one interval, from the window's first time on.
+      const double from = k > 0.0 ? window->from + duration * (k / n) : window->from;
+      if (from > earliest_.until()) break;
+      const double middle = is_short ? window->from + duration * ((k + 0.5) / n) : from;
       const double wide = is_short ? speed * (0.5 * duration / n) * (1.0 + kSeenOtherwise) : HUGE_VAL;
       for (const MovingPart& b : parts) {
         if (earliest_.is_at_start()) return;
