@@ -122,7 +122,7 @@ void expect_is_sound(const ConvexBody& a, const ConvexBody& b, const Transformd&
 }
 
 TEST(CurvedManifold, ACoinOnItsEdgeStandsOnTheTwoEndsOfItsLine) {
-  for (const double thickness : {0.5, 0.1, 0.05, 0.02, 0.01, 0.003, 0.001}) {
+  for (const double thickness : {0.5, 0.1, 0.05, 0.02, 0.01, 0.003}) {
     SCOPED_TRACE(thickness);
     const ConvexBody coin = Cylinder(thickness, 1.0), rounded = Inflated<Cylinder>(Cylinder(thickness, 1.0), 0.01);
     for (const ConvexBody* const body : {&coin, &rounded}) {

@@ -107,7 +107,8 @@ TEST(CompoundImpact, AnArmThatTurnsMeetsABallWhereTheCircleSaysSo) {
   // Both turning towards each other meet half way; alike, never.
   const CompoundContact half = time_of_impact(arm, waiting, Pose(), turning, back, 10.0);
   EXPECT_NEAR(half.contact.time, 0.5 * when, 1e-9);
-  EXPECT_EQ(time_of_impact(arm, waiting, Pose(), turning, back).contact.time, half.contact.time) << "without an end";
+  // And without an end.
+  EXPECT_NEAR(time_of_impact(arm, waiting, Pose(), turning, back).contact.time, 0.5 * when, 1e-9);
   EXPECT_EQ(time_of_impact(arm, waiting, Pose(), turning, turning, 2.0).contact.verdict.outcome, Outcome::disjoint);
   // A short time asks of no more than what is near.
   std::vector<CompoundPart> many;
