@@ -127,8 +127,12 @@ CompoundContactCertificate certificate_of(const Compound& a, const B& b, const P
       const bool is_told = meets && i == found.part_a && part.number == found.part_b;
       if (!is_told && end == 0.0 && found.contact.verdict.outcome != Outcome::disjoint) continue;
       const MovingPair pair = moving_pair(a, i, part, motion_a, motion_b);
-      const double last = is_told ? found.contact.upper : end;
-      const FirstContact one = time_of_impact(pair.a, pair.b, pair.pose, pair.of_a, pair.of_b, last);
+      double last = is_told ? until : end;
+      FirstContact one = time_of_impact(pair.a, pair.b, pair.pose, pair.of_a, pair.of_b, last);
+      if (is_told && one.lower < end) {  // how long the steps are hangs on the end that they are given
+        last = found.contact.upper;
+        one = time_of_impact(pair.a, pair.b, pair.pose, pair.of_a, pair.of_b, last);
+      }
       certificate.pairs.push_back(
           {{i, part.number}, last, one, certify(pair.a, pair.b, pair.pose, pair.of_a, pair.of_b, one, last)});
     }

@@ -75,7 +75,7 @@ TEST(CompoundCertificate, ImpactsAreProvenByEveryPair) {
     const CompoundContact found = time_of_impact(a, b, pose, of_a, of_b, until);
     const CompoundContactCertificate proof = certify(a, b, pose, of_a, of_b, found, until);
     const CertificateCheck check = check_certificate(a, b, pose, of_a, of_b, found, proof, until);
-    EXPECT_TRUE(check.is_proven) << check.fault;
+    EXPECT_TRUE(check.is_proven) << check.fault << ", case " << k;
     CompoundContact lie = found;
     if (found.contact.verdict.outcome == Outcome::overlap) {
       ++n_met;
