@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <utility>
 
 #include "engine/numeric/errors.h"
 #include "engine/numeric/rounding.h"
@@ -143,7 +144,8 @@ void name_features(const Memory& memory, std::vector<ContactManifold::Contact>& 
   }
 }
 
-// Whether their squares are: a body whose vertices and radius have nothing to do with each other has no face.
+// Whether their squares are. A body whose vertices and radius have nothing to do with each other has no face that could
+// be told.
 bool are_numbers(const Vec3d& v) { return norm_1(v) < 0x1p200; }
 
 // Faces about the witness of A, in units in which bodies are neither tiny nor huge: what is small is then compared with
@@ -189,8 +191,9 @@ bool take_vertices(const ConvexBody& body, const ContactFrame& frame, double out
 // Of many places those of which four may be chosen: heights are asked of these alone.
 void keep_outermost(Memory& memory) {
   find_outermost(memory.common_hull, memory.candidates);
-  std::size_t n = 0;
-  for (const std::size_t k : memory.candidates) memory.opposite[n++] = memory.opposite[k];  // k is n or more
+  for (std::size_t k = 0; k < memory.candidates.size(); ++k) {
+    memory.opposite[k] = memory.opposite[memory.candidates[k]];  // which is this one or a later one
+  }
   memory.opposite.resize(memory.candidates.size());
 }
 
@@ -230,19 +233,11 @@ double slack_of(const ContactQuestion& question) {
   return slope * question.units.length(question.a.circumradius() + question.b.circumradius());
 }
 
-// About as deep as the separation is what is no higher than this.
-double about_deepest(const ContactQuestion& question) {
-  return question.units.length(question.found.signed_distance) + 0x1p-10 * slack_of(question);
-}
+// Whether there is a contact about as deep as the separation.
 bool have_the_deepest(const ContactQuestion& question, const std::vector<ContactManifold::Contact>& contacts) {
-  const double most = about_deepest(question);
-  return std::ranges::any_of(contacts, [&](const auto& x) { return x.signed_distance <= most; });
-}
-// Whether a contact may be, as far as the corners' heights tell: of a face that leans none is.
-bool may_have_the_deepest(const ContactQuestion& question, const Memory& memory) {
-  if (question.a.is_rounded_polytope() && question.b.is_rounded_polytope()) return true;
-  const double balls = question.units.length(question.a.ball_radius() + question.b.ball_radius());
-  return -memory.face_b.greatest_height() - memory.face_a.greatest_height() - balls <= about_deepest(question);
+  if (contacts.empty()) return false;
+  const double deepest = std::ranges::min(contacts, {}, &ContactManifold::Contact::signed_distance).signed_distance;
+  return deepest <= question.units.length(question.found.signed_distance) + 0x1p-10 * slack_of(question);
 }
 
 // And the separation's point about between them.
@@ -289,7 +284,7 @@ void find_contacts(const ConvexBody& a, const ConvexBody& b, const Transformd& a
     return;
   }
   const ContactQuestion question{a, b, found, asked, units, frame, resolution};
-  if (may_have_the_deepest(question, memory)) find_contacts_of_faces(question, memory, contacts);
+  find_contacts_of_faces(question, memory, contacts);
   // Of a rim the deepest point is between two of its corners; it is added where it matters, for it does not persist.
   if ((is_probed_a || is_probed_b) && !have_the_nearest(question, memory, contacts)) {
     const auto add_nearest = [&](std::vector<NumberedPoint>& corners, ContactFace& face, double outward,

@@ -59,9 +59,6 @@ class ContactFace {
 
   const std::vector<PlanarPoint>& outline() const { return outline_; }
 
-  // Nothing of it is higher.
-  double greatest_height() const { return std::ranges::max_element(corners_, {}, &ContactCorner::height)->height; }
-
   // The feature of the body that is at a place of the outline, or within `near` of the length of the side there: a
   // vertex, an edge, or the face.
   FeatureId feature_at(const PlanarPoint& place, double near) const {
