@@ -121,7 +121,7 @@ TEST(WorldExamples, Scaled) {
 
 TEST(WorldGuide, HasOnlyExamplesThatAreCompiledAndAllOfThem) {
   const std::vector<std::string> compiled = vex::test::compiled_examples("tests/docs/world_examples.cpp");
-  EXPECT_EQ(compiled.size(), 7u);
+  EXPECT_EQ(compiled.size(), 8u);
   EXPECT_EQ(vex::test::shown_examples("docs/worlds.md"), compiled);
 }
 
