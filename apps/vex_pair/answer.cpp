@@ -130,7 +130,10 @@ Answer Question::answer_of_query(const Transformd& a_from_b) const {
                                settings_.velocity);
     case Query::time_of_impact: return impact_answer(a_from_b);
     case Query::manifold: {
-      ContactManifold manifold = contact_manifold(a_, b_, a_from_b, settings_.margin);
+      thread_local ManifoldMemory memory;
+      ContactManifold manifold;
+      contact_manifold(a_, b_, a_from_b, {.margin = settings_.margin, .four_at_most = settings_.four_at_most}, memory,
+                       manifold);
       result = separation_answer(manifold.separation);
       if (settings_.with_certificate) {
         ManifoldCertificate certificate = certify(a_, b_, a_from_b, manifold);

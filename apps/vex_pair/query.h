@@ -48,6 +48,7 @@ struct QuerySettings {
   Vec3d angular_velocity_degrees;                // of B about its origin
   Vec3d velocity_a, angular_velocity_a_degrees;  // of A, where it moves as well
   double margin = 0.0;                           // a gap up to this counts as contact
+  bool four_at_most = false;                     // of a manifold's contacts
   double until = HUGE_VAL;                       // the last time, or parameter, of a motion that is looked at
   double max_distance = HUGE_VAL;                // larger distances need not be known
   bool with_certificate = false;                 // what is answered is proven again

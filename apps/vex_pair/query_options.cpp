@@ -52,6 +52,15 @@ void require_own_options(const QueryWords& words, Query query) {
     throw UsageError("a margin goes with overlap and manifold (--margin with " + asked +
                      ") - leave it out; --query distance tells how near the bodies are");
   }
+  if (words.four_at_most && query != Query::manifold) {
+    throw UsageError("four contacts go with manifold (--four-at-most with " + asked +
+                     ") - leave it out, or add --query manifold");
+  }
+  if (words.four_at_most && words.certificate) {
+    throw UsageError(
+        "four of a manifold's contacts need not surround the nearest points, which is what is proven (--four-at-most "
+        "with --certificate) - leave one of them out");
+  }
   if (!words.toi_a.empty() && query != Query::time_of_impact) {
     throw UsageError("a motion of A goes with toi (--toi-a with " + asked + ") - leave it out, or add --query toi");
   }
@@ -143,6 +152,11 @@ void declare_query_options(OptionParser& options, QueryWords& words, const std::
       .type_name("M")
       .group(heading);
   options
+      .add_flag("--four-at-most", words.four_at_most,
+                "Of --query manifold: of more than four contacts those four that are enough for a body to rest on, the "
+                "same ones from step to step")
+      .group(heading);
+  options
       .add_option("--until", words.until,
                   "Of ray, cast and toi: the last parameter or time that is looked at. That there is no contact then "
                   "means until this one. Of balls, a contact within rounding of it is undecided")
@@ -189,6 +203,7 @@ QuerySettings interpret_query(const QueryWords& words) {
   if (!words.until.empty()) settings.until = end_of_word(words.until, "--until");
   if (!words.max_distance.empty()) settings.max_distance = end_of_word(words.max_distance, "--max-distance");
   settings.with_certificate = words.certificate;
+  settings.four_at_most = words.four_at_most;
   return settings;
 }
 

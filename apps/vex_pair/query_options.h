@@ -11,7 +11,7 @@ namespace vex {
 /// The words of the command line, as they stand.
 struct QueryWords {
   std::string query, ray, cast, toi, toi_a, margin, until, max_distance;
-  bool certificate = false;
+  bool certificate = false, four_at_most = false;
 };
 
 /// Declares the options below the heading; parsing fills `words`.

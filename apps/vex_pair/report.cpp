@@ -39,8 +39,10 @@ void add_query(Json& json, const QuerySettings& asked) {
       if (norm_1(v_a) + norm_1(w_a) > 0.0) json["toi_a"] = {v_a.x, v_a.y, v_a.z, w_a.x, w_a.y, w_a.z};
       break;
     }
-    case Query::overlap:
-    case Query::manifold: json["margin"] = asked.margin; break;
+    case Query::manifold:
+      if (asked.four_at_most) json["four_at_most"] = true;
+      [[fallthrough]];
+    case Query::overlap: json["margin"] = asked.margin; break;
     case Query::distance:
     case Query::depth:
     case Query::signed_distance: break;

@@ -77,8 +77,9 @@ class ManifoldMemory {
 ///   than the feature angle, in it and below its surface by no more than tan(feature_angle) times the face's width.
 /// - A straight line within the feature angle, on which a cylinder, cone or frustum lies, becomes an edge of two ends,
 ///   each to within the support mapping's error and the normal's own. Which end has which name may change as the body
-///   turns. The line of a flat disc's rim, no longer than a tenth of its radius, may be missed; a body that leans nearly
-///   by the feature angle may have part of its rim besides.
+///   turns. The line of a coin's rim, a tenth of its radius or shorter, is looked for at narrower angles, down to a 512th
+///   of that one: a coin that leans by more, or is thinner than three thousandths of its radius, may have one end of it.
+///   A body that leans nearly by the feature angle may have part of its rim besides.
 /// - What bends away is the separation's point, one contact; with B's moved along the normal to be at the signed
 ///   distance.
 /// The points of pairs with such a body, and their gaps along the normal, are as near to the truth as the separation

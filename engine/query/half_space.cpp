@@ -8,8 +8,9 @@
 #include "engine/numeric/interval.h"
 #include "engine/numeric/rounding.h"
 #include "engine/numeric/whole.h"
+#include "engine/query/exact/plane_reach.h"
 #include "engine/query/motion_input.h"
-#include "engine/support/combinators.h"
+#include "engine/query/search/plane_sweep.h"
 #include "engine/support/point_body.h"
 
 namespace vex {
@@ -21,97 +22,6 @@ using whole::Dyadic;
 constexpr double kLeastRounding = 0x1p-1060;
 
 Vec3d magnitudes(const Vec3d& v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
-
-/// The least dir_normal . x - offset over the placed body, which is within `error` of `value`; and its point.
-struct LeastHeight {
-  double value, error;
-  Vec3d point_b, point_b_in_b;
-
-  double lower() const { return value - error; }
-  double upper() const { return value + error; }
-};
-
-// E29. The ball about the core's points stays one whatever R is, so that it is added here.
-LeastHeight least_height(const HalfSpace& a, const ConvexBody& b, const Transformd& a_from_b) {
-  const Vec3d& n = a.dir_normal();
-  const Vec3d dir_b = a_from_b.direction_to_b(-n);
-  const Vec3d core_b = b.core_support(dir_b), core = a_from_b(core_b);
-  const double radius = b.ball_radius(), drop = radius * a.length();
-  const double size =
-      norm_1(n) * b.reach() + dot(magnitudes(n), magnitudes(a_from_b.translation)) + std::fabs(a.offset()) + drop;
-  LeastHeight found{
-      (dot(n, core) - a.offset()) - drop,
-      b.core_support_error() * a.length() * (1.0 + 0x1p-18) + 40.0 * kUnitRoundoff * size + kLeastRounding, core,
-      core_b};
-  if (radius > 0.0) {
-    found.point_b = core - radius * a.unit_normal();
-    found.point_b_in_b = core_b + ball_support(radius, dir_b);
-  }
-  return found;
-}
-
-// Whether centre - sqrt(spread) <= radius sqrt(length), for a spread from 0 up: an ellipsoid whose centre is that high
-// over the plane (times the length of the normal), and goes down from there by the root of the spread, with a ball.
-bool reaches_plane(const Dyadic& centre, const Dyadic& spread, double radius, const Dyadic& length_sq) {
-  if (sign(centre) <= 0) return true;
-  // centre^2 <= spread + radius^2 length^2 + 2 sqrt(spread) radius length
-  const Dyadic ball_sq = Dyadic(radius) * Dyadic(radius) * length_sq;
-  const Dyadic rest = centre * centre - spread - ball_sq;
-  if (sign(rest) <= 0) return true;
-  return sign(rest * rest - Dyadic(4.0) * spread * ball_sq) <= 0;
-}
-
-// Whether the body, moved by as much as raises all its heights by `raised`, shares a point with the half-space. Nothing
-// where it has no exact form, or where a placed coordinate is not finite.
-std::optional<bool> meets_exactly(const HalfSpace& a, const ConvexBody& b, const Transformd& a_from_b,
-                                  const Dyadic& raised) {
-  const std::optional<ExactForm> form = b.exact_form();
-  if (!form || !is_finite(a_from_b.translation)) return std::nullopt;
-  const whole::DyadicVector normal = whole::exactly(a.dir_normal());
-  const Dyadic length_sq = dot(normal, normal), base = raised - Dyadic(a.offset());
-  const bool is_rounded = form->is_polytope();
-  for (const Vec3d& point : form->points) {
-    const Vec3d placed = a_from_b(point);
-    if (!is_finite(placed)) return std::nullopt;
-    const whole::DyadicVector exact =
-        is_rounded ? whole::exactly(placed) : whole::placed(a_from_b, whole::exactly(point));
-    if (reaches_plane(dot(normal, exact) + base, Dyadic(), form->ball_radius, length_sq)) return true;
-  }
-  const whole::DyadicVector up_in_b = whole::direction_to_b(a_from_b, normal);
-  for (const ExactForm::Piece& piece : form->pieces) {
-    const auto stretch = [](double semi_axis, const Dyadic& along) {
-      const Dyadic part = Dyadic(semi_axis) * along;
-      return part * part;
-    };
-    Dyadic spread = stretch(piece.semi_axes.x, up_in_b.x) + stretch(piece.semi_axes.y, up_in_b.y);
-    // A dome has nothing below its centre: where down is -z of it, its rim is the lowest.
-    if (!piece.is_dome || sign(up_in_b.z) < 0) spread = spread + stretch(piece.semi_axes.z, up_in_b.z);
-    const Dyadic centre = dot(normal, whole::placed(a_from_b, whole::exactly(piece.centre))) + base;
-    if (reaches_plane(centre, spread, form->ball_radius, length_sq)) return true;
-  }
-  return false;
-}
-
-Verdict verdict_of(const HalfSpace& a, const ConvexBody& b, const Transformd& a_from_b, const LeastHeight& height) {
-  if (height.lower() > 0.0) return Verdict::disjoint(DecidedBy::gjk);
-  if (height.upper() <= 0.0) return Verdict::overlap(DecidedBy::gjk);
-  const std::optional<bool> meets = meets_exactly(a, b, a_from_b, Dyadic());
-  if (!meets) return Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);
-  return *meets ? Verdict::overlap(DecidedBy::exact) : Verdict::disjoint(DecidedBy::exact);
-}
-
-// Bounds of the speed at which heights fall, dir_normal . motion < 0 taken positive; exact but for a last place where
-// the sign is not plain. Both are 0 where heights do not fall.
-Interval<double> falling_speed(const HalfSpace& a, const Vec3d& motion) {
-  const double speed = -dot(a.dir_normal(), motion);
-  const double error = 4.0 * kUnitRoundoff * dot(magnitudes(a.dir_normal()), magnitudes(motion)) + kLeastRounding;
-  if (speed > 2.0 * error && std::isfinite(speed)) return {speed - error, speed + error};
-  const Dyadic exact = -dot(whole::exactly(a.dir_normal()), whole::exactly(motion));
-  if (sign(exact) <= 0) return {0.0, 0.0};
-  const int exponent = whole::exponent_of(exact);
-  const double rounded = std::ldexp(whole::rounded(exact, exponent).high, exponent);
-  return {std::fmax(next_below(rounded), 0.0), next_above(rounded)};
-}
 
 Vec3d on_plane(const HalfSpace& a, const Vec3d& point, double distance) { return point - distance * a.unit_normal(); }
 
@@ -149,14 +59,14 @@ bool detail::are_wide_beside(const ConvexBody& b, const Separation& found) {
 }
 
 Verdict overlap(const HalfSpace& a, const ConvexBody& b, const Pose& a_from_b) {
-  return verdict_of(a, b, a_from_b.a_from_b(), least_height(a, b, a_from_b.a_from_b()));
+  return plane_verdict(a, b, a_from_b.a_from_b(), least_height(a, b, a_from_b.a_from_b()));
 }
 
 Separation signed_distance(const HalfSpace& a, const ConvexBody& b, const Pose& a_from_b) {
   const LeastHeight height = least_height(a, b, a_from_b.a_from_b());
   Separation found;
   found.n_support_calls = 1;
-  found.verdict = verdict_of(a, b, a_from_b.a_from_b(), height);
+  found.verdict = plane_verdict(a, b, a_from_b.a_from_b(), height);
   const double value = height.value / a.length();
   const double error =
       (height.error + 8.0 * kUnitRoundoff * std::fabs(height.value)) / a.length() * (1.0 + 8.0 * kUnitRoundoff) +
@@ -183,7 +93,7 @@ FirstContact linear_cast(const HalfSpace& a, const ConvexBody& b, const Pose& a_
   const LeastHeight height = least_height(a, b, pose);
   FirstContact contact;
   contact.n_support_calls = 1;
-  contact.verdict = verdict_of(a, b, pose, height);
+  contact.verdict = plane_verdict(a, b, pose, height);
   const auto place = [&](double time) {
     contact.normal = a.unit_normal();
     contact.point_b = height.point_b + time * motion;
@@ -208,7 +118,7 @@ FirstContact linear_cast(const HalfSpace& a, const ConvexBody& b, const Pose& a_
     return contact;
   }
   if (contact.verdict.outcome == Outcome::undecided || !is_in_range) return open(0.0);
-  const Interval<double> speed = falling_speed(a, motion);
+  const FallingSpeed speed = falling_speed(a, motion);
   if (!(speed.upper > 0.0)) return never();
   contact.lower = std::fmax(next_below(std::fmax(height.lower(), 0.0) / speed.upper), 0.0);
   contact.upper = next_above(height.upper() / speed.lower);
@@ -217,7 +127,7 @@ FirstContact linear_cast(const HalfSpace& a, const ConvexBody& b, const Pose& a_
   if (contact.upper > until) {
     // Heights only fall: there is a contact until then exactly if there is one then.
     const Dyadic raised = Dyadic(until) * dot(whole::exactly(a.dir_normal()), whole::exactly(motion));
-    const std::optional<bool> meets = meets_exactly(a, b, pose, raised);
+    const std::optional<bool> meets = meets_plane_exactly(a, b, pose, raised);
     if (!meets) return open(contact.lower);
     contact.verdict = *meets ? Verdict::overlap(DecidedBy::exact) : Verdict::disjoint(DecidedBy::exact);
     if (!*meets) return never();

@@ -62,6 +62,12 @@ bool are_wide_beside(const ConvexBody& b, const Separation& found);
 FirstContact linear_cast(const HalfSpace& a, const ConvexBody& b, const Pose& a_from_b, const Vec3d& motion,
                          double until = HUGE_VAL);
 
+/// B moving and turning about its origin, as `time_of_impact` of two bodies has it: `time` is `lower`, at which the
+/// points are measured, and a B that leaves or grazes the plane within rounding may be undecided. Heights that fall by
+/// motion end in a contact, those that rise, or stay but for B's turning, are looked at until nothing can come.
+FirstContact time_of_impact(const HalfSpace& a, const ConvexBody& b, const Pose& a_from_b, const RigidMotion& motion,
+                            double until = HUGE_VAL);
+
 /// The ray origin + t dir.
 FirstContact cast_ray(const HalfSpace& a, const Vec3d& origin, const Vec3d& dir, double until = HUGE_VAL);
 

@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <optional>
 
@@ -9,6 +7,7 @@
 #include "engine/numeric/scaled_bound.h"
 #include "engine/query/first_contact.h"
 #include "engine/query/motion_input.h"
+#include "engine/query/motion_units.h"
 #include "engine/query/overlap.h"
 #include "engine/query/search/advancement.h"
 #include "engine/query/search/impact_record.h"
@@ -18,27 +17,8 @@
 namespace vex {
 namespace {
 
-// Units of time in which a pair moves by its size, or turns by some radians, in 2^-200 of them, or in 2^200, are as
-// good as others: no square of a time or a speed is subnormal or infinite.
-constexpr int kMostExponent = 200;
 // The directions of slower motions are not known to all digits.
 constexpr double kLeastSpeed = 0x1p-1000;
-
-int exponent_of_length(double x) { return x > 0.0 ? std::ilogb(x) : 0; }
-double largest_of(const Vec3d& a) { return std::fmax(std::fabs(a.x), std::fmax(std::fabs(a.y), std::fabs(a.z))); }
-
-// E23: the unit of time is 2^-result of the motion's, so that its speeds are neither tiny nor huge.
-int exponent_of_motion(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion,
-                       const Vec3d& spin_of_a) {
-  const double moving = largest_of(motion.velocity);
-  const double turning = std::fmax(largest_of(motion.angular_velocity), largest_of(spin_of_a));
-  const int size = exponent_of_length(a.reach() + b.reach() + norm_1(a_from_b.translation));
-  constexpr int kNone = -(1 << 20);  // below every exponent, and no number that has no opposite
-  const int exponent =
-      std::max(moving > 0.0 ? std::ilogb(moving) - size : kNone, turning > 0.0 ? std::ilogb(turning) : kNone);
-  if (exponent == kNone) return 0;
-  return std::abs(exponent) > kMostExponent ? exponent : 0;
-}
 
 // As far as doubles tell it.
 RelativeMotion relative_to(const RigidMotion& of_a, const RigidMotion& of_b) {
@@ -96,22 +76,15 @@ FirstContact impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, 
     const Verdict undecided = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);
     return {undecided, 0.0, 0.0, HUGE_VAL, {}, {}, {}, start.n_support_calls};
   }
-  const int exponent = exponent_of_motion(a, b, a_from_b, motion, spin_of_a);
-  const RelativeMotion scaled{
-      {times_power_of_two(motion.velocity, -exponent), times_power_of_two(motion.angular_velocity, -exponent)},
-      times_power_of_two(spin_of_a, -exponent),
-      is_exact,
-      turns};
+  const double size = a.reach() + b.reach() + norm_1(a_from_b.translation);
+  const int exponent = exponent_of_motion(size, motion, spin_of_a);
+  const RelativeMotion scaled{in_units(motion, exponent), times_power_of_two(spin_of_a, -exponent), is_exact, turns};
   const bool ends = !moves || norm_1(scaled.of_b.velocity) > kLeastSpeed;
-  FirstContact contact = advance_to_contact(a, b, a_from_b, scaled, start, ends, scaled_up(until, exponent), record);
-  if (exponent != 0) {
-    if (contact.verdict.outcome != Outcome::disjoint) contact.lower = scaled_down(contact.lower, -exponent);
-    contact.time = contact.verdict.outcome != Outcome::disjoint ? contact.lower : HUGE_VAL;
-    contact.upper = scaled_up(contact.upper, -exponent);
-    for (std::size_t k = 0; record != nullptr && k < record->size(); ++k) {
-      (*record)[k].from = std::ldexp((*record)[k].from, -exponent);
-      (*record)[k].to = std::ldexp((*record)[k].to, -exponent);
-    }
+  FirstContact contact = in_own_time(
+      advance_to_contact(a, b, a_from_b, scaled, start, ends, scaled_up(until, exponent), record), exponent);
+  for (std::size_t k = 0; exponent != 0 && record != nullptr && k < record->size(); ++k) {
+    (*record)[k].from = std::ldexp((*record)[k].from, -exponent);
+    (*record)[k].to = std::ldexp((*record)[k].to, -exponent);
   }
   const bool is_late = contact.upper > until || !(contact.upper < HUGE_VAL);  // or later than any double
   if (contact.verdict.outcome == Outcome::overlap && is_late) {

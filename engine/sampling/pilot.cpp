@@ -51,6 +51,8 @@ double PilotCost::seconds_to(double wanted) const {
 PilotCost pilot(const ConvexBody& a, const ConvexBody& b, MonteCarloSettings settings, double most_seconds) {
   constexpr std::uint64_t kLeast = 8 * kClasses, kMost = 512 * kClasses;
   constexpr std::uint64_t kApart = 8;  // lengths, whose errors tell the slope
+  // Of a run that is shorter than the shortest pilot longer ones would take more than all of the run.
+  const bool is_short = settings.stop.trials && *settings.stop.trials < kLeast;
   settings.n_threads = 1;
   settings.seed ^= kOtherSeed;
   settings.on_progress = nullptr;
@@ -70,7 +72,7 @@ PilotCost pilot(const ConvexBody& a, const ConvexBody& b, MonteCarloSettings set
     const double most = length.n_trials == kLeast ? kLong * most_seconds : most_seconds;
     return static_cast<double>(length.n_trials) * cost.seconds_per_trial < most;
   };
-  while (last.n_trials > 0 && last.n_trials < kMost && costs_little(last)) {
+  while (!is_short && last.n_trials > 0 && last.n_trials < kMost && costs_little(last)) {
     const Length next = run(a, b, settings, kApart * last.n_trials);
     if (next.n_trials <= last.n_trials) break;  // interrupted
     last = next;

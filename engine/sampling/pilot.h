@@ -23,9 +23,9 @@ struct PilotCost {
 };
 
 /// Runs the settings on one thread with stop rules of its own: 256 trials, and eight and sixty-four times as many as
-/// long as those before cost no more than `most_seconds`, by the count. A function of the bodies and the settings, the
-/// same for any number of threads, every time. The numbers are not the run's: the seed is another one, so that a choice
-/// that is made by them leaves the run unbiased.
+/// long as those before cost no more than `most_seconds`, by the count; of a run of fewer than 256 trials no more. A
+/// function of the bodies and the settings, the same for any number of threads, every time. The numbers are not the
+/// run's: the seed is another one, so that a choice that is made by them leaves the run unbiased.
 PilotCost pilot(const ConvexBody& a, const ConvexBody& b, MonteCarloSettings settings, double most_seconds = 1e-3);
 
 }  // namespace vex

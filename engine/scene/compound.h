@@ -126,13 +126,27 @@ struct CompoundContact {
 };
 
 /// As the functions of two bodies with these names, motions in A's frame. A part that is not in place sees them turned
-/// by R^T, rounded: these are what is answered about (world_queries.h). Of a compound B every part goes through A's tree.
+/// by R^T, rounded: these are what is answered about (world_queries.h). Of a compound B every part goes through A's
+/// tree.
 CompoundContact cast_ray(const Compound& a, const Vec3d& origin, const Vec3d& dir, double until = HUGE_VAL);
 CompoundContact linear_cast(const Compound& a, const ConvexBody& b, const Pose& a_from_b, const Vec3d& motion,
                             double until = HUGE_VAL);
 CompoundContact linear_cast(const Compound& a, const Compound& b, const Pose& a_from_b, const Vec3d& motion,
                             double until = HUGE_VAL);
 CompoundContact time_of_impact(const Compound& a, const ConvexBody& b, const Pose& a_from_b, const RigidMotion& motion,
+                               double until = HUGE_VAL);
+/// Both may move, each turning about the origin of its frame: of a compound that turns, parts that do not stand in that
+/// origin are asked about with their points told from it, each rounded once. Where a body that turns is far from where
+/// it could touch is told by boxes of intervals of time.
+CompoundContact time_of_impact(const Compound& a, const ConvexBody& b, const Pose& a_from_b,
+                               const RigidMotion& motion_a, const RigidMotion& motion_b, double until = HUGE_VAL);
+CompoundContact time_of_impact(const Compound& a, const Compound& b, const Pose& a_from_b, const RigidMotion& motion_a,
+                               const RigidMotion& motion_b, double until = HUGE_VAL);
+
+/// Onto a half-space A, all parts of B, which is placed as for `signed_distance`.
+CompoundContact linear_cast(const HalfSpace& a, const Compound& b, const Pose& a_from_b, const Vec3d& motion,
+                            double until = HUGE_VAL);
+CompoundContact time_of_impact(const HalfSpace& a, const Compound& b, const Pose& a_from_b, const RigidMotion& motion,
                                double until = HUGE_VAL);
 
 /// Many poses of B: out[k] is what the query above answers for a_from_b[k], whatever the number of threads. Spans of

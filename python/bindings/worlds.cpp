@@ -170,17 +170,39 @@ py::object casts_into_compound(const PyCompound& a, const PyBody& b, const Float
                                int threads) {
   return casts_into(a.compound, b, rows, translations, motions, until, threads);
 }
+// Motions of as many bodies as there are poses.
+struct MotionRows {
+  Rows3 velocities, angular_velocities;
+
+  MotionRows(const Floats& v, const Floats& w, std::size_t n_poses) : velocities(v), angular_velocities(w) {
+    require_rows(velocities.size(), n_poses, "velocities");
+    require_rows(angular_velocities.size(), n_poses, "angular velocities");
+  }
+  RigidMotion operator[](std::size_t k) const { return {velocities[k], angular_velocities[k]}; }
+};
 py::object impacts_on_compound(const PyCompound& a, const PyBody& b, const Floats& rows,
                                const std::optional<Floats>& translations, const Floats& velocities,
-                               const Floats& angular_velocities, double until, int threads) {
+                               const Floats& angular_velocities, const Floats& velocities_a,
+                               const Floats& angular_velocities_a, double until, int threads) {
   const PoseRows poses(rows, translations);
-  const Rows3 v(velocities), w(angular_velocities);
-  require_rows(v.size(), poses.size(), "velocities");
-  require_rows(w.size(), poses.size(), "angular velocities");
+  const MotionRows of_b(velocities, angular_velocities, poses.size());
+  const MotionRows of_a(velocities_a, angular_velocities_a, poses.size());
   py::array_t<PartContactRow> result(static_cast<py::ssize_t>(poses.size()));
   PartContactRow* const to = result.mutable_data();
   over_each_pose(poses, threads, [&](std::size_t k, const Pose& pose) {
-    to[k] = contact_row_of(time_of_impact(a.compound, b.body.body, pose, RigidMotion{v[k], w[k]}, until));
+    to[k] = contact_row_of(time_of_impact(a.compound, b.body.body, pose, of_a[k], of_b[k], until));
+  });
+  return result;
+}
+py::object impacts_on_half_space(const HalfSpace& a, const PyBody& b, const Floats& rows,
+                                 const std::optional<Floats>& translations, const Floats& velocities,
+                                 const Floats& angular_velocities, double until, int threads) {
+  const PoseRows poses(rows, translations);
+  const MotionRows motions(velocities, angular_velocities, poses.size());
+  py::array_t<PartContactRow> result(static_cast<py::ssize_t>(poses.size()));
+  PartContactRow* const to = result.mutable_data();
+  over_each_pose(poses, threads, [&](std::size_t k, const Pose& pose) {
+    to[k] = contact_row_of(time_of_impact(a, b.body.body, pose, motions[k], until));
   });
   return result;
 }
@@ -224,6 +246,7 @@ void bind_worlds(py::module_& module) {
              until = py::arg("until");
   const auto body = py::arg("body"), poses = py::arg("poses"), threads = py::arg("threads");
   const auto translations = py::arg("translations").none(true);
+  const auto velocities = py::arg("velocities"), angular_velocities = py::arg("angular_velocities");
   py::class_<HalfSpace>(module, "HalfSpace")
       .def(py::init([](const std::vector<double>& normal, double offset) {
              if (normal.size() != 3) throw UsageError("a normal has three numbers - give three");
@@ -233,6 +256,8 @@ void bind_worlds(py::module_& module) {
       .def("signed_distance", &distances_of_half_space, body, poses, translations, threads)
       .def("ray_cast", &rays_into<HalfSpace>, origins, dirs, until, threads)
       .def("linear_cast", &casts_into<HalfSpace>, body, poses, translations, motions, until, threads)
+      .def("time_of_impact", &impacts_on_half_space, body, poses, translations, velocities, angular_velocities, until,
+           threads)
       .def("contacts", &contacts_with_half_space, body, poses, translations, py::arg("margin"));
   py::class_<PyCompound>(module, "Compound")
       .def(py::init(&compound_of_parts), py::arg("bodies"), poses, translations)
@@ -242,8 +267,8 @@ void bind_worlds(py::module_& module) {
            py::arg("max_distance"), threads)
       .def("ray_cast", &rays_into_compound, origins, dirs, until, threads)
       .def("linear_cast", &casts_into_compound, body, poses, translations, motions, until, threads)
-      .def("time_of_impact", &impacts_on_compound, body, poses, translations, py::arg("velocities"),
-           py::arg("angular_velocities"), until, threads);
+      .def("time_of_impact", &impacts_on_compound, body, poses, translations, velocities, angular_velocities,
+           py::arg("velocities_a"), py::arg("angular_velocities_a"), until, threads);
   module.def("compound_of_corners", &compound_of_corners, py::arg("corners"));
 }
 

@@ -79,6 +79,14 @@ class HalfSpace:
         """The body moving without turning, onto the half-space: fields as of `vex.linear_cast`, and part, -1."""
         return _casts(self._core, body, poses, motions, until, threads)
 
+    def time_of_impact(self, body: BodyLike, poses: Poses, velocities: npt.ArrayLike,
+                       angular_velocities: npt.ArrayLike = (0.0, 0.0, 0.0), *, until: float = math.inf,
+                       threads: Optional[int] = None) -> Any:
+        """The body moving straight and turning about its own origin, by radians per unit of time, onto the half-space:
+        fields as of `vex.time_of_impact`, and part, -1."""
+        return _impacts(self._core, body, poses, [(velocities, "velocities"), (angular_velocities, "angular velocities")],
+                        until, threads)
+
     def contacts(self, body: BodyLike, pose: Poses, margin: float = 0.0) -> Any:
         """The points of the body that are no farther than `margin` above the plane: fields point_a, point_b, distance,
         and feature, the same number for the same point in every pose."""
@@ -162,17 +170,16 @@ class Compound:
         return _casts(self._core, body, poses, motions, until, threads)
 
     def time_of_impact(self, body: BodyLike, poses: Poses, velocities: npt.ArrayLike,
-                       angular_velocities: npt.ArrayLike = (0.0, 0.0, 0.0), *, until: float = math.inf,
+                       angular_velocities: npt.ArrayLike = (0.0, 0.0, 0.0), *,
+                       velocities_a: npt.ArrayLike = (0.0, 0.0, 0.0),
+                       angular_velocities_a: npt.ArrayLike = (0.0, 0.0, 0.0), until: float = math.inf,
                        threads: Optional[int] = None) -> Any:
         """The body moving straight and turning about its own origin, in the compound's frame, by radians per unit of
-        time: fields as of `vex.time_of_impact`, and ``part``."""
-        rows, translations, single = as_poses(poses)
-        v, single_v = as_rows(velocities, 3, "velocities")
-        w, single_w = as_rows(angular_velocities, 3, "angular velocities")
-        rows, translations, (v, w) = as_many(rows, translations, [v, w])
-        found = self._core.time_of_impact(as_body(body)._core, rows, translations, v, w, as_number(until, "until"),
-                                          threads_of(threads))
-        return found[0] if single and single_v and single_w else found
+        time: fields as of `vex.time_of_impact`, and ``part``. With `velocities_a` and `angular_velocities_a` the
+        compound moves as well, in its own frame as it is at first."""
+        motions = [(velocities, "velocities"), (angular_velocities, "angular velocities"),
+                   (velocities_a, "velocities of A"), (angular_velocities_a, "angular velocities of A")]
+        return _impacts(self._core, body, poses, motions, until, threads)
 
 
 def _compound_of_parts(parts: Sequence[Body], rows: Floats, translations: Optional[Floats]) -> Compound:
@@ -182,6 +189,20 @@ def _compound_of_parts(parts: Sequence[Body], rows: Floats, translations: Option
 def _rays(core: Any, origins: npt.ArrayLike, directions: npt.ArrayLike, until: float, threads: Optional[int]) -> Any:
     (from_, along), single = together((origins, "origins"), (directions, "directions"))
     found = core.ray_cast(from_, along, as_number(until, "until"), threads_of(threads))
+    return found[0] if single else found
+
+
+def _impacts(core: Any, body: BodyLike, poses: Poses, motions: Sequence[Tuple[npt.ArrayLike, str]], until: float,
+             threads: Optional[int]) -> Any:
+    rows, translations, single = as_poses(poses)
+    vectors = []
+    for values, what in motions:
+        vector, single_vector = as_rows(values, 3, what)
+        vectors.append(vector)
+        single = single and single_vector
+    rows, translations, vectors = as_many(rows, translations, vectors)
+    found = core.time_of_impact(as_body(body)._core, rows, translations, *vectors, as_number(until, "until"),
+                                threads_of(threads))
     return found[0] if single else found
 
 

@@ -6,6 +6,7 @@
 
 // [headers]
 #include "engine/query/half_space.h"
+#include "engine/query/half_space_certificate.h"
 #include "engine/query/plane_contacts.h"
 #include "engine/query/world_queries.h"
 #include "engine/scene/compound.h"
@@ -65,6 +66,20 @@ TEST(WorldExamples, Floor) {
   EXPECT_EQ(contacts.size(), 4u);
 }
 
+TEST(WorldExamples, Landing) {
+  // [landing]
+  const vex::HalfSpace floor({0.0, 0.0, 1.0}, 0.0);
+  const vex::ConvexBody can = vex::Cylinder(1.0, 0.5);
+  const vex::Pose above = vex::Transformd{.translation = {0.0, 0.0, 2.0}};
+  const vex::RigidMotion falling{.velocity = {0.0, 0.0, -3.0}, .angular_velocity = {2.0, 0.0, 0.0}};
+  const vex::FirstContact landing = vex::time_of_impact(floor, can, above, falling);
+  const vex::HalfSpaceCertificate proof = vex::certify(floor, can, above, falling, landing);
+  const bool is_proven = vex::check_certificate(floor, can, above, falling, landing, proof).is_proven;
+  // [end]
+  EXPECT_TRUE(is_proven);
+  EXPECT_LT(landing.upper - landing.lower, 1e-12);
+}
+
 TEST(WorldExamples, Compound) {
   // [compound]
   const vex::Compound dumbbell({{vex::Capsule(2.0, 0.1), vex::Pose()},
@@ -106,7 +121,7 @@ TEST(WorldExamples, Scaled) {
 
 TEST(WorldGuide, HasOnlyExamplesThatAreCompiledAndAllOfThem) {
   const std::vector<std::string> compiled = vex::test::compiled_examples("tests/docs/world_examples.cpp");
-  EXPECT_EQ(compiled.size(), 7u);
+  EXPECT_EQ(compiled.size(), 8u);
   EXPECT_EQ(vex::test::shown_examples("docs/worlds.md"), compiled);
 }
 

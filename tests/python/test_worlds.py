@@ -94,6 +94,22 @@ def test_rays_casts_and_impacts_of_worlds():
             wrong()
 
 
+def test_what_turns_meets_floors_and_compounds_that_turn():
+    lying = [0, 0, 0.5, np.sqrt(0.5), 0, np.sqrt(0.5), 0]
+    hits = FLOOR.time_of_impact("needle:2", [lying, lying], [0, 0, 0], [[0, 1, 0], [0, 0, 1]])
+    assert hits["verdict"].tolist() == [1, 0] and abs(hits["time"][0] - np.pi / 6) < 1e-12
+    assert hits["lower"][0] <= np.pi / 6 + 1e-15 and np.pi / 6 - 1e-15 <= hits["upper"][0]
+    assert FLOOR.time_of_impact("needle:2", lying, [0, 0, 0], [0, 1, 0], until=0.5)["verdict"] == 0
+    arm = vex.Compound("sphere:0.5", [[3, 0, 0, 1, 0, 0, 0]])
+    turned = arm.time_of_impact("sphere:0.5", [0, 3, 0, 1, 0, 0, 0], [0, 0, 0], angular_velocities_a=[0, 0, 1])
+    assert turned["verdict"] == 1 and turned["part"] == 0
+    assert abs(turned["time"] - (np.pi / 2 - 2 * np.arcsin(1 / 6))) < 1e-9
+    away = arm.time_of_impact("sphere:0.5", [6, 0, 0, 1, 0, 0, 0], [1, 0, 0], velocities_a=[[0.5, 0, 0], [3, 0, 0]])
+    assert away["verdict"].tolist() == [0, 1] and abs(away["time"][1] - 1) < 1e-12
+    with pytest.raises(vex.UsageError):
+        FLOOR.time_of_impact("sphere:1", [lying] * 3, np.ones((2, 3)))
+
+
 def test_worlds_are_values():
     dumbbell = vex.Compound("sphere:0.5", [[0, 0, 1, 1, 0, 0, 0], [0, 0, -1, 1, 0, 0, 0]])
     ground = vex.Compound.of_triangles([[[-9, -9, 0], [9, -9, 0], [9, 9, 0]]])

@@ -286,7 +286,7 @@ class Advancement {
   const ConvexBody& b_;
   std::vector<ApartDuring>* record_;
   RigidSweep sweep_;
-  AdvanceSearch advances_;
+  AdvanceSearch<RigidSweep> advances_;
   PartingStart start_;
   double size_;
   // Distances of polytopes and balls come to an end by themselves; small ones of curved bodies are dear.

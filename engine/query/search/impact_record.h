@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/query/first_contact.h"
+#include "engine/query/half_space.h"
 
 namespace vex {
 
@@ -16,5 +17,7 @@ struct ApartDuring {
 /// `time_of_impact`, and how it was found that there is no contact before the one that it tells.
 FirstContact time_of_impact(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const RigidMotion& motion_a,
                             const RigidMotion& motion_b, double until, std::vector<ApartDuring>& record);
+FirstContact time_of_impact(const HalfSpace& a, const ConvexBody& b, const Pose& a_from_b, const RigidMotion& motion,
+                            double until, std::vector<ApartDuring>& record);
 
 }  // namespace vex

@@ -18,6 +18,11 @@ constexpr double kNarrower = 0.125;
 // length, and of an area.
 constexpr double kStays = 0.5, kAreaStays = 0.3;
 constexpr double kStraight = 0x1p-26, kLeast = 0x1p-20;
+// An extent that falls by more than this is of what bends alone, which falls to an eighth; one that falls by less has a
+// straight part, if a short one, as the side of a coin that stands on its edge. That is looked for at narrower angles,
+// at which nothing else is as long, so many times.
+constexpr double kOnlyBends = kNarrower * (1.0 + 0x1p-8);
+constexpr int kMostNarrower = 3;
 
 // Two unit vectors across a unit vector, which turn with the body: they change with the direction but a little, where
 // it does, unless it crosses 45 degrees from the x axis.
@@ -87,7 +92,7 @@ enum class ProbedKind : std::uint8_t { face, no_face, point };
 
 // What the points at eight of the sixteen directions are of, and if they are a face's, its normal.
 ProbedKind kind_of(const Probe& probe, const Vec3d& unit_dir, const Ring& ring, double length, double slope,
-                   Vec3d& normal) {
+                   Vec3d& normal, bool& only_bends) {
   const Vec3d area = area_of(ring, 2);
   const double size = norm(area);
   if (!(size > kLeast * length * length)) return ProbedKind::no_face;
@@ -95,6 +100,7 @@ ProbedKind kind_of(const Probe& probe, const Vec3d& unit_dir, const Ring& ring, 
   if (!(norm(cross(normal, unit_dir)) <= slope + kLeast && dot(normal, unit_dir) > 0.0)) return ProbedKind::no_face;
   // What bends away in all directions is known by four of them, and most bodies do.
   const auto [from, to] = far_ends(probe.ring(normal, kNarrower * slope, 4), 4);
+  only_bends = !(norm(to - from) > kOnlyBends * length);
   if (!(norm(to - from) >= kStays * length)) return ProbedKind::point;
   return norm(area_of(probe.ring(normal, kNarrower * slope, 2), 2)) >= kAreaStays * size ? ProbedKind::face
                                                                                          : ProbedKind::no_face;
@@ -112,6 +118,30 @@ Edge edge_along(const Probe& probe, const Vec3d& unit_dir, const Vec3d& unit_alo
   return {probe(unit_across - aside), probe(unit_across + aside), unit_across};
 }
 
+// The two ends of the edge that is within this slope across the direction, along about the line through two of the
+// ring's points; false where there is none.
+bool find_edge(const Probe& probe, const Vec3d& unit_dir, const Vec3d& first, const Vec3d& second, double slope,
+               std::vector<NumberedPoint>& corners) {
+  const double length = norm(second - first);
+  // Twice: the ends that the ring has found may be beside the edge.
+  Vec3d along = (1.0 / length) * (second - first);
+  if (dot(along, Vec3d{0.36, 0.48, 0.8}) < 0.0) along = -along;  // the same end is the first one the next time
+  Edge edge = edge_along(probe, unit_dir, along, slope);
+  const double found = norm(edge.to - edge.from);
+  if (!(found >= kStays * length)) return false;
+  edge = edge_along(probe, unit_dir, (1.0 / found) * (edge.to - edge.from), slope);
+  const double extent = norm(edge.to - edge.from);
+  if (!(extent >= kStays * length)) return false;
+  // What is within the feature angle, and straight.
+  const double lean = std::fabs(dot(unit_dir, edge.to - edge.from));
+  const double middle = dot(edge.unit_across, probe(edge.unit_across));
+  const double bulge = middle - std::fmin(dot(edge.unit_across, edge.from), dot(edge.unit_across, edge.to));
+  if (!(lean <= (slope + kLeast) * extent && bulge <= kStraight)) return false;
+  corners.push_back({probe.point(edge.from), kEdgeFrom});
+  corners.push_back({probe.point(edge.to), kEdgeTo});
+  return true;
+}
+
 }  // namespace
 
 void probe_face(const ConvexBody& body, const Vec3d& unit_dir, const Vec3d& nearest, double feature_angle,
@@ -119,40 +149,28 @@ void probe_face(const ConvexBody& body, const Vec3d& unit_dir, const Vec3d& near
   corners.clear();
   if (!(body.circumradius() > 0.0)) return;
   // Below 2^-20 a direction is not known better; and a wider angle than a radian would be no face's.
-  const double slope = std::tan(std::clamp(feature_angle, kLeast, 1.0));
+  double slope = std::tan(std::clamp(feature_angle, kLeast, 1.0));
   const Probe probe(body, nearest);
-  const Ring ring = probe.ring(unit_dir, slope, 2);
-  const auto [first, second] = far_ends(ring, 2);
-  const double length = norm(second - first);
-  if (!(length > kLeast)) return;
-  Vec3d normal;
-  const ProbedKind kind = kind_of(probe, unit_dir, ring, length, slope, normal);
-  if (kind == ProbedKind::point) return;
-  if (kind == ProbedKind::face) {
-    const Ring rim = probe.ring(normal, slope);
-    for (std::uint32_t k = 0; k < kCornersOfFace; ++k) {
-      const bool is_known =
-          std::any_of(rim.begin(), rim.begin() + k, [&](const Vec3d& p) { return norm_1(p - rim[k]) <= kStraight; });
-      if (!is_known) corners.push_back({probe.point(rim[k]), k});
+  for (int k = 0; k <= kMostNarrower && slope >= kLeast; ++k, slope *= kNarrower) {
+    const Ring ring = probe.ring(unit_dir, slope, 2);
+    const auto [first, second] = far_ends(ring, 2);
+    const double length = norm(second - first);
+    if (!(length > kLeast)) return;
+    Vec3d normal;
+    bool only_bends = false;
+    const ProbedKind kind = kind_of(probe, unit_dir, ring, length, slope, normal, only_bends);
+    if (kind == ProbedKind::face) {
+      const Ring rim = probe.ring(normal, slope);
+      for (std::uint32_t corner = 0; corner < kCornersOfFace; ++corner) {
+        const bool is_known = std::any_of(rim.begin(), rim.begin() + corner,
+                                          [&](const Vec3d& p) { return norm_1(p - rim[corner]) <= kStraight; });
+        if (!is_known) corners.push_back({probe.point(rim[corner]), corner});
+      }
+      return;
     }
-    return;
+    if (kind == ProbedKind::no_face && find_edge(probe, unit_dir, first, second, slope, corners)) return;
+    if (only_bends) return;
   }
-  // Twice: the ends that the ring has found may be beside the edge.
-  Vec3d along = (1.0 / length) * (second - first);
-  if (dot(along, Vec3d{0.36, 0.48, 0.8}) < 0.0) along = -along;  // the same end is the first one the next time
-  Edge edge = edge_along(probe, unit_dir, along, slope);
-  const double found = norm(edge.to - edge.from);
-  if (!(found >= kStays * length)) return;
-  edge = edge_along(probe, unit_dir, (1.0 / found) * (edge.to - edge.from), slope);
-  const double extent = norm(edge.to - edge.from);
-  if (!(extent >= kStays * length)) return;
-  // What is within the feature angle, and straight.
-  const double lean = std::fabs(dot(unit_dir, edge.to - edge.from));
-  const double middle = dot(edge.unit_across, probe(edge.unit_across));
-  const double bulge = middle - std::fmin(dot(edge.unit_across, edge.from), dot(edge.unit_across, edge.to));
-  if (!(lean <= (slope + kLeast) * extent && bulge <= kStraight)) return;
-  corners.push_back({probe.point(edge.from), kEdgeFrom});
-  corners.push_back({probe.point(edge.to), kEdgeTo});
 }
 
 }  // namespace vex

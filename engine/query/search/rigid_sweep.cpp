@@ -24,9 +24,6 @@ constexpr int kMostTrialsAtStart = 8, kLargestExponentAtStart = 400;
 // More than what is lost of three coordinates where they are subnormal.
 constexpr double kSubnormal = 0x1p-1072;
 
-// No number where one of them is none: that would prove nothing, and `fmin` leaves it out.
-double lesser(double x, double y) { return x < y ? x : y <= x ? y : std::numeric_limits<double>::quiet_NaN(); }
-
 // Of any length but 0, to a few roundings.
 Vec3d unit(const Vec3d& a) {
   const Vec3d dir = scaled_to_unit_exponent(a);
@@ -74,14 +71,8 @@ Transformd pose_at(const Transformd& a_from_b, const RigidMotion& motion, double
   return pose_at(a_from_b, motion.velocity, Spin(motion.angular_velocity), time);
 }
 
-namespace {
-
-// No point of a body's core is farther from the origin of its frame, and from an axis through that. The core lies in
-// the ball about the centre that is smaller than the body's by the radius of its own.
-struct Reach {
-  double from_origin, from_axis;
-};
-Reach reach_of(const ConvexBody& body, const Transformd& turn, const Vec3d& angular_velocity) {
+// The core lies in the ball about the centre that is smaller than the body's by the radius of its own.
+CoreReach core_reach(const ConvexBody& body, const Transformd& turn, const Vec3d& angular_velocity) {
   const double core = (body.circumradius() - body.ball_radius()) + 8.0 * kUnitRoundoff * body.circumradius();
   const Vec3d centre = body.centre();
   const double from_origin = std::fmax(0.0, safe_norm(centre) + core) * (1.0 + 2e-6);
@@ -90,8 +81,6 @@ Reach reach_of(const ConvexBody& body, const Transformd& turn, const Vec3d& angu
       safe_norm(cross(unit(angular_velocity), turn(centre))) + 16.0 * kUnitRoundoff * norm_1(centre);
   return {from_origin, std::fmin(from_origin, std::fmax(0.0, off_axis * kUp + core) * (1.0 + 2e-6))};
 }
-
-}  // namespace
 
 RigidSweep::RigidSweep(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const RigidMotion& motion,
                        const Vec3d& spin_of_a, bool is_exact)
@@ -112,11 +101,11 @@ RigidSweep::RigidSweep(const ConvexBody& a, const ConvexBody& b, const Transform
       balls_((a.ball_radius() + b.ball_radius()) * (1.0 + gamma(8))) {
   Transformd turn = a_from_b;
   turn.translation = {};
-  const Reach of_b = reach_of(b, turn, motion.angular_velocity);
+  const CoreReach of_b = core_reach(b, turn, motion.angular_velocity);
   from_origin_ = of_b.from_origin;
   from_axis_ = of_b.from_axis;
   if (!a_turns()) return;
-  const Reach of_a = reach_of(a, {}, spin_of_a);
+  const CoreReach of_a = core_reach(a, {}, spin_of_a);
   from_origin_a_ = of_a.from_origin;
   from_axis_a_ = of_a.from_axis;
 }

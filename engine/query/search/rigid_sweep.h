@@ -9,6 +9,8 @@
 // that nothing touches during the whole interval, however many points of B take the lead in turn.
 #pragma once
 
+#include <limits>
+
 #include "engine/numeric/transform.h"
 #include "engine/query/exact/extended_difference.h"
 #include "engine/query/first_contact.h"
@@ -34,6 +36,16 @@ struct Spin {
 
   explicit Spin(const Vec3d& angular_velocity);
 };
+
+/// No number where one of them is none: that would prove nothing, and `fmin` leaves it out.
+inline double lesser(double x, double y) { return x < y ? x : y <= x ? y : std::numeric_limits<double>::quiet_NaN(); }
+
+/// No point of a body's core is farther from the origin of its frame, and from an axis through that. `turn`: a rotation
+/// to the frame of the angular velocity.
+struct CoreReach {
+  double from_origin, from_axis;
+};
+CoreReach core_reach(const ConvexBody& body, const Transformd& turn, const Vec3d& angular_velocity);
 
 class RigidSweep {
  public:

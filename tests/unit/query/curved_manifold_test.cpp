@@ -10,6 +10,7 @@
 #include "engine/numeric/errors.h"
 #include "engine/numeric/pose_algebra.h"
 #include "engine/query/contact_manifold.h"
+#include "engine/support/combinators.h"
 #include "shapes/any_shape.h"
 #include "shapes/box.h"
 #include "shapes/cylinder.h"
@@ -116,6 +117,24 @@ void expect_is_sound(const ConvexBody& a, const ConvexBody& b, const Transformd&
     for (std::size_t j = 0; j < k; ++j) {
       EXPECT_FALSE(contacts[j].feature_a == contacts[k].feature_a && contacts[j].feature_b == contacts[k].feature_b)
           << what << ": two contacts of one name";
+    }
+  }
+}
+
+TEST(CurvedManifold, ACoinOnItsEdgeStandsOnTheTwoEndsOfItsLine) {
+  for (const double thickness : {0.5, 0.1, 0.05, 0.02, 0.01, 0.003}) {
+    SCOPED_TRACE(thickness);
+    const ConvexBody coin = Cylinder(thickness, 1.0), rounded = Inflated<Cylinder>(Cylinder(thickness, 1.0), 0.01);
+    for (const ConvexBody* const body : {&coin, &rounded}) {
+      for (const double roll : {0.0, 0.3, 2.0}) {
+        // Its axis along the slab, in some direction.
+        const Transformd pose = above_table(*body, turned_by(0.5 * kHalfTurn, roll, {0.1, 0.2, 0.0}), -1e-4);
+        const ContactManifold found = contact_manifold(wide_table(), *body, pose, 1e-3);
+        expect_is_sound(wide_table(), *body, pose, found, 1e-3, "coin");
+        ASSERT_EQ(found.contacts.size(), 2u);
+        EXPECT_NEAR(norm(found.contacts[0].point_b - found.contacts[1].point_b), thickness, 1e-6 + 1e-5 * thickness);
+        for (const auto& c : found.contacts) EXPECT_NEAR(c.signed_distance, -1e-4, 1e-8);
+      }
     }
   }
 }

@@ -56,6 +56,18 @@ TEST(QueryOptions, EveryQueryHasAName) {
   expect_refused<UsageError>(words_of("Distance"), "not a choice");
 }
 
+TEST(QueryOptions, FourContactsGoWithAManifoldThatNeedNotBeProven) {
+  QueryWords words = words_of("manifold");
+  EXPECT_FALSE(interpret_query(words).four_at_most);
+  words.four_at_most = true;
+  EXPECT_TRUE(interpret_query(words).four_at_most);
+  words.certificate = true;
+  expect_refused<UsageError>(words, "--four-at-most with --certificate");
+  words = words_of("distance");
+  words.four_at_most = true;
+  expect_refused<UsageError>(words, "--four-at-most with --query distance");
+}
+
 TEST(QueryOptions, NumbersOfAMotion) {
   const QuerySettings ray = interpret_query(words_of("ray", "1,2,3, -4 ,0x1p-1,6"));
   expect_vector(ray.ray_origin, 1, 2, 3);
