@@ -102,15 +102,18 @@ class GrowingChoice {
 
   /// The hull of the choice; nothing where none could be made, or where the choice came to hold all.
   std::optional<ExtremeVertices> grown() {
-    constexpr int kMostRounds = 40;  // each about doubles what grows
-    constexpr std::size_t kMany = 10'000;
+    // A round about doubles what grows, so that a dozen hulls of all corners are more than it takes; but of points
+    // whose sizes grow from one to the next it adds a few.
+    constexpr std::size_t kMostHulls = 12, kMany = 10'000;
     if (corners_.vertices.size() > kMany && few_are_undecided(corners_.vertices.size())) {
       return std::nullopt;
     }
-    for (int round = 0; round < kMostRounds && (round == 0 || !few_are_undecided(n_kept_)); ++round) {
+    std::size_t n_in_hulls = 0;  // of all rounds
+    while (n_in_hulls == 0 || (n_in_hulls < kMostHulls * corners_.vertices.size() && !few_are_undecided(n_kept_))) {
       ExtremeVertices result;
       result.hull.vertices = chosen_points(corners_.vertices, is_kept_);
       n_kept_ = result.hull.vertices.size();
+      n_in_hulls += n_kept_;
       if (n_kept_ == corners_.vertices.size()) {
         return std::nullopt;
       }

@@ -45,7 +45,7 @@ std::vector<std::string> SceneInput::texts() const {
 }
 
 void require_room_for(std::uint64_t n_bodies, const std::string& source) {
-  constexpr std::uint64_t kBytesOfBody = 400;  // its pose as read, in the scene, in the broad phase, and its pairs
+  constexpr std::uint64_t kBytesOfBody = 600;  // its pose as read, in the scene, in the broad phase, and its pairs
   const std::uint64_t most = std::min<std::uint64_t>(machine_memory() / 4 * 3 / kBytesOfBody, kNoBody - 1);
   if (n_bodies <= most) return;
   throw InputError("more bodies than this machine holds (" + source + ", and " + std::to_string(most) +
