@@ -102,19 +102,17 @@ class GrowingChoice {
 
   /// The hull of the choice; nothing where none could be made, or where the choice came to hold all.
   std::optional<ExtremeVertices> grown() {
-    // A round about doubles what grows, so that a dozen hulls of all corners are more than it takes; but of points
-    // whose sizes grow from one to the next it adds a few.
-    constexpr std::size_t kMostHulls = 12, kMany = 10'000;
-    if (corners_.vertices.size() > kMany && few_are_undecided(corners_.vertices.size())) {
+    constexpr int kMostRounds = 40;  // each about doubles what grows
+    constexpr std::size_t kMany = 10'000;
+    const std::size_t n_all = corners_.vertices.size();
+    if (n_all > kMany && few_are_undecided(n_all)) {
       return std::nullopt;
     }
-    std::size_t n_in_hulls = 0;  // of all rounds
-    while (n_in_hulls == 0 || (n_in_hulls < kMostHulls * corners_.vertices.size() && !few_are_undecided(n_kept_))) {
+    for (int round = 0; round < kMostRounds && (round == 0 || !few_are_undecided(n_kept_)); ++round) {
       ExtremeVertices result;
       result.hull.vertices = chosen_points(corners_.vertices, is_kept_);
       n_kept_ = result.hull.vertices.size();
-      n_in_hulls += n_kept_;
-      if (n_kept_ == corners_.vertices.size()) {
+      if (n_kept_ == n_all) {
         return std::nullopt;
       }
       std::optional<Triangles> hull = exact_hull(result.hull.vertices);
@@ -126,6 +124,9 @@ class GrowingChoice {
         result.farthest_outside = farthest_outside_;
         return result;
       }
+      // Of points each farther out than the one before a round adds a few, to a hull of nearly all.
+      const auto n_next = static_cast<std::size_t>(std::ranges::count(is_kept_, true));
+      if (n_all > kMany && 2 * n_kept_ >= n_all && 100 * (n_next - n_kept_) < n_all) break;
     }
     return with_the_undecided();
   }
