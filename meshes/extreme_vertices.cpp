@@ -103,8 +103,9 @@ class GrowingChoice {
   /// The hull of the choice; nothing where none could be made, or where the choice came to hold all.
   std::optional<ExtremeVertices> grown() {
     constexpr int kMostRounds = 40;  // each about doubles what grows
-    constexpr std::size_t kMany = 10'000;
+    constexpr std::size_t kMany = 10'000, kMostHulls = 4;
     const std::size_t n_all = corners_.vertices.size();
+    std::size_t n_in_hulls = 0;
     if (n_all > kMany && few_are_undecided(n_all)) {
       return std::nullopt;
     }
@@ -124,9 +125,9 @@ class GrowingChoice {
         result.farthest_outside = farthest_outside_;
         return result;
       }
-      // Of points each farther out than the one before a round adds a few, to a hull of nearly all.
-      const auto n_next = static_cast<std::size_t>(std::ranges::count(is_kept_, true));
-      if (n_all > kMany && 2 * n_kept_ >= n_all && 100 * (n_next - n_kept_) < n_all) break;
+      // Of points each farther out than the one before every round adds a few, to a hull of many.
+      n_in_hulls += n_kept_;
+      if (n_all > kMany && n_in_hulls >= kMostHulls * n_all) break;
     }
     return with_the_undecided();
   }
