@@ -103,15 +103,17 @@ class GrowingChoice {
   /// The hull of the choice; nothing where none could be made, or where the choice came to hold all.
   std::optional<ExtremeVertices> grown() {
     constexpr int kMostRounds = 40;  // each about doubles what grows
-    constexpr std::size_t kMany = 10'000;
-    if (corners_.vertices.size() > kMany && few_are_undecided(corners_.vertices.size())) {
+    constexpr std::size_t kMany = 10'000, kMostHulls = 4;
+    const std::size_t n_all = corners_.vertices.size();
+    std::size_t n_in_hulls = 0;
+    if (n_all > kMany && few_are_undecided(n_all)) {
       return std::nullopt;
     }
     for (int round = 0; round < kMostRounds && (round == 0 || !few_are_undecided(n_kept_)); ++round) {
       ExtremeVertices result;
       result.hull.vertices = chosen_points(corners_.vertices, is_kept_);
       n_kept_ = result.hull.vertices.size();
-      if (n_kept_ == corners_.vertices.size()) {
+      if (n_kept_ == n_all) {
         return std::nullopt;
       }
       std::optional<Triangles> hull = exact_hull(result.hull.vertices);
@@ -123,6 +125,9 @@ class GrowingChoice {
         result.farthest_outside = farthest_outside_;
         return result;
       }
+      // Of points each farther out than the one before every round adds a few, to a hull of many.
+      n_in_hulls += n_kept_;
+      if (n_all > kMany && n_in_hulls >= kMostHulls * n_all) break;
     }
     return with_the_undecided();
   }

@@ -11,7 +11,9 @@ namespace vex {
 namespace {
 
 constexpr std::uint32_t kNoFacet = std::numeric_limits<std::uint32_t>::max();
-constexpr std::size_t kMostSteps = 1'000'000'000;  // of all searches together; then any facet has to do for a bound
+// Searches that together take more steps than these take any facet, which does for a bound. Bodies, grids and curves
+// take 1 to 50 for each point; points whose sizes grow from one to the next, tens of thousands.
+constexpr std::size_t kMostStepsOfAPoint = 200;
 
 /// Weights of two corners of a triangle, from 0 up, together 1 at most; the rest is the third corner's.
 struct Weights {
@@ -60,7 +62,8 @@ FacetDistance::FacetDistance(const Triangles& hull) : hull_(hull), middle_(volum
 std::uint32_t FacetDistance::facet_towards(const Vec3d& local) {
   std::uint32_t facet = near_;
   std::uint32_t came_from = kNoFacet;
-  for (std::size_t step = 0; step < hull_.size() && n_steps_ < kMostSteps; ++step, ++n_steps_) {
+  most_steps_ += kMostStepsOfAPoint;
+  for (std::size_t step = 0; step < hull_.size() && n_steps_ < most_steps_; ++step, ++n_steps_) {
     std::uint32_t across = kNoFacet;
     for (std::uint32_t i = 0; i < 3 && across == kNoFacet; ++i) {
       const std::uint32_t h = 3 * facet + (i + static_cast<std::uint32_t>(step)) % 3;

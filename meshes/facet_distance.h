@@ -31,7 +31,7 @@ class FacetDistance {
   LocalPoint middle_;
   std::vector<Vec3d> local_;  // the vertices from the middle
   std::uint32_t near_ = 0;
-  std::size_t n_steps_ = 0;
+  std::size_t n_steps_ = 0, most_steps_ = 100'000;
 };
 
 }  // namespace vex

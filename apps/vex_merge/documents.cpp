@@ -34,6 +34,36 @@ std::string content_of(const std::string& path) {
   return text;
 }
 
+/// Sees, while a document is read, that it stays one of a few values beside its text: a value takes up to 84 bytes, and
+/// a key of an object is compared with all before it.
+class DocumentBounds {
+ public:
+  explicit DocumentBounds(const std::string& path) : path_(path) {}
+
+  bool operator()(int depth, Json::parse_event_t event, const Json& /*parsed*/) {
+    using Event = Json::parse_event_t;
+    constexpr int kDeepest = 64;
+    constexpr std::size_t kMostValues = std::size_t{1} << 22, kMostKeys = 1000;
+    if (depth > kDeepest) refuse("more than " + std::to_string(kDeepest) + " levels deep");
+    if (++n_events_ > kMostValues) refuse("more than " + std::to_string(kMostValues) + " values");
+    if (event == Event::object_start) n_keys_.push_back(0);
+    if (event == Event::object_end) n_keys_.pop_back();
+    if (event == Event::key && ++n_keys_.back() > kMostKeys) {
+      refuse("an object of more than " + std::to_string(kMostKeys) + " keys");
+    }
+    return true;
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what) const {
+    refuse_document("a document is of no program of vex: it has " + what, path_, kDocumentAdvice);
+  }
+
+  const std::string& path_;
+  std::size_t n_events_ = 0;
+  std::vector<std::size_t> n_keys_;  // of the objects that are open
+};
+
 RunState state_of(const Json& tally, const std::string& path) {
   std::string text;
   for (const Json& line : tally.at("state")) text += line.get<std::string>() + "\n";
@@ -71,7 +101,7 @@ std::string_view program_of(DocumentKind kind) {
 }
 
 Document read_document(const std::string& path) {
-  Document document{path, DocumentKind::estimate, Json::parse(content_of(path), nullptr, false)};
+  Document document{path, DocumentKind::estimate, Json::parse(content_of(path), DocumentBounds(path), false)};
   const Json& json = document.json;
   if (json.is_discarded()) refuse_document("a document is no JSON, or cut off", path, kDocumentAdvice);
   const auto has = [&json](const char* key) { return json.is_object() && json.contains(key); };

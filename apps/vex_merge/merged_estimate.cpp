@@ -36,7 +36,8 @@ ExcludedVolume result_of(const MergedTally& merged, const Json& document) {
   ExcludedVolume result;
   result.estimator = find_estimator(estimator);
   if (result.estimator == nullptr) {
-    throw InputError("a document of an estimator that is none (" + estimator + ") - it is of another version of vex");
+    throw InputError("a document of an estimator that is none (" + printable(estimator) +
+                     ") - it is of another version of vex");
   }
   static_cast<BlockRecord&>(result.record) = merged.state.done;
   result.record.first_trial = merged.state.first_trial;

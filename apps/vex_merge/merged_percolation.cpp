@@ -14,7 +14,8 @@ namespace {
 using PercolationJson = nlohmann::ordered_json;
 
 // As much of the run as its thresholds hang on, without bodies and realisations.
-PercolateRun run_of(const PercolationJson& document) {
+PercolateRun run_of(const Document& one) {
+  const PercolationJson& document = one.json;
   PercolateRun run;
   run.options.law = document.at("orientations").get<std::string>();
   run.options.is_part = true;
@@ -29,14 +30,16 @@ PercolateRun run_of(const PercolationJson& document) {
     run.excluded_volume.value = document.at("excluded_volume").get<double>();
     run.excluded_volume.std_error = document.at("excluded_volume_std_error").get<double>();
   }
-  if (!(run.mean_volume >= 0.0 && run.extent > 0.0)) throw InputError("sizes that are none");
+  if (!(run.mean_volume >= 0.0 && run.extent > 0.0)) {
+    refuse_document("a document of bodies without a size", one.file, "it is damaged");
+  }
   return run;
 }
 
 // The realisations of a document.
 PercolateRun part_of(const Document& document, const std::vector<std::string>& of) {
   const PercolationJson& tally = document.json.at("tally");
-  PercolateRun part = run_of(document.json);
+  PercolateRun part = run_of(document);
   const std::uint64_t first = tally.at("first_realisation").get<std::uint64_t>(),
                       n = tally.at("realisations").get<std::uint64_t>();
   if (first > kMostRealisations || n < 1 || n > kMostRealisations - first) {

@@ -62,6 +62,7 @@ PoseFile::Found PoseFile::fetch(bool wait) {
 }
 
 PoseFile::Found PoseFile::next_line(bool wait, std::string_view& line, bool& is_too_long) {
+  if (is_endless_) return Found::nothing_yet;
   for (;;) {
     std::size_t end = buffer_.find('\n', searched_);
     const bool is_last = end == std::string::npos && at_end_;
@@ -77,8 +78,15 @@ PoseFile::Found PoseFile::next_line(bool wait, std::string_view& line, bool& is_
       return Found::line;
     }
     if (buffer_.size() - begin_ > kLongestLine) {
+      n_skipped_ = (skips_line_ ? n_skipped_ : 0) + (buffer_.size() - begin_);
       skips_line_ = true;
       begin_ = buffer_.size();
+      if (n_skipped_ > kLongestSkipped) {
+        line = {};
+        is_too_long = is_endless_ = true;
+        ++n_lines_;
+        return Found::line;
+      }
     }
     searched_ = buffer_.size();
     switch (fetch(wait)) {
@@ -116,6 +124,11 @@ void PoseFile::read_header(const std::function<void()>& while_waiting) {
 void PoseFile::read_rows(std::size_t n_most, RowBlock& block, const std::function<void()>& while_waiting) {
   while_waiting_ = while_waiting;
   block.clear();
+  if (is_endless_) {
+    throw InputError(name_ + ", line " + std::to_string(n_lines_) + ": no end of the line within " +
+                     std::to_string(kLongestSkipped) + " characters, so that nothing behind it was read - write one " +
+                     "pose a line");
+  }
   block.first_index = n_rows_;
   const auto add = [&](std::string_view line, std::uint64_t number, bool is_too_long) {
     block.rows.push_back({block.text.size(), line.size(), number, is_too_long});

@@ -33,6 +33,8 @@ class PoseFile {
  public:
   /// No row that is meant to be one is longer.
   static constexpr std::size_t kLongestLine = 1 << 16;
+  /// A device may never end a line: what is longer than this is a row that is too long, and nothing behind it is read.
+  static constexpr std::size_t kLongestSkipped = 1 << 24;
 
   /// `path`: "-" is standard input. Waiting ends when `interrupt` is not 0. Throws InputError where it cannot be
   /// opened.
@@ -72,7 +74,9 @@ class PoseFile {
   std::size_t begin_ = 0;
   std::size_t searched_ = 0;  // no line ends before
   bool at_end_ = false;
-  bool skips_line_ = false;  // the rest of a line that is too long
+  bool skips_line_ = false;    // the rest of a line that is too long
+  bool is_endless_ = false;    // the last line was longer than kLongestSkipped
+  std::size_t n_skipped_ = 0;  // of the line at hand
 
   std::uint64_t n_lines_ = 0, n_rows_ = 0;
   std::uint64_t n_empty_ = 0;  // lines that hold nothing, before the held one or the end

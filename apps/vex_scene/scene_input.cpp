@@ -7,9 +7,15 @@
 #include "meshes/machine_memory.h"
 
 namespace vex {
+namespace {
+
+constexpr std::size_t kOften = 1 << 16;  // bodies are read between two looks at the room
+
+}  // namespace
 
 std::uint32_t SceneInput::shape_of_text(std::string_view text, std::uint64_t line) {
   if (const auto found = by_text_.find(text); found != by_text_.end()) return found->second;
+  if (shapes_.size() % kOften == 0) require_room();
   const auto number = static_cast<std::uint32_t>(shapes_.size());
   by_text_.emplace(std::string(text), number);
   shapes_.push_back({std::string(text), line});
@@ -17,11 +23,15 @@ std::uint32_t SceneInput::shape_of_text(std::string_view text, std::uint64_t lin
 }
 
 void SceneInput::add(std::uint32_t shape, const Transformd& pose) {
-  constexpr std::size_t kOften = 1 << 16;
-  if (poses.size() % kOften == 0) require_room_for(poses.size() + 1, source_);
+  if (poses.size() % kOften == 0) require_room();
   ++shapes_[shape].n_bodies;
   shapes_of_bodies.push_back(shape);
   poses.push_back(pose);
+}
+
+void SceneInput::require_room() const {
+  constexpr std::size_t kBodiesOfShape = 4;  // of whose memory a body that is like no other takes as much
+  require_room_for(poses.size() + kBodiesOfShape * shapes_.size() + 1, source_);
 }
 
 std::string SceneInput::place_of(std::size_t body) const {
@@ -35,7 +45,7 @@ std::vector<std::string> SceneInput::texts() const {
 }
 
 void require_room_for(std::uint64_t n_bodies, const std::string& source) {
-  constexpr std::uint64_t kBytesOfBody = 400;  // its pose as read, in the scene, in the broad phase, and its pairs
+  constexpr std::uint64_t kBytesOfBody = 600;  // its pose as read, in the scene, in the broad phase, and its pairs
   const std::uint64_t most = std::min<std::uint64_t>(machine_memory() / 4 * 3 / kBytesOfBody, kNoBody - 1);
   if (n_bodies <= most) return;
   throw InputError("more bodies than this machine holds (" + source + ", and " + std::to_string(most) +

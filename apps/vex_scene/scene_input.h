@@ -47,6 +47,8 @@ class SceneInput {
     std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
   };
 
+  void require_room() const;
+
   std::string source_;
   bool is_file_;
   std::vector<Shape> shapes_;

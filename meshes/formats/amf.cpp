@@ -69,6 +69,10 @@ class AmfCheck {
         continue;
       }
       look_at(*tag, tags.text_behind());
+      if (open_.size() == kDeepest) {
+        refuse_scene(input_, "elements lie more than " + std::to_string(kDeepest) + " deep in each other",
+                     shown_name(tag->name), kMendOrExport);
+      }
       open_.push_back({tag->name, whole_of(tag->name), {}});
       if (tag->is_empty) close();
     }
@@ -76,6 +80,7 @@ class AmfCheck {
   }
 
  private:
+  static constexpr std::size_t kDeepest = 1000;
   struct Open {
     std::string_view name;
     const Whole* whole;

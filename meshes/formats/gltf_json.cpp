@@ -90,6 +90,8 @@ class Walker {
     std::string_view key;  // of the member at hand
   };
   static constexpr std::size_t kDeepest = 1000;
+  // {"buffer":0,"byteLength":1} is the least part of a buffer that means anything.
+  static constexpr std::size_t kLeastPart = 24, kMostExtensions = 1000;
   struct Accessor {
     std::string_view component_type, type;
     std::optional<std::uint64_t> count, byte_offset = 0, view;
@@ -140,10 +142,10 @@ class Walker {
     bool has_value = false;  // the value before the next comma or end has been seen
     while (true) {
       at_ = json_.find_first_not_of(" \t\r\n", at_);
-      if (at_ == std::string_view::npos) return levels_.empty() && has_value;
+      if (at_ == std::string_view::npos) return levels_.empty() && has_value && !has_too_many_parts();
       const char c = json_[at_];
       if (c == '{' || c == '[') {
-        if (has_value || levels_.size() == kDeepest) return false;
+        if (has_value || levels_.size() == kDeepest || has_too_many_parts()) return false;
         has_old_buffers_ = has_old_buffers_ || (c == '{' && path_is("buffers") && levels_.size() == 1);
         if (c == '{' && path_is("accessors") && levels_.size() == 2) accessors_.emplace_back();
         if (c == '{' && path_is("bufferViews") && levels_.size() == 2) views_.emplace_back();
@@ -179,6 +181,11 @@ class Walker {
         at_ = end;
       }
     }
+  }
+
+  bool has_too_many_parts() const {
+    return accessors_.size() + views_.size() > 1000 + at_ / kLeastPart ||
+           summary_.required_extensions.size() > kMostExtensions;
   }
 
   bool read_string(std::string_view* text) {
@@ -276,7 +283,7 @@ class Walker {
     if (levels_.size() == 2 && path_is("asset") && levels_[1].key == "version") {
       summary_.version = is_string ? unescaped(raw) : std::string(raw);
     } else if (levels_.size() == 2 && path_is("extensionsRequired") && is_string) {
-      summary_.required_extensions.push_back(unescaped(raw));
+      if (!has_too_many_parts()) summary_.required_extensions.push_back(unescaped(raw));
     } else if (levels_.size() == 3 && path_is("buffers") && levels_[2].key == "uri" && is_string &&
                !raw.starts_with("data:")) {
       summary_.buffer_uris.push_back(unescaped(raw));
@@ -287,8 +294,8 @@ class Walker {
   std::size_t at_ = 0;
   std::vector<Level> levels_;
   GltfSummary summary_;
-  std::vector<Accessor> accessors_;
-  std::vector<View> views_;
+  std::deque<Accessor> accessors_;
+  std::deque<View> views_;
   std::vector<double> transform_;  // a list of the node at hand, as far as it was read
   bool has_matrix_ = false;        // the node at hand
   bool has_parts_ = false;         // the same: a rotation, a scale or a translation

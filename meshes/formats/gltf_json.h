@@ -19,7 +19,8 @@ struct GltfSummary {
                        // of another length than a transform has; empty without
 };
 
-/// Nothing where `json` is not JSON, or is nested more than a thousand levels deep.
+/// Nothing where `json` is not JSON, is nested more than a thousand levels deep, has more parts of buffers than its
+/// bytes can describe, or requires more than a thousand extensions.
 std::optional<GltfSummary> gltf_summary(std::string_view json);
 
 /// The document of a binary glTF (.glb) of version 2; nothing where it has none.

@@ -28,7 +28,8 @@ constexpr auto kDouble = ScalarType::float64;
 
 class GmshReader {
  public:
-  GmshReader(std::string_view bytes, const std::string& name) : scanner_(bytes, name) {}
+  GmshReader(std::string_view bytes, const std::string& name)
+      : scanner_(bytes, name), room_(bytes.size(), name, 16, 8) {}
 
   PolygonSoup read() {
     version_ = read_gmsh_format(&scanner_);
@@ -110,6 +111,7 @@ class GmshReader {
     const double x = coordinate(expected);
     const double y = coordinate(expected);
     const double z = coordinate(expected);
+    room_.require(soup_.points.size() + 1, corner_tags_.size());
     soup_.points.push_back({x, y, z});
   }
 
@@ -252,9 +254,9 @@ class GmshReader {
       skip(tag_type(), static_cast<std::uint64_t>(element.n_nodes), {"the nodes of element", i});
       return;
     }
+    room_.require(soup_.points.size(), corner_tags_.size() + static_cast<std::size_t>(element.n_nodes));
     for (int k = 0; k < element.n_nodes; ++k) corner_tags_.push_back(tag(tag_type(), {"a node of element", i}));
     soup_.face_sizes.push_back(static_cast<std::uint32_t>(element.n_nodes));
-    check_soup_size(0, corner_tags_.size(), scanner_.name());
   }
 
   void finish_faces() {
@@ -277,6 +279,7 @@ class GmshReader {
   }
 
   MixedScanner scanner_;
+  SoupRoom room_;  // beside a node its number, and beside a corner the number of its node
   GmshVersion version_ = GmshVersion::v41;
   PolygonSoup soup_;
   GmshNodes nodes_;

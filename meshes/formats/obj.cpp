@@ -15,6 +15,7 @@
 #include <string_view>
 #include <utility>
 
+#include "meshes/formats/soup_faces.h"
 #include "meshes/formats/strict_readers.h"
 #include "meshes/formats/text_scanner.h"
 
@@ -22,8 +23,6 @@ namespace vex {
 namespace {
 
 using std::string_view_literals::operator""sv;
-
-constexpr std::size_t kMostOfObj = std::size_t{1} << 30U;  // points, and corners
 
 constexpr std::array kElements{"v"sv, "f"sv, "fo"sv, "l"sv, "p"sv};
 constexpr std::array kSkipped{"vt"sv,       "vn"sv,       "vp"sv,         "vc"sv,       "g"sv,
@@ -63,7 +62,7 @@ bool take_whole_number(std::string_view* text, std::int64_t* value) {
 
 class ObjReader {
  public:
-  ObjReader(std::string_view bytes, const std::string& name) : scanner_(bytes, name) {}
+  ObjReader(std::string_view bytes, const std::string& name) : scanner_(bytes, name), room_(bytes.size(), name) {}
 
   PolygonSoup soup() {
     while (scanner_.next_line()) read_line();
@@ -152,7 +151,7 @@ class ObjReader {
   }
 
   void read_vertex() {
-    if (soup_.points.size() == kMostOfObj) refuse_size("vertices");
+    room_.require(soup_.points.size() + 1, soup_.corners.size());
     constexpr const char* kExpected = "v x y z";
     Vec3d& point = soup_.points.emplace_back();
     point.x = scanner_.coordinate(kExpected, digits_);
@@ -186,7 +185,7 @@ class ObjReader {
   void read_corners() {
     n_corners_ = 0;
     for (std::string_view word = scanner_.next_word(); !word.empty(); word = scanner_.next_word()) {
-      if (soup_.corners.size() == kMostOfObj) refuse_size("corners");
+      room_.require(soup_.points.size(), soup_.corners.size() + 1);
       soup_.corners.push_back(corner(word));
       ++n_corners_;
     }
@@ -207,7 +206,7 @@ class ObjReader {
     }
     const auto n_points = static_cast<std::int64_t>(soup_.points.size());
     const std::int64_t from_zero = index < 0 ? n_points + index : index - 1;
-    if (from_zero < 0 || from_zero >= static_cast<std::int64_t>(kMostOfObj)) {
+    if (from_zero < 0 || from_zero >= static_cast<std::int64_t>(kMostSoupPoints)) {
       scanner_.refuse(quoted(word) + " names no vertex",
                       "an index from 1, or from -1 down to -" + std::to_string(n_points) + " here");
     }
@@ -223,12 +222,8 @@ class ObjReader {
     if (std::exchange(part_has_faces_, false)) ++soup_.n_parts;
   }
 
-  [[noreturn]] void refuse_size(const std::string& what) {
-    scanner_.refuse("the mesh is too large", "at most " + std::to_string(kMostOfObj) + " " + what,
-                    "use a coarser mesh");
-  }
-
   TextScanner scanner_;
+  SoupRoom room_;
   PolygonSoup soup_;
   WrittenDigits digits_;
   std::string joined_;            // the line at hand, where it is of several

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "meshes/formats/soup_faces.h"
 #include "meshes/formats/strict_readers.h"
 #include "meshes/formats/text_scanner.h"
 
@@ -46,7 +47,7 @@ std::optional<Prefix> prefix_of(std::string_view letters) {
 
 class OffReader {
  public:
-  OffReader(std::string_view bytes, const std::string& name) : scanner_(bytes, name) {}
+  OffReader(std::string_view bytes, const std::string& name) : scanner_(bytes, name), room_(bytes.size(), name) {}
 
   PolygonSoup soup() {
     read_header();
@@ -126,6 +127,7 @@ class OffReader {
         scanner_.number("the normal, colour or texture coordinate that the first line promises");
       }
       if (n_on_line > 0 && scanner_.has_word()) refuse_rest("the end of the vertex");
+      room_.require(soup_.points.size() + 1, 0);
       soup_.points.push_back(point);
     }
     if (scanner_.has_word()) refuse_rest("the end of the vertices");
@@ -159,10 +161,7 @@ class OffReader {
         next_line("face", i, n_faces_);
         is_spread = true;
       }
-      if (soup_.corners.size() == static_cast<std::size_t>(kMostOfOff)) {
-        scanner_.refuse("the mesh is too large", "at most " + std::to_string(kMostOfOff) + " corners",
-                        "use a coarser mesh");
-      }
+      room_.require(soup_.points.size(), soup_.corners.size() + 1);
       soup_.corners.push_back(static_cast<std::uint32_t>(scanner_.whole_number("a vertex index", 0, n_points_ - 1)));
     }
     read_colour(is_spread);
@@ -198,6 +197,7 @@ class OffReader {
   }
 
   TextScanner scanner_;
+  SoupRoom room_;
   PolygonSoup soup_;
   WrittenDigits digits_;
   Prefix prefix_;

@@ -27,7 +27,9 @@ namespace {
 class PlyReader {
  public:
   PlyReader(std::string_view bytes, const std::string& name)
-      : header_(read_ply_header(bytes, name)), scanner_(bytes, name, header_.encoding, header_.n_bytes) {}
+      : header_(read_ply_header(bytes, name)),
+        scanner_(bytes, name, header_.encoding, header_.n_bytes),
+        room_(bytes.size(), name) {}
 
   PolygonSoup read() {
     const PlyElement* const vertex = header_.element("vertex");
@@ -106,6 +108,7 @@ class PlyReader {
         }
       }
       end_element({"the end of the line behind vertex", i});
+      room_.require(i + 1, soup_.corners.size());
       soup_.points.push_back(point);
     }
   }
@@ -147,6 +150,7 @@ class PlyReader {
     const std::size_t begin = soup_.corners.size();
     for (std::int64_t k = 0; k < n; ++k) {
       const std::int64_t corner = scanner_.whole_number(list.type, {"a vertex of face", i}, 0, last_vertex);
+      room_.require(soup_.points.size(), soup_.corners.size() + 1);
       soup_.corners.push_back(static_cast<std::uint32_t>(corner));
     }
     if (n < 3) {
@@ -154,7 +158,6 @@ class PlyReader {
       ++soup_.n_ignored_faces;
     } else {
       soup_.face_sizes.push_back(static_cast<std::uint32_t>(n));
-      check_soup_size(0, soup_.corners.size(), scanner_.name());
     }
   }
 
@@ -164,11 +167,12 @@ class PlyReader {
     std::vector<std::uint32_t> strip;
     for (std::int64_t k = 0; k < n; ++k) {
       const std::int64_t corner = scanner_.whole_number(list.type, {"a vertex, or -1, of strip", i}, -1, last_vertex);
+      room_.require(soup_.points.size(), soup_.corners.size() + strip.size());
       if (corner >= 0) strip.push_back(static_cast<std::uint32_t>(corner));
       if (corner < 0 || k + 1 == n) {
+        room_.require(soup_.points.size(), soup_.corners.size() + 3 * strip.size());
         if (!strip.empty()) add_triangle_strip(strip, &soup_);
         strip.clear();
-        check_soup_size(0, soup_.corners.size(), scanner_.name());
       }
     }
   }
@@ -196,6 +200,7 @@ class PlyReader {
 
   PlyHeader header_;
   MixedScanner scanner_;
+  SoupRoom room_;
   std::uint64_t n_vertices_ = 0;
   PolygonSoup soup_;
 };

@@ -18,13 +18,14 @@
 #include <utility>
 #include <vector>
 
+#include "meshes/formats/soup_faces.h"
 #include "meshes/formats/strict_readers.h"
 #include "meshes/formats/text_scanner.h"
 
 namespace vex {
 namespace {
 
-constexpr std::size_t kMostPoints = std::size_t{1} << 30U;
+constexpr std::size_t kMostFields = 10'000;  // of a line: what is left of it then counts as one
 constexpr const char* kOnePoint = "a point: three numbers or more, x, y, z first";
 
 using Fields = std::vector<std::string_view>;
@@ -59,7 +60,7 @@ void split(std::string_view line, char separator, Fields* fields) {
   fields->clear();
   line = TextScanner::trimmed(line);
   if (separator == ' ') {
-    while (!line.empty()) {
+    while (!line.empty() && fields->size() <= kMostFields) {
       const auto end = static_cast<std::size_t>(std::ranges::find_if(line, TextScanner::is_blank) - line.begin());
       fields->push_back(line.substr(0, end));
       line = TextScanner::trimmed(line.substr(end));
@@ -75,7 +76,7 @@ void split(std::string_view line, char separator, Fields* fields) {
       field = TextScanner::trimmed(field.substr(1, field.size() - 2));
     }
     fields->push_back(field);
-    is_more = end != std::string_view::npos;
+    is_more = end != std::string_view::npos && fields->size() <= kMostFields;
     if (is_more) line.remove_prefix(end + 1);
   }
 }
@@ -103,7 +104,7 @@ std::optional<Columns> named_columns(const Fields& names) {
 
 class PointsReader {
  public:
-  PointsReader(std::string_view bytes, const std::string& name) : scanner_(bytes, name) {}
+  PointsReader(std::string_view bytes, const std::string& name) : scanner_(bytes, name), room_(bytes.size(), name) {}
 
   PolygonSoup soup() {
     if (!next_line()) scanner_.refuse("the file holds no point", kOnePoint);
@@ -148,6 +149,10 @@ class PointsReader {
     separator_ = separator_of(scanner_.line());
     split(scanner_.line(), separator_, &fields_);
     n_fields_ = fields_.size();
+    if (n_fields_ > kMostFields) {
+      scanner_.refuse("a line of more than " + std::to_string(kMostFields) + " fields", kOnePoint,
+                      "put each point on a line of its own");
+    }
     const bool is_header = std::ranges::all_of(fields_, is_name);
     if (n_fields_ < 3) {
       scanner_.refuse("a line of " + std::to_string(n_fields_) + (n_fields_ == 1 ? " field" : " fields"), kOnePoint);
@@ -182,8 +187,7 @@ class PointsReader {
                       std::to_string(n_fields_) + " as in the lines before",
                       "mend the file; decimals have a point, not a comma");
     }
-    if (soup_.points.size() == kMostPoints)
-      scanner_.refuse("the file is too large", "at most 2^30 points", "use fewer");
+    room_.require(soup_.points.size() + 1, soup_.corners.size());
     Vec3d point;
     double* const axes[] = {&point.x, &point.y, &point.z};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -266,8 +270,7 @@ class PointsReader {
     while (static_cast<double>(soup_.points.size()) < count && scanner_.next_line()) {
       const std::string_view label = scanner_.next_word();
       if (label.empty() || !is_letter(label.front())) scanner_.refuse("there is no atom", "C x y z");
-      if (soup_.points.size() == kMostPoints)
-        scanner_.refuse("the file is too large", "at most 2^30 points", "use fewer");
+      room_.require(soup_.points.size() + 1, soup_.corners.size());
       Vec3d& point = soup_.points.emplace_back();
       point.x = scanner_.coordinate("C x y z", digits_);
       point.y = scanner_.coordinate("C x y z", digits_);
@@ -292,6 +295,7 @@ class PointsReader {
   }
 
   TextScanner scanner_;
+  SoupRoom room_;
   PolygonSoup soup_;
   WrittenDigits digits_;
   Fields fields_;  // of the line at hand

@@ -104,7 +104,7 @@ PolygonSoup read_binary(std::string_view bytes, const std::string& name) {
 
 class TextReader {
  public:
-  TextReader(std::string_view bytes, const std::string& name) : scanner_(bytes, name) {}
+  TextReader(std::string_view bytes, const std::string& name) : scanner_(bytes, name), room_(bytes.size(), name) {}
 
   PolygonSoup read() {
     const std::size_t n_guess = scanner_.n_left() / 250;
@@ -156,11 +156,11 @@ class TextReader {
       const double x = scanner_.coordinate(ScalarType::float64, expected);
       const double y = scanner_.coordinate(ScalarType::float64, expected);
       const double z = scanner_.coordinate(ScalarType::float64, expected);
+      room_.require(soup_.points.size() + 1, soup_.corners.size() + 1);
       soup_.corners.push_back(static_cast<std::uint32_t>(soup_.points.size()));
       soup_.points.push_back({x, y, z});
     }
     const std::size_t n = soup_.points.size() - first;
-    check_soup_size(soup_.points.size(), soup_.corners.size(), scanner_.name());
     if (!is_word(word, "endloop")) refuse_word(word, n < 3 ? "vertex" : "vertex or endloop");
     if (n < 3) scanner_.refuse("a loop of " + std::to_string(n) + " vertices", "three or more");
     soup_.face_sizes.push_back(static_cast<std::uint32_t>(n));
@@ -191,6 +191,7 @@ class TextReader {
   }
 
   MixedScanner scanner_;
+  SoupRoom room_;
   PolygonSoup soup_;
 };
 

@@ -23,7 +23,7 @@ constexpr const char* kConvertData =
 
 class VtkReader {
  public:
-  VtkReader(std::string_view bytes, const std::string& name) : scanner_(bytes, name) {}
+  VtkReader(std::string_view bytes, const std::string& name) : scanner_(bytes, name), room_(bytes.size(), name) {}
 
   PolygonSoup read() {
     read_header();
@@ -101,6 +101,7 @@ class VtkReader {
       const double x = scanner_.coordinate(type, expected);
       const double y = scanner_.coordinate(type, expected);
       const double z = scanner_.coordinate(type, expected);
+      room_.require(i + 1, soup_.corners.size() + grid_corners_.size());
       soup_.points.push_back({x, y, z});
     }
   }
@@ -109,8 +110,8 @@ class VtkReader {
   void read_cells(const Visit& visit) {
     if (!has_points_) scanner_.refuse("cells stand before the points", "POINTS first");
     read_vtk_cells(&scanner_, soup_.points.size(), [&](std::span<const std::uint32_t> cell) {
+      room_.require(soup_.points.size(), soup_.corners.size() + grid_corners_.size() + 3 * cell.size());
       visit(cell);
-      check_soup_size(0, soup_.corners.size() + grid_corners_.size(), scanner_.name());
     });
   }
 
@@ -156,10 +157,10 @@ class VtkReader {
     }
     std::size_t begin = 0;
     for (std::size_t i = 0; i < grid_sizes_.size(); ++i) {
+      room_.require(soup_.points.size(), soup_.corners.size() + grid_corners_.size() + 3 * std::size_t{grid_sizes_[i]});
       add_grid_cell(grid_types_[i], std::span(grid_corners_).subspan(begin, grid_sizes_[i]), i);
       begin += grid_sizes_[i];
     }
-    check_soup_size(0, soup_.corners.size(), scanner_.name());
   }
 
   void add_grid_cell(int type, std::span<const std::uint32_t> cell, std::size_t i) {
@@ -183,6 +184,7 @@ class VtkReader {
   }
 
   MixedScanner scanner_;
+  SoupRoom room_;
   PolygonSoup soup_;
   bool has_points_ = false;
   bool is_grid_ = false;

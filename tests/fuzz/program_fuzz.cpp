@@ -13,12 +13,16 @@
 #include <string>
 
 #include "apps/common/bodies.h"
+#include "apps/common/common_options.h"
+#include "apps/vex_merge/documents.h"
 #include "apps/vex_pair/pose_file.h"
 #include "apps/vex_percolate/options.h"
 #include "apps/vex_percolate/realisations_file.h"
 #include "apps/vex_scene/scene_file.h"
 #include "engine/numeric/errors.h"
 #include "engine/numeric/pose.h"
+#include "engine/sampling/poses/axis_law.h"
+#include "engine/sampling/poses/axis_table_text.h"
 #include "shapes/any_shape.h"
 
 namespace vex::tests {
@@ -166,6 +170,31 @@ void read_body(std::string_view data) {
   if (!names_a_mesh(text)) read_shape(text);
 }
 
+void read_table(std::string_view data) {
+  const AxisLaw law = AxisLaw::table(parse_axis_table(data, "fuzz.csv"));
+  demand(std::fabs(law.order_parameter()) <= 1.0, "an order parameter");
+}
+
+MergedReport merged(const std::vector<Document>& documents) {
+  MergeOptions options;
+  options.is_part = true;
+  switch (documents.front().kind) {
+    case DocumentKind::virial: return merged_virial(documents, options);
+    case DocumentKind::percolation: return merged_percolation(documents, options);
+    case DocumentKind::estimate: break;
+  }
+  return merged_estimate(documents, options);
+}
+
+void read_merged_document(std::string_view data) {
+  try {
+    const std::string text = document_text(merged({read_document(file_of(data))}).document);
+    demand(text.size() <= 64 * data.size() + 65536, "a document is at most a multiple of its parts");
+  } catch (const nlohmann::json::exception&) {
+    // Which vex_merge refuses in its own words.
+  }
+}
+
 FuzzFormat format(const std::string& name, void (*read)(std::string_view)) {
   return {name, [read](std::string_view data) { read_or_refuse([&] { read(data); }); }};
 }
@@ -174,7 +203,7 @@ FuzzFormat format(const std::string& name, void (*read)(std::string_view)) {
 
 std::vector<FuzzFormat> program_formats() {
   return {format("poses", read_poses), format("scene", read_scene), format("realisations", read_realisations),
-          format("body", read_body)};
+          format("body", read_body),   format("table", read_table), format("document", read_merged_document)};
 }
 
 }  // namespace vex::tests

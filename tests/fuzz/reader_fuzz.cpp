@@ -96,6 +96,9 @@ std::vector<FuzzFormat> fuzz_formats() {
   formats.push_back({"gltf", [](std::string_view data) { look_into(look_into_gltf, data, kName, ".gltf"); }});
   formats.push_back({"glb", [](std::string_view data) { look_into(look_into_gltf, data, kName, ".glb"); }});
   formats.push_back({"amf", [](std::string_view data) { look_into(look_into_amf, data, kName, ".amf"); }});
+  formats.push_back({"x3d", [](std::string_view data) { look_into(look_into_x3d, data, kName, ".x3d"); }});
+  formats.push_back({"nff", [](std::string_view data) { look_into(look_into_nff, data, kName, ".nff"); }});
+  formats.push_back({"ifc", [](std::string_view data) { look_into(look_into_ifc, data, kName, ".ifc"); }});
   formats.push_back({"3mf", [](std::string_view data) { look_into(look_into_3mf, data, kName, ".3mf"); }});
   formats.push_back(
       {"model", [](std::string_view data) { look_into(look_into_3mf, archive_of_model(data), kName, ".3mf"); }});

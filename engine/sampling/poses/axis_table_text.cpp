@@ -1,5 +1,6 @@
 #include "engine/sampling/poses/axis_table_text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -17,6 +18,14 @@ std::string_view trimmed(std::string_view text) {
   const std::size_t from = text.find_first_not_of(kBlanks);
   if (from == std::string_view::npos) return {};
   return text.substr(from, text.find_last_not_of(kBlanks) - from + 1);
+}
+
+/// A zero byte would end the message, and others may steer a terminal.
+std::string printable(std::string_view word) {
+  std::string text(word);
+  std::ranges::replace_if(
+      text, [](char c) { return c < ' ' || c > '~'; }, '?');
+  return text;
 }
 
 [[noreturn]] void refuse(const std::string& problem, const std::string& name, const std::string& advice) {
@@ -39,7 +48,7 @@ AxisTable parse_axis_table(std::string_view text, const std::string& name) {
       double value = 0.0;
       const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
       if (error != std::errc{} || stop != word.data() + word.size() || !std::isfinite(value)) {
-        refuse("not a number: \"" + std::string(word.substr(0, 40)) + "\"", where,
+        refuse("not a number: \"" + printable(word.substr(0, 40)) + "\"", where,
                "write a cosine and a density, as in 0.5 1.25");
       }
       return value;

@@ -120,6 +120,26 @@ TEST_F(PoseFileTest, RefusesWhatIsNoFileOfPoses) {
   EXPECT_NE(refusal(write("\xFF\xFE" + kHeader + "\n")).find(", line 1: not a header"), std::string::npos);
 }
 
+// It came about that /dev/zero was read for ever.
+TEST_F(PoseFileTest, ALineWithoutAnEndIsTheLastOne) {
+  const std::string endless(PoseFile::kLongestSkipped + (1 << 20), 'x');
+  PoseFile zeros("/dev/zero", interrupt_);
+  EXPECT_THROW(zeros.read_header(), InputError);
+  PoseFile file(write(kHeader + "\na\n" + endless + "\nb\n"), interrupt_);
+  file.read_header();
+  RowBlock block;
+  file.read_rows(100, block);
+  ASSERT_EQ(block.rows.size(), 2u) << "the rows before it are answered";
+  EXPECT_EQ(block.text_of(block.rows.front()), "a");
+  EXPECT_TRUE(block.rows.back().is_too_long);
+  try {
+    file.read_rows(100, block);
+    ADD_FAILURE() << "nothing says that b was not read";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("line 3: no end of the line"), std::string::npos);
+  }
+}
+
 // What a slow writer has written is answered before it writes more.
 TEST_F(PoseFileTest, APipeIsReadAsFarAsItHasCome) {
   int ends[2] = {-1, -1};

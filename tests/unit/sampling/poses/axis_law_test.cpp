@@ -207,6 +207,13 @@ TEST(AxisTableText, RefusesWhatIsNoLineOfTwoNumbersAndNamesIt) {
       EXPECT_NE(std::string(error.what()).find("here.txt, line 2"), std::string::npos) << error.what();
     }
   }
+  // It came about that a zero byte ended the message before its advice.
+  try {
+    parse_axis_table(std::string("0 1\n\0\x1b 1\n", 9), "here.txt");
+    ADD_FAILURE() << "a zero byte is no number";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("\"??\" (here.txt, line 2) - write"), std::string::npos) << error.what();
+  }
   EXPECT_THROW(read_axis_table("/dev/zero"), InputError);
   EXPECT_THROW(read_axis_table("/nowhere"), InputError);
   EXPECT_THROW(read_axis_table("/"), InputError);
