@@ -212,19 +212,27 @@ void SceneBodies::set_visitor(ShapeId shape, const Transformd& pose) {
 
 void SceneBodies::track() {
   tracks_.resize(end());
+  travel_.assign(end(), 0.0);
+  travel_before_.assign(end(), 0.0);
+  has_crossed_.assign(end(), 0);
   for (BodyId body = 0; body < end(); ++body) {
     Track& track = tracks_[body];
     track.centre = centres_[body];
     track.crossed = {};
     track.shape = shape_of_[body];
-    track.travel = 0.0;
     track.turned = 0.0;
   }
 }
 
-double SceneBodies::largest_travel() const {
-  double largest = 0.0;
-  for (const Track& track : tracks_) largest = track.travel > largest ? track.travel : largest;
+SceneBodies::Travel SceneBodies::largest_travel() {
+  Travel largest;
+  for (std::size_t k = 0; k < travel_.size(); ++k) {
+    const double travel = travel_[k], step = travel - travel_before_[k];
+    travel_before_[k] = travel;
+    largest.since_track = travel > largest.since_track ? travel : largest.since_track;
+    largest.since_asked = step > largest.since_asked ? step : largest.since_asked;
+  }
+  largest.since_asked *= 1.0 + 0x1p-50;
   return largest;
 }
 
@@ -241,13 +249,16 @@ void SceneBodies::add_to_track(BodyId body, const Transformd& from, const Transf
     track.crossed = image_sum(track.crossed, image);
   }
   const bool has_crossed = (track.crossed[0] | track.crossed[1] | track.crossed[2]) != 0;
+  has_crossed_[body] = has_crossed ? 1 : 0;
   track.centre = has_crossed ? centre + box_->shift(track.crossed) : centre;
   const auto square = [](const Vec3d& v) { return dot(v, v); };
   const double turn = square(to.row_x - from.row_x) + square(to.row_y - from.row_y) + square(to.row_z - from.row_z);
   const double turned = turn > 0.0 ? std::sqrt(turn) * bounds_[shape_of_[body]].radius * (1.0 + 0x1p-18) : 0.0;
   const double rounding = 0x1p-46 * (norm_1(centre) + norm_1(centre_from) + norm_1(step));
   track.turned += turned;
-  track.travel += norm(step) * (1.0 + 0x1p-18) + turned + rounding;
+  // Rounded up, so that what was added between two times is at most the difference, however small the steps are.
+  const double by = norm(step) * (1.0 + 0x1p-18) + turned + rounding + kTrifle;
+  travel_[body] = (travel_[body] + by) * (1.0 + 0x1p-51);
 }
 
 double SceneBodies::largest_offset() const {
