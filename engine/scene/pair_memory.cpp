@@ -14,6 +14,18 @@ namespace {
 // Of lengths, as kStretch of scene_bodies.cpp: what rotations that are ones to within 2e-7 change, twice over.
 constexpr double kLess = 1.0 - 0x1p-18;
 
+// The numbers, counted from `first`, of those of which something is true; how many. Whether it is true is as good as
+// random: each number is written in any case.
+template <class IsTrue>
+std::size_t numbers_of(std::size_t first, std::size_t end, std::uint32_t* numbers, const IsTrue& is_true) {
+  std::size_t n = 0;
+  for (std::size_t k = first; k < end; ++k) {
+    numbers[n] = static_cast<std::uint32_t>(k - first);
+    n += is_true(k) ? 1u : 0u;
+  }
+  return n;
+}
+
 }  // namespace
 
 void PairMemory::build(SceneBodies& bodies, const BroadPhases& phases, const SceneKernel& kernel, double skin,
@@ -103,7 +115,7 @@ void PairMemory::list(bool keeps_old) {
     }
     known_[k] = known_before_[at];
     overlaps_[k] = overlaps_before_[at];
-    const bool is_same_copy = bodies_->track_of(pair.a).crossed == bodies_->track_of(pair.b).crossed;
+    const bool is_same_copy = image(pair) == shifts_.image(pair.shift);
     carry_over(pair, is_same_copy, known_[k]);
     until_[k] = is_same_copy ? next_below(until_before_[at] - clock_) : -HUGE_VAL;
   }
@@ -145,7 +157,7 @@ double PairMemory::n_moves(const Listed& pair) const {
 
 ImageOffset PairMemory::image(const Listed& pair) const {
   const ImageOffset& then = shifts_.image(pair.shift);
-  if (!bodies_->has_crossed(pair.a) && !bodies_->has_crossed(pair.b)) return then;
+  if (!(bodies_->has_crossed(pair.a) | bodies_->has_crossed(pair.b))) return then;
   const ImageOffset &of_a = bodies_->track_of(pair.a).crossed, &of_b = bodies_->track_of(pair.b).crossed;
   return {then[0] + of_b[0] - of_a[0], then[1] + of_b[1] - of_a[1], then[2] + of_b[2] - of_a[2]};
 }
@@ -180,13 +192,8 @@ bool PairMemory::keep_what_balls_tell(std::uint64_t tag, const Vec3d& way) {
 
 void PairMemory::look(std::size_t block, PairSearch& search) {
   const std::size_t first = block * kBlock, end = std::min(first + kBlock, listed_.size());
-  // Whether a pair is due is as good as random: its number is written in any case.
   std::uint32_t due[kBlock];
-  std::size_t n_due = 0;
-  for (std::size_t k = first; k < end; ++k) {
-    due[n_due] = static_cast<std::uint32_t>(k - first);
-    n_due += until_[k] > clock_ ? 0u : 1u;
-  }
+  const std::size_t n_due = numbers_of(first, end, due, [&](std::size_t k) { return !(until_[k] > clock_); });
   SceneCounts::Stage& unmoved = search.counts[SceneStage::unmoved];
   SceneCounts::Stage& balls = search.counts[SceneStage::balls];
   unmoved.seen += end - first;
@@ -232,11 +239,15 @@ void PairMemory::collect(int n_threads, std::vector<ScenePair>& out) {
   for (std::size_t block = 0; block < n_blocks(); ++block) n_overlaps_[block + 1] += n_overlaps_[block];
   out.resize(n_overlaps_.back());
   share_parts(n_threads, n_blocks(), [&](std::size_t block) {
-    ScenePair* to = out.data() + n_overlaps_[block];
-    const std::size_t end = std::min((block + 1) * kBlock, listed_.size());
-    for (std::size_t k = block * kBlock; k < end; ++k) {
-      if (overlaps_[k] == 0) continue;
-      *to++ = {listed_[k].a, listed_[k].b, image(listed_[k])};
+    const std::size_t first = block * kBlock, end = std::min(first + kBlock, listed_.size());
+    std::uint32_t overlapping[kBlock];
+    const std::size_t n = numbers_of(first, end, overlapping, [&](std::size_t k) { return overlaps_[k] != 0; });
+    ScenePair* const to = out.data() + n_overlaps_[block];
+    for (std::size_t j = 0; j < n; ++j) {
+      const Listed& pair = listed_[first + overlapping[j]];
+      to[j].a = pair.a;
+      to[j].b = pair.b;
+      to[j].image = image(pair);
     }
   });
 }

@@ -118,8 +118,12 @@ class SceneBodies {
   Transformd checked(ShapeId shape, const Pose& pose, ImageOffset* image) const;
 
  private:
+  // Of a box: what is surely inside is not wrapped.
+  static constexpr double kInside = 0.999;
   void place(BodyId body, const Transformd& pose);
-  void add_to_track(BodyId body, const Transformd& from, const Transformd& to, const Vec3d& centre_from);
+  Transformd placed(ShapeId shape, const Transformd& given, ImageOffset* image) const;
+  // `turned`: by how much the move has turned points about the centre, at most.
+  void add_to_track(BodyId body, double turned, const Vec3d& centre_from);
 
   std::optional<PeriodicBox> box_;
   std::vector<ConvexBody> shapes_;
