@@ -112,14 +112,13 @@ void BallCells::make_stencil(std::size_t axis) {
 
 void BallCells::clear() {
   blocks_.assign(n_held_, empty_block());
-  n_.assign(blocks_.size(), 0);
-  after_.assign(blocks_.size(), kNone);
+  links_.assign(blocks_.size(), {});
   free_.clear();
   seats_.clear();
 }
 
 void BallCells::take_seat(std::uint32_t block, BodyId body, const Vec3d& centre, double radius) {
-  const std::uint32_t lane = n_[block]++;
+  const std::uint32_t lane = links_[block].n++;
   BallBlock& balls = blocks_[block];
   balls.x[lane] = centre.x;
   balls.y[lane] = centre.y;
@@ -137,23 +136,20 @@ void BallCells::add(const SceneBodies& bodies, BodyId body) {
   // As SortedBodies::fill.
   const double radius = bounds.radius + 0x1p-46 * (norm_1(centre) + norm_1(bounds.centre)) + shift_error_ + kTrifle;
   const std::uint32_t first = holder_of(centre);
-  if (n_[first] == kLanes) {
+  if (links_[first].n == kLanes) {
     std::uint32_t full = static_cast<std::uint32_t>(blocks_.size());
     if (free_.empty()) {
       blocks_.push_back(blocks_[first]);
-      n_.push_back(kLanes);
-      after_.push_back(after_[first]);
+      links_.push_back(links_[first]);
     } else {
       full = free_.back();
       free_.pop_back();
       blocks_[full] = blocks_[first];
-      n_[full] = kLanes;
-      after_[full] = after_[first];
+      links_[full] = links_[first];
     }
     for (std::uint32_t lane = 0; lane < kLanes; ++lane) seats_[blocks_[full].body[lane]] = {full, lane};
     blocks_[first] = empty_block();
-    n_[first] = 0;
-    after_[first] = full;
+    links_[first] = {0, full};
   }
   take_seat(first, body, centre, radius);
 }
@@ -165,7 +161,7 @@ void BallCells::remove(BodyId body) {
       holder_of({blocks_[seat.block].x[seat.lane], blocks_[seat.block].y[seat.lane], blocks_[seat.block].z[seat.lane]});
   BallBlock& from = blocks_[first];
   BallBlock& to = blocks_[seat.block];
-  const std::uint32_t last = --n_[first];
+  const std::uint32_t last = --links_[first].n;
   to.x[seat.lane] = from.x[last];
   to.y[seat.lane] = from.y[last];
   to.z[seat.lane] = from.z[last];
@@ -174,14 +170,13 @@ void BallCells::remove(BodyId body) {
   seats_[from.body[last]] = seat;
   from.x[last] = 1e300;
   seats_[body] = {};
-  if (n_[first] > 0 || after_[first] == kNone) return;
+  if (links_[first].n > 0 || links_[first].after == kNone) return;
   // The next block, which is full, becomes the first.
-  const std::uint32_t next = after_[first];
+  const std::uint32_t next = links_[first].after;
   blocks_[first] = blocks_[next];
-  n_[first] = n_[next];
-  after_[first] = after_[next];
-  for (std::uint32_t lane = 0; lane < n_[first]; ++lane) seats_[blocks_[first].body[lane]] = {first, lane};
-  n_[next] = 0;
+  links_[first] = links_[next];
+  for (std::uint32_t lane = 0; lane < links_[first].n; ++lane) seats_[blocks_[first].body[lane]] = {first, lane};
+  links_[next].n = 0;
   free_.push_back(next);
 }
 

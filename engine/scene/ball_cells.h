@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/scene/cell_layout.h"
+#include "engine/scene/large_vector.h"
 #include "engine/scene/scene_bodies.h"
 #include "engine/scene/scene_kernel.h"
 #include "engine/scene/shift_table.h"
@@ -44,6 +45,10 @@ class BallCells {
   struct Seat {
     std::uint32_t block = kNone, lane = 0;
   };
+  // How many balls a block has, and the next block of the cell.
+  struct Link {
+    std::uint32_t n = 0, after = kNone;
+  };
   // A step along one axis from a cell to one about it: what the numbers of its holder and of a shift are sums of.
   struct Step {
     std::uint32_t holder, shift;
@@ -71,10 +76,10 @@ class BallCells {
   std::array<Stencil, 3> stencils_;
   const ShiftTable* shifts_ = nullptr;
   double shift_error_ = 0.0;
-  std::vector<BallBlock> blocks_;         // the first of each cell, then others
-  std::vector<std::uint32_t> n_, after_;  // of each block: how many balls; the next block of the cell
-  std::vector<std::uint32_t> free_;       // blocks that no cell has
-  std::vector<Seat> seats_;               // of each body
+  LargeVector<BallBlock> blocks_;    // the first of each cell, then others
+  LargeVector<Link> links_;          // of each block
+  std::vector<std::uint32_t> free_;  // blocks that no cell has
+  LargeVector<Seat> seats_;          // of each body
 };
 
 template <class Take>
@@ -101,14 +106,14 @@ void BallCells::near(const SceneKernel& kernel, std::uint64_t place, const Vec3d
         // Whether it is empty is as good as random: written in any case, it needs no branch.
         std::uint32_t block = row + x.holder;
         const std::uint32_t shift = shift_of_row + x.shift;
-        n_seen += n_[block];
+        n_seen += links_[block].n;
         at[n] = {block, shift};
-        n += n_[block] != 0 ? 1u : 0u;
+        n += links_[block].n != 0 ? 1u : 0u;
         while (true) {
           if (n == kMostAtOnce) ask();
-          block = after_[block];
+          block = links_[block].after;
           if (block == kNone) break;
-          n_seen += n_[block];
+          n_seen += links_[block].n;
           at[n++] = {block, shift};
         }
       }

@@ -14,6 +14,18 @@ namespace {
 // Of lengths, as kStretch of scene_bodies.cpp: what rotations that are ones to within 2e-7 change, twice over.
 constexpr double kLess = 1.0 - 0x1p-18;
 
+// The numbers, counted from `first`, of those of which something is true; how many. Whether it is true is as good as
+// random: each number is written in any case.
+template <class IsTrue>
+std::size_t numbers_of(std::size_t first, std::size_t end, std::uint32_t* numbers, const IsTrue& is_true) {
+  std::size_t n = 0;
+  for (std::size_t k = first; k < end; ++k) {
+    numbers[n] = static_cast<std::uint32_t>(k - first);
+    n += is_true(k) ? 1u : 0u;
+  }
+  return n;
+}
+
 }  // namespace
 
 void PairMemory::build(SceneBodies& bodies, const BroadPhases& phases, const SceneKernel& kernel, double skin,
@@ -36,9 +48,11 @@ void PairMemory::build(SceneBodies& bodies, const BroadPhases& phases, const Sce
   if (!keeps_old) rounding_ = rounding;
   skin_ = skin;
   bodies_ = &bodies;
+  listed_before_.swap(listed_);
   is_there_ = false;  // nor is it where the search ends by an exception
   find_pairs_within_skin(phases, kernel, n_threads);
   list(keeps_old);
+  clock_ = 0.0;
   is_there_ = true;
   bodies.track();
 }
@@ -76,79 +90,94 @@ void PairMemory::find_pairs_within_skin(const BroadPhases& phases, const SceneKe
   }
   for (std::size_t first = 0; first < listed_.size();) {
     const std::size_t end = next_[listed_[first].a];
-    std::sort(listed_.begin() + static_cast<std::ptrdiff_t>(first), listed_.begin() + static_cast<std::ptrdiff_t>(end));
+    std::sort(listed_.data() + first, listed_.data() + end);
     first = end;
   }
 }
 
 void PairMemory::list(bool keeps_old) {
   known_before_.swap(known_);
-  if (!keeps_old) known_before_.clear();
-  known_.clear();
-  auto at = known_before_.begin();
-  for (const Listed& pair : listed_) {
-    while (at != known_before_.end() && Listed{at->a, at->b, at->shift} < pair) ++at;
-    const bool is_known = at != known_before_.end() && Listed{at->a, at->b, at->shift} == pair;
-    if (is_known) {
-      known_.push_back(*at);
-      carry_over(known_.back());
-    } else {
-      known_.push_back({pair.a, pair.b, pair.shift, Known::Kind::nothing, {}, 0.0});
+  until_before_.swap(until_);
+  overlaps_before_.swap(overlaps_);
+  const std::size_t n = listed_.size(), n_before = keeps_old ? listed_before_.size() : 0;
+  known_.resize(n);
+  until_.resize(n);
+  overlaps_.resize(n);
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Listed& pair = listed_[k];
+    while (at < n_before && listed_before_[at] < pair) ++at;
+    if (at == n_before || listed_before_[at] != pair) {
+      known_[k] = {};
+      until_[k] = -HUGE_VAL;
+      overlaps_[k] = 0;
+      continue;
     }
+    known_[k] = known_before_[at];
+    overlaps_[k] = overlaps_before_[at];
+    const bool is_same_copy = image(pair) == shifts_.image(pair.shift);
+    carry_over(pair, is_same_copy, known_[k]);
+    until_[k] = is_same_copy ? next_below(until_before_[at] - clock_) : -HUGE_VAL;
   }
 }
 
 // Into the tracks that begin now, where nothing has turned and nothing has crossed a face yet. The shift of a body that
 // had crossed one leads to another copy there. A clearance is about the way from centre to centre, whichever copy that
-// leads to; what is known of a pair at rest is about one copy. Limits are rounded to the safe side, however often.
-void PairMemory::carry_over(Known& known) const {
+// leads to; what is known of a pair at rest, and until when a pair need not be looked at, is about one copy. Limits are
+// rounded to the safe side, however often.
+void PairMemory::carry_over(const Listed& pair, bool is_same_copy, Known& known) const {
   switch (known.kind) {
-    case Known::Kind::apart: known.limit = next_above(known.limit + turned(known)); break;
-    case Known::Kind::overlap: known.limit = next_below(known.limit - turned(known)); break;
+    case Known::Kind::apart: known.limit = next_above(known.limit + turned(pair)); break;
+    case Known::Kind::overlap: known.limit = next_below(known.limit - turned(pair)); break;
     case Known::Kind::apart_at_rest:
     case Known::Kind::overlap_at_rest:
-      if (bodies_->track_of(known.a).crossed != bodies_->track_of(known.b).crossed) known.kind = Known::Kind::nothing;
+      if (!is_same_copy) known.kind = Known::Kind::nothing;
       break;
     case Known::Kind::nothing: break;
   }
 }
 
-bool PairMemory::holds(const SceneBodies& bodies, double skin) const {
-  return is_there_ && skin == skin_ && 2.0 * bodies.largest_travel() < skin * kLess;
+// The clock is rounded up, so that it grows by at least what is added to it.
+bool PairMemory::holds(SceneBodies& bodies, double skin) {
+  if (!is_there_ || skin != skin_) return false;
+  const SceneBodies::Travel travel = bodies.largest_travel();
+  clock_ = next_above(clock_ + 2.0 * travel.since_asked);
+  return 2.0 * travel.since_track < skin * kLess;
 }
 
-Vec3d PairMemory::way(const Known& known) const {
-  return (bodies_->track_of(known.b).centre - bodies_->track_of(known.a).centre) + shifts_.shift(known.shift);
+Vec3d PairMemory::way(const Listed& pair) const {
+  return (bodies_->track_of(pair.b).centre - bodies_->track_of(pair.a).centre) + shifts_.shift(pair.shift);
 }
-double PairMemory::turned(const Known& known) const {
-  return bodies_->track_of(known.a).turned + bodies_->track_of(known.b).turned;
+double PairMemory::turned(const Listed& pair) const {
+  return bodies_->track_of(pair.a).turned + bodies_->track_of(pair.b).turned;
 }
-double PairMemory::n_moves(const Known& known) const {
-  return static_cast<double>(bodies_->track_of(known.a).n_moves + bodies_->track_of(known.b).n_moves);
+double PairMemory::n_moves(const Listed& pair) const {
+  return static_cast<double>(bodies_->track_of(pair.a).n_moves + bodies_->track_of(pair.b).n_moves);
 }
 
-ImageOffset PairMemory::image(const Known& known) const {
-  const ImageOffset &then = shifts_.image(known.shift), &of_a = bodies_->track_of(known.a).crossed,
-                    &of_b = bodies_->track_of(known.b).crossed;
+ImageOffset PairMemory::image(const Listed& pair) const {
+  const ImageOffset& then = shifts_.image(pair.shift);
+  if (!(bodies_->has_crossed(pair.a) | bodies_->has_crossed(pair.b))) return then;
+  const ImageOffset &of_a = bodies_->track_of(pair.a).crossed, &of_b = bodies_->track_of(pair.b).crossed;
   return {then[0] + of_b[0] - of_a[0], then[1] + of_b[1] - of_a[1], then[2] + of_b[2] - of_a[2]};
 }
 
-bool PairMemory::holds(const Known& known, const Vec3d& way) const {
+double PairMemory::left(const Known& known, const Listed& pair, const Vec3d& way) const {
   switch (known.kind) {
-    case Known::Kind::apart: return dot(known.at, way) - turned(known) > known.limit;
-    case Known::Kind::overlap: return norm(way - known.at) + turned(known) < known.limit;
+    case Known::Kind::apart: return dot(known.at, way) - turned(pair) - known.limit;
+    case Known::Kind::overlap: return known.limit - (norm(way - known.at) + turned(pair));
     case Known::Kind::apart_at_rest:
-    case Known::Kind::overlap_at_rest: return n_moves(known) == known.limit;
+    case Known::Kind::overlap_at_rest:
     case Known::Kind::nothing: break;
   }
-  return false;
+  return 0.0;
 }
 
 bool PairMemory::keep_what_balls_tell(std::uint64_t tag, const Vec3d& way) {
-  const Known& known = known_[tag];
+  const Listed& pair = listed_[tag];
   const double distance = norm(way);
-  const ShapeBounds& of_a = bodies_->bounds(bodies_->track_of(known.a).shape);
-  const ShapeBounds& of_b = bodies_->bounds(bodies_->track_of(known.b).shape);
+  const ShapeBounds& of_a = bodies_->bounds(bodies_->track_of(pair.a).shape);
+  const ShapeBounds& of_b = bodies_->bounds(bodies_->track_of(pair.b).shape);
   const double apart = distance * kLess - (of_a.radius + of_b.radius) - rounding_;
   const double inside = (of_a.inner_radius + of_b.inner_radius) - distance / kLess - rounding_;
   if (apart > 0.0) {
@@ -161,31 +190,72 @@ bool PairMemory::keep_what_balls_tell(std::uint64_t tag, const Vec3d& way) {
   return true;
 }
 
-void PairMemory::look(std::size_t first, std::size_t end, PairSearch& search) {
+void PairMemory::look(std::size_t block, PairSearch& search) {
+  const std::size_t first = block * kBlock, end = std::min(first + kBlock, listed_.size());
+  std::uint32_t due[kBlock];
+  const std::size_t n_due = numbers_of(first, end, due, [&](std::size_t k) { return !(until_[k] > clock_); });
   SceneCounts::Stage& unmoved = search.counts[SceneStage::unmoved];
   SceneCounts::Stage& balls = search.counts[SceneStage::balls];
   unmoved.seen += end - first;
-  for (std::size_t k = first; k < end; ++k) {
-    if (k + kAhead < end) {
-      bodies_->prefetch_track(known_[k + kAhead].a);
-      bodies_->prefetch_track(known_[k + kAhead].b);
+  unmoved.settled += (end - first) - n_due;
+  for (std::size_t j = 0; j < n_due; ++j) {
+    if (j + kAhead < n_due) {
+      const std::size_t ahead = first + due[j + kAhead];
+      bodies_->prefetch_track(listed_[ahead].a);
+      bodies_->prefetch_track(listed_[ahead].b);
+      __builtin_prefetch(&known_[ahead]);
     }
+    const std::size_t k = first + due[j];
+    const Listed& pair = listed_[k];
     const Known& known = known_[k];
-    const Vec3d from_a_to_b = way(known);
-    if (holds(known, from_a_to_b)) {
+    const Vec3d from_a_to_b = way(pair);
+    const double still = left(known, pair, from_a_to_b);
+    const bool is_at_rest = known.kind == Known::Kind::apart_at_rest || known.kind == Known::Kind::overlap_at_rest;
+    if (still > 0.0) {
+      until_[k] = next_below(clock_ + still);
+      ++unmoved.settled;
+    } else if (is_at_rest && n_moves(pair) == known.limit) {
       ++unmoved.settled;
     } else {
       ++balls.seen;
-      if (!keep_what_balls_tell(k, from_a_to_b)) {
-        search.ask(known.a, known.b, shifts_.number(image(known)), k);
-        continue;
+      if (keep_what_balls_tell(k, from_a_to_b)) {
+        ++balls.settled;
+      } else {
+        search.ask(pair.a, pair.b, shifts_.number(image(pair)), k);
       }
-      ++balls.settled;
-    }
-    if (known.kind == Known::Kind::overlap || known.kind == Known::Kind::overlap_at_rest) {
-      search.pairs.push_back({known.a, known.b, image(known)});
     }
   }
+}
+
+// The list is in the order of the images that the bodies had when it was made. Where bodies have crossed faces since,
+// all copies of a pair's second body are other ones, by the same lattice vector, so that they stand in order still.
+void PairMemory::collect(int n_threads, std::vector<ScenePair>& out) {
+  n_overlaps_.assign(n_blocks() + 1, 0);
+  share_parts(n_threads, n_blocks(), [&](std::size_t block) {
+    std::size_t n = 0;
+    for (std::size_t k = block * kBlock; k < std::min((block + 1) * kBlock, listed_.size()); ++k) n += overlaps_[k];
+    n_overlaps_[block + 1] = n;
+  });
+  for (std::size_t block = 0; block < n_blocks(); ++block) n_overlaps_[block + 1] += n_overlaps_[block];
+  out.resize(n_overlaps_.back());
+  share_parts(n_threads, n_blocks(), [&](std::size_t block) {
+    const std::size_t first = block * kBlock, end = std::min(first + kBlock, listed_.size());
+    std::uint32_t overlapping[kBlock];
+    const std::size_t n = numbers_of(first, end, overlapping, [&](std::size_t k) { return overlaps_[k] != 0; });
+    ScenePair* const to = out.data() + n_overlaps_[block];
+    for (std::size_t j = 0; j < n; ++j) {
+      const Listed& pair = listed_[first + overlapping[j]];
+      to[j].a = pair.a;
+      to[j].b = pair.b;
+      to[j].image = image(pair);
+    }
+  });
+}
+
+// `left`: by how much the clock may grow before the pair is looked at.
+void PairMemory::keep(std::uint64_t tag, bool overlaps, double left) {
+  overlaps_[tag] = overlaps ? 1 : 0;
+  until_[tag] = left > 0.0 ? next_below(clock_ + left) : -HUGE_VAL;
 }
 
 void PairMemory::keep_as_it_stands(std::uint64_t tag, Outcome outcome) {
@@ -193,29 +263,30 @@ void PairMemory::keep_as_it_stands(std::uint64_t tag, Outcome outcome) {
   known.kind = outcome == Outcome::overlap    ? Known::Kind::overlap_at_rest
                : outcome == Outcome::disjoint ? Known::Kind::apart_at_rest
                                               : Known::Kind::nothing;
-  known.limit = n_moves(known);
+  known.limit = n_moves(listed_[tag]);
+  keep(tag, outcome == Outcome::overlap, 0.0);
 }
 
 void PairMemory::keep_apart(std::uint64_t tag, const Vec3d& unit_dir, double clearance) {
-  Known& known = known_[tag];
-  if (!(clearance * kLess > 2.0 * rounding_)) {
+  const double left = clearance * kLess - rounding_;
+  if (!(left > rounding_)) {
     keep_as_it_stands(tag, Outcome::disjoint);
     return;
   }
-  known.kind = Known::Kind::apart;
-  known.at = unit_dir;
-  known.limit = dot(unit_dir, way(known)) - turned(known) - clearance * kLess + rounding_;
+  const Listed& pair = listed_[tag];
+  known_[tag] = {Known::Kind::apart, unit_dir, dot(unit_dir, way(pair)) - turned(pair) - left};
+  keep(tag, false, left);
 }
 
 void PairMemory::keep_overlap(std::uint64_t tag, double clearance) {
-  Known& known = known_[tag];
-  if (!(clearance * kLess > 2.0 * rounding_)) {
+  const double left = clearance * kLess - rounding_;
+  if (!(left > rounding_)) {
     keep_as_it_stands(tag, Outcome::overlap);
     return;
   }
-  known.kind = Known::Kind::overlap;
-  known.at = way(known);
-  known.limit = clearance * kLess - rounding_ + turned(known);
+  const Listed& pair = listed_[tag];
+  known_[tag] = {Known::Kind::overlap, way(pair), left + turned(pair)};
+  keep(tag, true, left);
 }
 
 }  // namespace vex

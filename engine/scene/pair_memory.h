@@ -3,13 +3,16 @@
 // After L. Verlet's neighbour lists (Phys. Rev. 159, 98, 1967): the pairs whose balls are nearer than a skin are listed
 // once, and as long as no body has moved by more than half of it no other pair can meet. Of each listed pair it is kept
 // what was last proven, a plane between the bodies or a ball in their Minkowski difference, and whether the bodies can
-// have used up the clearance that it showed (E26): a pair is asked again only then.
+// have used up the clearance that it showed (E26): a pair is asked again only then. A pair is not even looked at before
+// any two bodies can have used up so much: of each step only what the body that moved most has moved is needed for
+// that.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "engine/scene/broad_phases.h"
+#include "engine/scene/large_vector.h"
 #include "engine/scene/pair_search.h"
 #include "engine/scene/scene_bodies.h"
 #include "engine/scene/shift_table.h"
@@ -22,20 +25,23 @@ class PairMemory final : public PairKeeper {
   /// known of a pair that was listed before is kept.
   void build(SceneBodies& bodies, const BroadPhases& phases, const SceneKernel& kernel, double skin, int n_threads);
   void forget() { is_there_ = false; }
-  /// Whether the list is of this skin and no body has moved too far since.
-  bool holds(const SceneBodies& bodies, double skin) const;
+  /// Whether the list is of this skin and no body has moved too far since. To be asked before each look at all pairs.
+  bool holds(SceneBodies& bodies, double skin);
 
   const ShiftTable& shifts() const { return shifts_; }
-  std::size_t size() const { return known_.size(); }
-  /// The pairs first ... end - 1 of the list: what is known still, and what balls tell, goes to the search's results;
-  /// the rest is asked, by numbers of bodies, with this for a keeper.
-  void look(std::size_t first, std::size_t end, PairSearch& search);
+  std::size_t n_blocks() const { return (listed_.size() + kBlock - 1) / kBlock; }
+  /// The pairs of a block: those of which nothing is known any more, and balls tell nothing, are asked, by numbers of
+  /// bodies, with this for a keeper.
+  void look(std::size_t block, PairSearch& search);
+  /// What overlaps, once all that was asked is settled; sorted.
+  void collect(int n_threads, std::vector<ScenePair>& out);
 
   void keep_as_it_stands(std::uint64_t tag, Outcome outcome) override;
   void keep_apart(std::uint64_t tag, const Vec3d& unit_dir, double clearance) override;
   void keep_overlap(std::uint64_t tag, double clearance) override;
 
  private:
+  static constexpr std::size_t kBlock = 4096;
   struct Known {
     enum class Kind : std::uint32_t {
       nothing,
@@ -47,40 +53,50 @@ class PairMemory final : public PairKeeper {
       apart_at_rest,
       overlap_at_rest,
     };
-    BodyId a, b;
-    std::uint32_t shift;  // of b's copy when the list was made
-    Kind kind;
+    Kind kind = Kind::nothing;
     Vec3d at;
-    double limit;
+    double limit = 0.0;
   };
   // A pair of the list: its place there is that of its bodies' numbers and of the shift's.
   struct Listed {
     BodyId a, b;
-    std::uint32_t shift;
+    std::uint32_t shift;  // of b's copy when the list was made
     friend auto operator<=>(const Listed&, const Listed&) = default;
   };
   void find_pairs_within_skin(const BroadPhases& phases, const SceneKernel& kernel, int n_threads);
   void list(bool keeps_old);
-  void carry_over(Known& known) const;
+  void carry_over(const Listed& pair, bool is_same_copy, Known& known) const;
   // From a's centre to that of b's copy.
-  Vec3d way(const Known& known) const;
-  double turned(const Known& known) const;
-  double n_moves(const Known& known) const;
-  ImageOffset image(const Known& known) const;
-  bool holds(const Known& known, const Vec3d& way) const;
+  Vec3d way(const Listed& pair) const;
+  double turned(const Listed& pair) const;
+  double n_moves(const Listed& pair) const;
+  ImageOffset image(const Listed& pair) const;
+  // Of the clearance: above 0 while what is known holds.
+  double left(const Known& known, const Listed& pair, const Vec3d& way) const;
   bool keep_what_balls_tell(std::uint64_t tag, const Vec3d& way);
+  void keep(std::uint64_t tag, bool overlaps, double left);
 
   bool is_there_ = false;
   double skin_ = 0.0;
   double rounding_ = 0.0;  // a clearance below this is as good as none (E26)
   const SceneBodies* bodies_ = nullptr;
   ShiftTable shifts_;
-  std::vector<Known> known_;  // by numbers
-  // Memory that is kept: for the last list, and for what the parts of the broad phase find, sorted.
-  std::vector<Known> known_before_;
+  // No two bodies together have moved by more than what this has grown by, since the list was made (E26).
+  double clock_ = 0.0;
+  // Of each pair, in the order of `listed_`, which is sorted; until when it need not be looked at, by the clock, and
+  // whether it overlaps.
+  LargeVector<Listed> listed_;
+  LargeVector<Known> known_;
+  LargeVector<double> until_;
+  LargeVector<std::uint8_t> overlaps_;
+  // Memory that is kept: for the last list, and for what the parts of the broad phase find.
+  LargeVector<Listed> listed_before_;
+  LargeVector<Known> known_before_;
+  LargeVector<double> until_before_;
+  LargeVector<std::uint8_t> overlaps_before_;
   std::vector<std::vector<Listed>> found_;
-  std::vector<Listed> listed_;
   std::vector<std::uint32_t> next_;
+  std::vector<std::size_t> n_overlaps_;  // of each block; then those before it
 };
 
 }  // namespace vex

@@ -13,23 +13,24 @@ constexpr std::size_t kFew = 4096;
 constexpr std::size_t kBodiesABucket = 4096;
 
 // Pairs of one body.
+bool comes_before(const ScenePair& p, const ScenePair& q) { return p.b != q.b ? p.b < q.b : p.image < q.image; }
 void sort_run(std::span<ScenePair> pairs) {
   if (pairs.size() > 16) {
-    std::sort(pairs.begin(), pairs.end());
+    std::sort(pairs.begin(), pairs.end(), comes_before);
     return;
   }
   for (std::size_t k = 1; k < pairs.size(); ++k) {
     const ScenePair pair = pairs[k];
     std::size_t to = k;
-    for (; to > 0 && pair < pairs[to - 1]; --to) pairs[to] = pairs[to - 1];
+    for (; to > 0 && comes_before(pair, pairs[to - 1]); --to) pairs[to] = pairs[to - 1];
     pairs[to] = pair;
   }
 }
 
 // Pairs whose first bodies are `first` and the next kBodiesABucket - 1.
 void sort_bucket(std::span<ScenePair> pairs, BodyId first) {
-  if (pairs.size() >> 32 != 0) return sort_run(pairs);  // more than is counted here
-  static thread_local std::vector<ScenePair> unsorted;  // memory that a thread keeps
+  if (pairs.size() >> 32 != 0) return std::sort(pairs.begin(), pairs.end());  // more than is counted here
+  static thread_local std::vector<ScenePair> unsorted;                        // memory that a thread keeps
   unsorted.assign(pairs.begin(), pairs.end());
   std::uint32_t next[kBodiesABucket] = {};
   for (const ScenePair& pair : unsorted) ++next[pair.a - first];
@@ -48,7 +49,7 @@ void sort_bucket(std::span<ScenePair> pairs, BodyId first) {
 
 // Counting sort by the first body: first into buckets of bodies with neighbouring numbers, then within each, so that
 // what is counted and written at once stays in a core's own cache. Then the few pairs of each body by comparison.
-void sort_pairs(std::span<PairSearch> searches, std::vector<ScenePair> PairSearch::*list, BodyId end, int n_threads,
+void sort_pairs(std::span<PairSearch> searches, LargeVector<ScenePair> PairSearch::*list, BodyId end, int n_threads,
                 std::vector<ScenePair>& out) {
   std::size_t n = 0;
   for (const PairSearch& search : searches) n += (search.*list).size();

@@ -9,7 +9,7 @@
 namespace vex {
 
 /// All pairs of one list of each search, sorted; bodies' numbers are below `end`; 0 where they may be any.
-void sort_pairs(std::span<PairSearch> searches, std::vector<ScenePair> PairSearch::*list, BodyId end, int n_threads,
+void sort_pairs(std::span<PairSearch> searches, LargeVector<ScenePair> PairSearch::*list, BodyId end, int n_threads,
                 std::vector<ScenePair>& out);
 
 }  // namespace vex

@@ -47,7 +47,7 @@ void PairSearch::begin(const PairQuestion& question, PairKeeper* keeper) {
   near.n = 0;
   near.n_seen = 0;
   // Nothing that a query which ended by an exception has left is true.
-  waiting_.clear();
+  waiting_.n = 0;
   entries_.clear();
   if (kinds_.size() > kMostKinds) kinds_.clear();
   pairs.clear();
@@ -59,7 +59,7 @@ void PairSearch::begin(const PairQuestion& question, PairKeeper* keeper) {
 }
 
 // The pair is written where it stays: made elsewhere, it would be copied before its parts have arrived there.
-void PairSearch::add_pair(std::vector<ScenePair>& list, const Pairs& asked, std::size_t row) const {
+void PairSearch::add_pair(LargeVector<ScenePair>& list, const Pairs& asked, std::size_t row) const {
   ScenePair& pair = list.emplace_back();
   pair.a = body_at(asked.a[row]);
   pair.b = body_at(asked.b[row]);
@@ -71,8 +71,8 @@ void PairSearch::orient() {
   counts[SceneStage::balls].seen += near.n_seen;
   counts[SceneStage::balls].settled += near.n_seen - near.n;
   const ShiftTable& shifts = *question_.shifts;
-  std::size_t n = waiting_.size();
-  for (std::vector<std::uint64_t>* column : {&waiting_.a, &waiting_.b, &waiting_.shift}) column->resize(n + near.n);
+  waiting_.make_room(near.n);
+  std::size_t n = waiting_.n;
   // What is stored may be what these belong to: they would be read again each time.
   std::uint64_t *const to_a = waiting_.a.data(), *const to_b = waiting_.b.data(),
                        *const to_shift = waiting_.shift.data();
@@ -95,7 +95,7 @@ void PairSearch::orient() {
     to_b[n] = b;
     to_shift[n++] = shift;
   }
-  for (std::vector<std::uint64_t>* column : {&waiting_.a, &waiting_.b, &waiting_.shift}) column->resize(n);
+  waiting_.n = n;
   near.n = 0;
   near.n_seen = 0;
 }
@@ -108,13 +108,12 @@ void PairSearch::take() {
 void PairSearch::ask(std::uint64_t place_a, std::uint64_t place_b, std::uint64_t shift, std::uint64_t tag) {
   prefetch_pose(question_.poses, place_a);
   prefetch_pose(question_.poses, place_b);
-  waiting_.add(place_a, place_b, shift);
-  waiting_.tag.push_back(tag);
-  if (waiting_.size() % kBatch == 0) settle_waiting();
+  waiting_.add(place_a, place_b, shift, tag);
+  if (waiting_.n % kBatch == 0) settle_waiting();
 }
 
 void PairSearch::settle_judged() {
-  const Pairs asked = waiting_.from(0, waiting_.size());
+  const Pairs asked = waiting_.from(0, waiting_.n);
   for (std::size_t row = 0; row < asked.n; ++row) {
     if (joined != nullptr && is_joined(pair_of(asked, row))) continue;
     const Transformd pose =
@@ -127,7 +126,7 @@ void PairSearch::settle_judged() {
     if (outcome == Outcome::overlap) add_overlap(asked, row);
     if (outcome == Outcome::undecided) add_pair(undecided, asked, row);
   }
-  waiting_.clear();
+  waiting_.n = 0;
 }
 
 void PairSearch::add_overlap(const Pairs& asked, std::size_t row) {
@@ -161,7 +160,7 @@ void PairSearch::settle_waiting() {
   const bool is_one_kind = question_.bodies->shapes().size() == 1;
   if (is_one_kind) {
     settle_all(kBatch);
-  } else if (waiting_.size() >= kWaitingOfKinds) {
+  } else if (waiting_.n >= kWaitingOfKinds) {
     settle_by_kinds();
   }
 }
@@ -180,17 +179,15 @@ void PairSearch::finish() {
 // All but fewer than so many.
 void PairSearch::settle_all(std::size_t keep_below) {
   std::size_t first = 0;
-  while (waiting_.size() - first >= keep_below) {
-    const Pairs batch = waiting_.from(first, std::min(kBatch, waiting_.size() - first));
+  while (waiting_.n - first >= keep_below) {
+    const Pairs batch = waiting_.from(first, std::min(kBatch, waiting_.n - first));
     Kind* const kind = kind_of(key_of(0, 0), batch.n);
     for (std::size_t k = 0; kind == nullptr && k < batch.n; ++k) settle_one(batch, k);
     if (kind != nullptr) settle_batch(*kind, batch);
     first += batch.n;
-    if (first == waiting_.size()) break;
+    if (first == waiting_.n) break;
   }
-  for (std::vector<std::uint64_t>* column : {&waiting_.a, &waiting_.b, &waiting_.shift, &waiting_.tag}) {
-    if (!column->empty()) column->erase(column->begin(), column->begin() + static_cast<std::ptrdiff_t>(first));
-  }
+  waiting_.leave_out_first(first);
 }
 
 // The number of the kind's chain, a new one where it has none. Entries are at most half full; the first that is free or
@@ -207,10 +204,10 @@ std::size_t PairSearch::chain_of(std::uint64_t key) {
 }
 
 void PairSearch::settle_by_kinds() {
-  if (entries_.size() < 2 * waiting_.size()) entries_.assign(std::bit_ceil(2 * waiting_.size()), kNoChain);
+  if (entries_.size() < 2 * waiting_.n) entries_.assign(std::bit_ceil(2 * waiting_.n), kNoChain);
   chains_.clear();
-  next_.resize(waiting_.size());
-  for (std::size_t k = waiting_.size(); k-- > 0;) {
+  next_.resize(waiting_.n);
+  for (std::size_t k = waiting_.n; k-- > 0;) {
     Chain& chain = chains_[chain_of(key_of(question_.shape[waiting_.a[k]], question_.shape[waiting_.b[k]]))];
     next_[k] = chain.head;
     chain.head = static_cast<std::uint32_t>(k);
@@ -219,21 +216,20 @@ void PairSearch::settle_by_kinds() {
   for (const Chain& chain : chains_) {
     entries_[chain.entry] = kNoChain;
     Kind* const kind = kind_of(chain.key, chain.length);
-    batch_.clear();
+    batch_.n = 0;
     for (std::uint32_t k = chain.head; k != kNoChain; k = next_[k]) {
       if (kind == nullptr) {
-        settle_one(waiting_.from(0, waiting_.size()), k);
+        settle_one(waiting_.from(0, waiting_.n), k);
         continue;
       }
-      batch_.add(waiting_.a[k], waiting_.b[k], waiting_.shift[k]);
-      if (keeper_ != nullptr) batch_.tag.push_back(waiting_.tag[k]);
-      if (batch_.size() == kBatch || next_[k] == kNoChain) {
-        settle_batch(*kind, batch_.from(0, batch_.size()));
-        batch_.clear();
+      batch_.add(waiting_.a[k], waiting_.b[k], waiting_.shift[k], waiting_.tag[k]);
+      if (batch_.n == kBatch || next_[k] == kNoChain) {
+        settle_batch(*kind, batch_.from(0, batch_.n));
+        batch_.n = 0;
       }
     }
   }
-  waiting_.clear();
+  waiting_.n = 0;
 }
 
 // None where too few pairs of it are waiting to pay for it. Answers do not depend on that, where both shapes have exact

@@ -1,6 +1,8 @@
 // From pairs whose balls may meet to verdicts: the stages of a scene's query, one thread's (internal).
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <unordered_map>
 #include <vector>
@@ -56,7 +58,7 @@ class PairSearch {
 
   /// Of those proven and those undecided; a caller may empty them between. Where `joined` is, of those proven the ones
   /// that changed it.
-  std::vector<ScenePair> pairs, undecided;
+  LargeVector<ScenePair> pairs, undecided;
   SceneCounts counts;
   /// Not null: pairs that are proven to overlap are joined here, and what is in one cluster already is not tested. To
   /// be set after `begin`.
@@ -72,19 +74,30 @@ class PairSearch {
     const std::uint64_t *a, *b, *shift, *tag;
     std::size_t n;
   };
+  // Columns grow and are not made smaller: what is behind the n pairs is room.
   struct Oriented {
     std::vector<std::uint64_t> a, b, shift, tag;  // tags only with a keeper
-    std::size_t size() const { return a.size(); }
-    void add(std::uint64_t place_a, std::uint64_t place_b, std::uint64_t number) {
-      a.push_back(place_a);
-      b.push_back(place_b);
-      shift.push_back(number);
+    std::size_t n = 0;
+    std::array<std::vector<std::uint64_t>*, 4> columns() { return {&a, &b, &shift, &tag}; }
+    void make_room(std::size_t more) {
+      if (n + more <= a.size()) return;
+      for (std::vector<std::uint64_t>* column : columns()) column->resize(2 * (n + more));
     }
-    void clear() {
-      for (std::vector<std::uint64_t>* column : {&a, &b, &shift, &tag}) column->clear();
+    void add(std::uint64_t place_a, std::uint64_t place_b, std::uint64_t number, std::uint64_t its_tag) {
+      make_room(1);
+      a[n] = place_a;
+      b[n] = place_b;
+      shift[n] = number;
+      tag[n++] = its_tag;
     }
-    Pairs from(std::size_t first, std::size_t n) const {
-      return {a.data() + first, b.data() + first, shift.data() + first, tag.data() + (tag.empty() ? 0 : first), n};
+    void leave_out_first(std::size_t n_first) {
+      for (std::vector<std::uint64_t>* column : columns()) {
+        std::copy(column->data() + n_first, column->data() + n, column->data());
+      }
+      n -= n_first;
+    }
+    Pairs from(std::size_t first, std::size_t n_pairs) const {
+      return {a.data() + first, b.data() + first, shift.data() + first, tag.data() + first, n_pairs};
     }
   };
   // Two shapes, in the order of the bodies.
@@ -117,7 +130,7 @@ class PairSearch {
   ScenePair pair_of(const Pairs& asked, std::size_t row) const {
     return {body_at(asked.a[row]), body_at(asked.b[row]), question_.shifts->image(asked.shift[row])};
   }
-  void add_pair(std::vector<ScenePair>& list, const Pairs& asked, std::size_t row) const;
+  void add_pair(LargeVector<ScenePair>& list, const Pairs& asked, std::size_t row) const;
 
   PairQuestion question_;
   PairKeeper* keeper_ = nullptr;

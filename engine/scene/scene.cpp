@@ -62,8 +62,7 @@ void Scene::overlapping_pairs(ScenePairs& out) {
     pairs_within(0.0, out);
     return;
   }
-  impl_->find_remembered_pairs();
-  impl_->collect(out);
+  impl_->find_remembered_pairs(out);
 }
 
 void Scene::pairs_within(double distance, ScenePairs& out) {

@@ -17,9 +17,6 @@ namespace {
 // is undone by its transpose.
 constexpr double kStretch = 0x1p-19;
 
-// Of a box: what is surely inside is not wrapped.
-constexpr double kInside = 0.999;
-
 // Whether check_rotation has nothing against it; NaN fails.
 bool is_turned_well(const Transformd& pose) {
   const Vec3d x{pose.row_x.x, pose.row_y.x, pose.row_z.x}, y{pose.row_x.y, pose.row_y.y, pose.row_z.y},
@@ -27,12 +24,6 @@ bool is_turned_well(const Transformd& pose) {
   const auto is_small = [](double off) { return std::fabs(off) <= 0.5 * Scene::kRotationTolerance; };
   const bool are_units = is_small(dot(x, x) - 1.0) & is_small(dot(y, y) - 1.0) & is_small(dot(z, z) - 1.0);
   return are_units & is_small(dot(x, y)) & is_small(dot(y, z)) & is_small(dot(z, x));
-}
-
-bool differ(const Vec3d& a, const Vec3d& b) { return (a.x != b.x) | (a.y != b.y) | (a.z != b.z); }
-bool differ(const Transformd& a, const Transformd& b) {
-  return differ(a.row_x, b.row_x) | differ(a.row_y, b.row_y) | differ(a.row_z, b.row_z) |
-         differ(a.translation, b.translation);
 }
 
 double part(const Vec3d& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
@@ -157,6 +148,11 @@ void SceneBodies::check_rotation(const Transformd& pose) {
 Transformd SceneBodies::checked(ShapeId shape, const Pose& pose, ImageOffset* image) const {
   const Transformd& given = pose.a_from_b();
   if (!is_turned_well(given)) check_rotation(given);
+  return placed(shape, given, image);
+}
+
+// Of a rotation that is checked.
+Transformd SceneBodies::placed(ShapeId shape, const Transformd& given, ImageOffset* image) const {
   *image = {};
   const Vec3d centre = centre_of(given, bounds_[shape].centre);
   if (!box_) {
@@ -208,46 +204,6 @@ void SceneBodies::place(BodyId body, const Transformd& pose) {
 void SceneBodies::set_visitor(ShapeId shape, const Transformd& pose) {
   shape_of_.back() = shape;
   write_pose(poses_.data(), end(), pose);
-}
-
-void SceneBodies::track() {
-  tracks_.resize(end());
-  for (BodyId body = 0; body < end(); ++body) {
-    Track& track = tracks_[body];
-    track.centre = centres_[body];
-    track.crossed = {};
-    track.shape = shape_of_[body];
-    track.travel = 0.0;
-    track.turned = 0.0;
-  }
-}
-
-double SceneBodies::largest_travel() const {
-  double largest = 0.0;
-  for (const Track& track : tracks_) largest = track.travel > largest ? track.travel : largest;
-  return largest;
-}
-
-// A point c + R x with |x| <= r moves by |c' - c| + |R' - R| r or less; of the matrix the Frobenius norm.
-void SceneBodies::add_to_track(BodyId body, const Transformd& from, const Transformd& to, const Vec3d& centre_from) {
-  Track& track = tracks_[body];
-  const Vec3d& centre = centres_[body];
-  ++track.n_moves;
-  Vec3d step = centre - centre_from;
-  // A body that has left through one face and come back through the opposite one has moved a little.
-  if (box_ && !box_->surely_holds(step, kInside)) {
-    const ImageOffset image = box_->towards_origin(step);
-    step = step + box_->shift(image);
-    track.crossed = image_sum(track.crossed, image);
-  }
-  const bool has_crossed = (track.crossed[0] | track.crossed[1] | track.crossed[2]) != 0;
-  track.centre = has_crossed ? centre + box_->shift(track.crossed) : centre;
-  const auto square = [](const Vec3d& v) { return dot(v, v); };
-  const double turn = square(to.row_x - from.row_x) + square(to.row_y - from.row_y) + square(to.row_z - from.row_z);
-  const double turned = turn > 0.0 ? std::sqrt(turn) * bounds_[shape_of_[body]].radius * (1.0 + 0x1p-18) : 0.0;
-  const double rounding = 0x1p-46 * (norm_1(centre) + norm_1(centre_from) + norm_1(step));
-  track.turned += turned;
-  track.travel += norm(step) * (1.0 + 0x1p-18) + turned + rounding;
 }
 
 double SceneBodies::largest_offset() const {
@@ -311,20 +267,6 @@ void SceneBodies::clear() {
   tracks_.clear();
   free_.clear();
   n_ = 0;
-}
-
-void SceneBodies::set_pose(BodyId body, const Pose& pose) {
-  ImageOffset image;
-  const Transformd kept = checked(shape_of_[body], pose, &image);
-  if (tracks_.empty()) {
-    place(body, kept);
-  } else {
-    const Transformd from = this->pose(body);
-    const Vec3d centre_from = centres_[body];
-    place(body, kept);
-    if (differ(kept, from)) add_to_track(body, from, kept, centre_from);
-  }
-  image_[body] = image;
 }
 
 }  // namespace vex

@@ -91,8 +91,7 @@ class SceneBodies {
     Vec3d centre;         // where its centre would be, had it not been moved into the box again:
     ImageOffset crossed;  // this many lattice vectors from where it is
     ShapeId shape;
-    double travel = 0.0;        // no point has moved farther than this, as a sum over the moves
-    double turned = 0.0;        // nor this, seen from the centre
+    double turned = 0.0;        // no point has moved farther than this, seen from the centre, as a sum over the moves
     std::uint64_t n_moves = 0;  // that changed any bit of the pose
   };
   /// From now on moves are added up; of tracks that are there already only `n_moves` goes on.
@@ -100,7 +99,14 @@ class SceneBodies {
   bool is_tracked() const { return !tracks_.empty(); }
   const Track& track_of(BodyId body) const { return tracks_[body]; }
   void prefetch_track(BodyId body) const { __builtin_prefetch(&tracks_[body]); }
-  double largest_travel() const;
+  /// Whether it is in another box than it was.
+  bool has_crossed(BodyId body) const { return has_crossed_[body] != 0; }
+  /// No point of any body has moved farther than `since_track`, nor than `since_asked` since this was asked before, or
+  /// since `track`; each a sum over the body's moves.
+  struct Travel {
+    double since_track = 0.0, since_asked = 0.0;
+  };
+  Travel largest_travel();
 
   static Transformd pose_at(const double* poses, std::size_t place);
   static Vec3d centre_of(const Transformd& pose, const Vec3d& own_centre) {
@@ -112,8 +118,12 @@ class SceneBodies {
   Transformd checked(ShapeId shape, const Pose& pose, ImageOffset* image) const;
 
  private:
+  // Of a box: what is surely inside is not wrapped.
+  static constexpr double kInside = 0.999;
   void place(BodyId body, const Transformd& pose);
-  void add_to_track(BodyId body, const Transformd& from, const Transformd& to, const Vec3d& centre_from);
+  Transformd placed(ShapeId shape, const Transformd& given, ImageOffset* image) const;
+  // `turned`: by how much the move has turned points about the centre, at most.
+  void add_to_track(BodyId body, double turned, const Vec3d& centre_from);
 
   std::optional<PeriodicBox> box_;
   std::vector<ConvexBody> shapes_;
@@ -124,8 +134,11 @@ class SceneBodies {
   LargeVector<double> poses_;
   LargeVector<Vec3d> centres_;
   LargeVector<ImageOffset> image_;
-  LargeVector<Track> tracks_;  // none before `track`
-  std::vector<BodyId> free_;   // a heap, the lowest first
+  // None before `track`. What no point of a body has moved farther than stands apart: it is read of all bodies.
+  LargeVector<Track> tracks_;
+  LargeVector<double> travel_, travel_before_;
+  LargeVector<std::uint8_t> has_crossed_;
+  std::vector<BodyId> free_;  // a heap, the lowest first
   std::size_t n_ = 0;
 };
 

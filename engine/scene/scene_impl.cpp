@@ -204,7 +204,7 @@ void Scene::Impl::on_searches(const PairQuestion& asked, PairKeeper* keeper,
   });
 }
 
-void Scene::Impl::find_remembered_pairs() {
+void Scene::Impl::find_remembered_pairs(ScenePairs& out) {
   if (!memory_.holds(bodies_, settings_.skin)) {
     phases_.prepare(bodies_, settings_, checked_reach(settings_.skin), settings_.skin);
     memory_.build(bodies_, phases_, scene_kernel(settings_.instruction_set), settings_.skin, settings_.n_threads);
@@ -214,22 +214,31 @@ void Scene::Impl::find_remembered_pairs() {
   asked.id = nullptr;
   asked.shape = bodies_.shape_of().data();
   asked.shifts = &memory_.shifts();
-  constexpr std::size_t kBlock = 4096;
-  n_searches_ = std::min(settings_.n_threads, static_cast<int>(memory_.size() / kBlock + 1));
+  n_searches_ = std::min(settings_.n_threads, static_cast<int>(memory_.n_blocks()) + 1);
   std::atomic<std::size_t> next = 0;
   const auto work = [&](PairSearch& search, int) {
-    for (std::size_t first = next.fetch_add(kBlock); first < memory_.size(); first = next.fetch_add(kBlock)) {
+    for (std::size_t block = next++; block < memory_.n_blocks(); block = next++) {
       end_if_interrupted();
-      memory_.look(first, std::min(first + kBlock, memory_.size()), search);
+      memory_.look(block, search);
     }
     search.finish();
   };
   on_searches(asked, &memory_, std::ref(work));
+  collect_rest(out);
+  memory_.collect(settings_.n_threads, out.pairs);
+}
+
+std::span<PairSearch> Scene::Impl::last_searches() {
+  return {searches_[last_had_margin_ ? 1 : 0].data(), static_cast<std::size_t>(n_searches_)};
 }
 
 void Scene::Impl::collect(ScenePairs& out) {
-  const std::span<PairSearch> last(searches_[last_had_margin_ ? 1 : 0].data(), static_cast<std::size_t>(n_searches_));
-  sort_pairs(last, &PairSearch::pairs, bodies_.end(), n_searches_, out.pairs);
+  sort_pairs(last_searches(), &PairSearch::pairs, bodies_.end(), n_searches_, out.pairs);
+  collect_rest(out);
+}
+
+void Scene::Impl::collect_rest(ScenePairs& out) {
+  const std::span<PairSearch> last = last_searches();
   sort_pairs(last, &PairSearch::undecided, bodies_.end(), 1, out.undecided);
   out.counts = {};
   for (const PairSearch& search : last) out.counts += search.counts;

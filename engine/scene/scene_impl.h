@@ -36,7 +36,7 @@ class Scene::Impl {
   using OnBegin = std::function<void(PairSearch& search, int thread)>;
   void find_pairs(double margin, const OnBatch& on_batch, const OnBegin& on_begin = {});
   /// The overlapping pairs, with what is remembered of them where settings have a skin.
-  void find_remembered_pairs();
+  void find_remembered_pairs(ScenePairs& out);
   /// What the threads found, sorted.
   void collect(ScenePairs& out);
 
@@ -72,6 +72,9 @@ class Scene::Impl {
  private:
   // How far apart the centres of bodies may be that are this near each other. Throws InputError where it is too far.
   double checked_reach(double margin) const;
+  std::span<PairSearch> last_searches();
+  // Undecided pairs and counts.
+  void collect_rest(ScenePairs& out);
   // For n_searches_ threads: each with its search, which has begun.
   void on_searches(const PairQuestion& asked, PairKeeper* keeper,
                    const std::function<void(PairSearch& search, int thread)>& work);

@@ -14,8 +14,8 @@ double radius_among_cells(const ShapeBounds& bounds, const Vec3d& centre) {
 }
 
 void take_sorted(const PairSearch& search, ScenePairs& out) {
-  out.pairs = search.pairs;
-  out.undecided = search.undecided;
+  out.pairs.assign(search.pairs.begin(), search.pairs.end());
+  out.undecided.assign(search.undecided.begin(), search.undecided.end());
   out.counts = search.counts;
   std::sort(out.pairs.begin(), out.pairs.end());
   std::sort(out.undecided.begin(), out.undecided.end());
@@ -124,8 +124,8 @@ void Scene::overlaps_of_added(BodyId first, ScenePairs& out, Clusters* joined, c
   }
   const PairSearch& search = impl_->find_pairs_of_added(first, joined, judge);
   if (joined == nullptr) return take_sorted(search, out);
-  out.pairs = search.pairs;
-  out.undecided = search.undecided;
+  out.pairs.assign(search.pairs.begin(), search.pairs.end());
+  out.undecided.assign(search.undecided.begin(), search.undecided.end());
   out.counts = search.counts;
 }
 

@@ -10,7 +10,8 @@
 
 namespace vex {
 
-/// All images with components from -n_images to n_images; without a box only the bodies themselves.
+/// All images with components from -n_images to n_images, numbered in their order; without a box only the bodies
+/// themselves.
 class ShiftTable {
  public:
   ShiftTable() : ShiftTable(std::nullopt, {}) {}
@@ -20,8 +21,8 @@ class ShiftTable {
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(images_.size()); }
   std::uint32_t number(const ImageOffset& image) const {
-    return static_cast<std::uint32_t>(((image[2] + n_[2]) * (2 * n_[1] + 1) + (image[1] + n_[1])) * (2 * n_[0] + 1) +
-                                      (image[0] + n_[0]));
+    return static_cast<std::uint32_t>(((image[0] + n_[0]) * (2 * n_[1] + 1) + (image[1] + n_[1])) * (2 * n_[2] + 1) +
+                                      (image[2] + n_[2]));
   }
   const std::array<int, 3>& n_images() const { return n_; }
   std::uint32_t home() const { return number({}); }

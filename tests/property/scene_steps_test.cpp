@@ -141,7 +141,7 @@ std::size_t check_steps(RandomScene made, const SceneSettings& settings, int n_s
 }
 
 // Head on: all that the bodies travel brings them nearer to each other, and a ball is all of the body.
-TEST(Steps, SpheresMeetWhenTheirClearanceEnds) {
+void expect_spheres_to_meet_in_time(double (*speed)(std::size_t body, int step)) {
   std::mt19937_64 random(13);
   RandomScene made;
   made.box.emplace(6.0, 5.0, 5.0);
@@ -153,10 +153,24 @@ TEST(Steps, SpheresMeetWhenTheirClearanceEnds) {
     pose.translation = 3.0 * random_direction(random);
     made.poses.push_back(pose);
   }
-  const std::size_t n_changes = check_steps(made, {.skin = 0.6}, 600, [](std::vector<Transformd>& poses) {
-    for (std::size_t k = 0; k < poses.size(); ++k) poses[k].translation.x += k % 2 == 0 ? 0.01 : -0.01;
+  int step = 0;
+  const std::size_t n_changes = check_steps(made, {.skin = 0.6}, 600, [&](std::vector<Transformd>& poses) {
+    for (std::size_t k = 0; k < poses.size(); ++k) poses[k].translation.x += speed(k, step);
+    ++step;
   });
   EXPECT_GT(n_changes, 100u);
+}
+
+TEST(Steps, SpheresMeetWhenTheirClearanceEnds) {
+  expect_spheres_to_meet_in_time([](std::size_t body, int) { return body % 2 == 0 ? 0.01 : -0.01; });
+}
+
+// What pairs wait for is how far the fastest body moves, which is another one at each step.
+TEST(Steps, SpheresOfUnlikeSpeedsMeetWhenTheirClearanceEnds) {
+  expect_spheres_to_meet_in_time([](std::size_t body, int step) {
+    const double fast = body % 10 == static_cast<std::size_t>(step) % 10 ? 0.05 : 0.002;
+    return body % 2 == 0 ? fast : -fast;
+  });
 }
 
 // The bodies' places never change: whether they meet is a matter of how they have turned.
