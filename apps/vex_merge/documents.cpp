@@ -35,17 +35,17 @@ std::string content_of(const std::string& path) {
 }
 
 /// Sees, while a document is read, that it stays one of a few values beside its text: a value takes up to 84 bytes, and
-/// a key of an object is compared with all before it.
+/// a key of an object is compared with all before it. What vex writes has a value in some thirty characters.
 class DocumentBounds {
  public:
-  explicit DocumentBounds(const std::string& path) : path_(path) {}
+  DocumentBounds(const std::string& path, std::size_t size) : path_(path), most_values_(kFewValues + size / 16) {}
 
   bool operator()(int depth, Json::parse_event_t event, const Json& /*parsed*/) {
     using Event = Json::parse_event_t;
     constexpr int kDeepest = 64;
-    constexpr std::size_t kMostValues = std::size_t{1} << 22, kMostKeys = 1000;
+    constexpr std::size_t kMostKeys = 1000;
     if (depth > kDeepest) refuse("more than " + std::to_string(kDeepest) + " levels deep");
-    if (++n_events_ > kMostValues) refuse("more than " + std::to_string(kMostValues) + " values");
+    if (++n_events_ > most_values_) refuse("more than " + std::to_string(most_values_) + " values in so short a text");
     if (event == Event::object_start) n_keys_.push_back(0);
     if (event == Event::object_end) n_keys_.pop_back();
     if (event == Event::key && ++n_keys_.back() > kMostKeys) {
@@ -59,7 +59,9 @@ class DocumentBounds {
     refuse_document("a document is of no program of vex: it has " + what, path_, kDocumentAdvice);
   }
 
+  static constexpr std::size_t kFewValues = std::size_t{1} << 20;
   const std::string& path_;
+  const std::size_t most_values_;
   std::size_t n_events_ = 0;
   std::vector<std::size_t> n_keys_;  // of the objects that are open
 };
@@ -101,7 +103,8 @@ std::string_view program_of(DocumentKind kind) {
 }
 
 Document read_document(const std::string& path) {
-  Document document{path, DocumentKind::estimate, Json::parse(content_of(path), DocumentBounds(path), false)};
+  const std::string text = content_of(path);
+  Document document{path, DocumentKind::estimate, Json::parse(text, DocumentBounds(path, text.size()), false)};
   const Json& json = document.json;
   if (json.is_discarded()) refuse_document("a document is no JSON, or cut off", path, kDocumentAdvice);
   const auto has = [&json](const char* key) { return json.is_object() && json.contains(key); };

@@ -74,7 +74,7 @@ TEST_F(CraftedSizes, OfDocumentsAreRefused) {
   const std::string begin = R"({"seed":1,"estimate":{},"tally":)";
   expect_document_refused(repeated("[", kMany), "more than 64 levels deep");
   expect_document_refused(repeated(R"({"a":)", kMany), "more than 64 levels deep");
-  expect_document_refused(begin + "[0" + repeated(",0", std::size_t{1} << 22U) + "]}", "more than 4194304 values");
+  expect_document_refused(begin + "[0" + repeated(",0", std::size_t{1} << 22U) + "]}", "values in so short a text");
   std::string keys = begin + "{";
   for (std::size_t k = 0; k < kMany; ++k) keys += "\"" + std::to_string(k) + "\":0,";
   expect_document_refused(keys + R"("b":0}})", "an object of more than 1000 keys");
@@ -84,7 +84,7 @@ TEST_F(CraftedSizes, OfDocumentsAreRefused) {
 
 TEST(PointsThatGrowFromOneToTheNext, HaveTheirHullSoon) {
   std::vector<Vec3d> points;
-  for (int i = 0; i < 64'000; ++i) points.push_back({std::pow(1.0005, i), std::pow(1.0007, i), std::pow(1.0011, i)});
+  for (int i = 0; i < 16'000; ++i) points.push_back({std::pow(1.0005, i), std::pow(1.0007, i), std::pow(1.0011, i)});
   const ConvexMesh mesh = hull_of(points);
   EXPECT_GT(mesh.report.n_vertices, 4U);
   EXPECT_GT(mesh.measures.volume, 0.0);
