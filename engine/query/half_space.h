@@ -63,8 +63,9 @@ FirstContact linear_cast(const HalfSpace& a, const ConvexBody& b, const Pose& a_
                          double until = HUGE_VAL);
 
 /// B moving and turning about its origin, as `time_of_impact` of two bodies has it: `time` is `lower`, at which the
-/// points are measured, and a B that leaves or grazes the plane within rounding may be undecided. Heights that fall by
-/// motion end in a contact, those that rise, or stay but for B's turning, are looked at until nothing can come.
+/// points are measured, and a B that leaves or grazes the plane within rounding may be undecided, as may one that turns
+/// hundreds of times while it falls by its size. Heights that rise, or stay but for B's turning, are looked at until
+/// nothing can come.
 FirstContact time_of_impact(const HalfSpace& a, const ConvexBody& b, const Pose& a_from_b, const RigidMotion& motion,
                             double until = HUGE_VAL);
 

@@ -14,10 +14,10 @@ bool is_turned(const Transformd& a, const Transformd& b) {
 }  // namespace
 
 void SceneBodies::track() {
-  tracks_.resize(end());
   travel_.assign(end(), 0.0);
   travel_before_.assign(end(), 0.0);
   has_crossed_.assign(end(), 0);
+  tracks_.resize(end());  // at last: where there are tracks the others are as long, also where memory gives out
   for (BodyId body = 0; body < end(); ++body) {
     Track& track = tracks_[body];
     track.centre = centres_[body];

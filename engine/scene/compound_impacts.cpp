@@ -85,6 +85,10 @@ class CompoundImpact {
     const double speed =
         (safe_norm(relative_.velocity) + spin_b * reach_b + spin_a * (radii + reach_b)) * (1.0 + kSeenOtherwise);
     const double duration = window->to - window->from;
+    // What times, turns and places are off by, and lengths on the way to them: of sizes, of the way to where they meet,
+    // and of times that are next to nothing.
+    const double rounding =
+        0x1p-20 * radii + 0x1p-40 * (norm_1(origin_of(parts)) + speed * window->to) + std::fmax(speed, 1.0) * 0x1p-1060;
     const bool is_short = window->to * (spin_a + spin_b) < kMostAngle && speed * duration < HUGE_VAL;
     const double n =
         is_short
@@ -95,7 +99,7 @@ class CompoundImpact {
       const double from = k > 0.0 ? window->from + duration * (k / n) : window->from;
       if (from > earliest_.until()) break;
       const double middle = is_short ? window->from + duration * ((k + 0.5) / n) : from;
-      const double wide = is_short ? speed * (0.5 * duration / n) * (1.0 + kSeenOtherwise) : HUGE_VAL;
+      const double wide = is_short ? speed * (0.5 * duration / n) * (1.0 + kSeenOtherwise) + rounding : HUGE_VAL;
       for (const MovingPart& b : parts) {
         if (earliest_.is_at_start()) return;
         meeting(b, middle, wide);
@@ -124,7 +128,8 @@ class CompoundImpact {
     if (least > wide) return std::nullopt;
     const double at_least = -dot(from_a, along),
                  half = std::sqrt(wide - least) * std::sqrt(wide + least) + 0x1p-20 * wide;
-    const Window window{std::fmax(0.0, (at_least - half) / speed), std::fmin(end, (at_least + half) / speed)};
+    const Window window{std::fmax(0.0, std::nextafter((at_least - half) / speed, -HUGE_VAL)),
+                        std::fmin(end, std::nextafter((at_least + half) / speed, HUGE_VAL))};
     if (!(window.from <= window.to)) return std::nullopt;
     return window;
   }
@@ -135,9 +140,8 @@ class CompoundImpact {
       const Pose a_then = Pose::unchecked(pose_at({}, {{}, motion_a_.angular_velocity}, time));
       const Pose b_then = Pose::unchecked(pose_at(b.frame_from_body.a_from_b(), relative_, time));
       const Aabb then = box_seen(b.body, relative_pose(a_then, b_then));
-      const double more = wide + 0x1p-20 * reach_seen(b);
-      const Vec3d margin{more, more, more};
-      box = {then.lower - margin, then.upper + margin};
+      const Vec3d margin{wide, wide, wide};
+      if (is_finite(then.lower) && is_finite(then.upper)) box = {then.lower - margin, then.upper + margin};
     }
     a_.tree().meeting(box, [&](std::uint32_t part) {
       if (!asked_.insert((std::uint64_t{part} << 32) | b.number).second) return;

@@ -53,8 +53,8 @@ void PairMemory::build(SceneBodies& bodies, const BroadPhases& phases, const Sce
   find_pairs_within_skin(phases, kernel, n_threads);
   list(keeps_old);
   clock_ = 0.0;
-  is_there_ = true;
   bodies.track();
+  is_there_ = true;
 }
 
 void PairMemory::find_pairs_within_skin(const BroadPhases& phases, const SceneKernel& kernel, int n_threads) {

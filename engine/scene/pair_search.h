@@ -80,7 +80,7 @@ class PairSearch {
     std::size_t n = 0;
     std::array<std::vector<std::uint64_t>*, 4> columns() { return {&a, &b, &shift, &tag}; }
     void make_room(std::size_t more) {
-      if (n + more <= a.size()) return;
+      if (n + more <= tag.size()) return;  // the last one: where memory gives out the first ones may be longer
       for (std::vector<std::uint64_t>* column : columns()) column->resize(2 * (n + more));
     }
     void add(std::uint64_t place_a, std::uint64_t place_b, std::uint64_t number, std::uint64_t its_tag) {

@@ -223,9 +223,14 @@ void Scene::Impl::find_remembered_pairs(ScenePairs& out) {
     }
     search.finish();
   };
-  on_searches(asked, &memory_, std::ref(work));
-  collect_rest(out);
-  memory_.collect(settings_.n_threads, out.pairs);
+  try {
+    on_searches(asked, &memory_, std::ref(work));
+    collect_rest(out);
+    memory_.collect(settings_.n_threads, out.pairs);
+  } catch (...) {
+    memory_.forget();  // some pairs are told to be apart until they are answered
+    throw;
+  }
 }
 
 std::span<PairSearch> Scene::Impl::last_searches() {

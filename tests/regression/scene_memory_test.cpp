@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "engine/numeric/errors.h"
 #include "engine/scene/scene.h"
@@ -129,6 +130,41 @@ TEST(SceneMargins, ThatAreTooSmallAreRefusedWhateverIsNear) {
     EXPECT_THROW(scene.pairs_within(1e-310, found), UsageError);
     EXPECT_NO_THROW(scene.pairs_within(1e-300, found));
   }
+}
+
+// A box whose support mapping throws once, at a call that is set.
+struct FailingBox : Box {
+  int* calls_left;
+  FailingBox(double x, double y, double z, int* calls) : Box(x, y, z), calls_left(calls) {}
+  template <class L>
+  Vec3<L> support(const Vec3<L>& dir) const {
+    if (--*calls_left == 0) throw InputError("the user's own body failed");
+    return Box::support(dir);
+  }
+  std::optional<ExactForm> exact_form() const { return std::nullopt; }
+};
+
+// Pairs that bounds had not told apart were taken for apart from then on, while their bodies rested.
+TEST(SceneMemory, NothingIsKeptOfAQueryThatEndedByAnException) {
+  int n_failed = 0;
+  for (int call = 1; call < 200; call += 3) {
+    int calls_left = 0;
+    Scene scene({.skin = 0.5});
+    const ShapeId shape = scene.add_shape(ConvexBody(FailingBox(1.0, 0.6, 0.4, &calls_left)));
+    for (const Vec3d& x : {Vec3d{0, 0, 0}, Vec3d{0.9, 0.2, 0.1}, Vec3d{30, 0, 0}, Vec3d{30, 0, 0.9}}) {
+      scene.add(shape, at(x.x, x.y, x.z));
+    }
+    calls_left = call;
+    ScenePairs pairs;
+    try {
+      scene.overlapping_pairs(pairs);
+    } catch (const InputError&) {
+      ++n_failed;
+    }
+    calls_left = 0;
+    expect_the_same(scene, 1);
+  }
+  EXPECT_GT(n_failed, 10);
 }
 
 }  // namespace

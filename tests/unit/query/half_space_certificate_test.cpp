@@ -118,6 +118,32 @@ TEST(HalfSpaceCertificate, CastsAndImpactsAreProvenAndNoOthers) {
   EXPECT_GT(n_never, 20);
 }
 
+// Steps as long as the search's own bound of what bends allows were a little too long for the checker's.
+TEST(HalfSpaceCertificate, StepsThatFitTheSearchAreProven) {
+  struct Motion {
+    const char* body;
+    Vec3d at, velocity, angular_velocity;
+    double until;
+  };
+  for (const Motion& x : {Motion{"disc:1", {0, 0, 1.25}, {0, 0, -1}, {0.25, -0.625, 0.5}, HUGE_VAL},
+                          Motion{"box:2,0.1,0.1", {0, 0, 1.25}, {0, 0, -0.1}, {0.25, -1.25, 0.5}, HUGE_VAL},
+                          Motion{"disc:0.026113094825296855",
+                                 {0, 0, 3.9338218375942439e-05},
+                                 {0.01724792436771827, 0.017413655108289319, 0},
+                                 {0.15382248631108997, -0.90398047979701368, 0.0080039303503369741},
+                                 3.7635}}) {
+    const ConvexBody b = parse_shape(x.body).body;
+    const HalfSpace floor({0, 0, 1}, 0.0);
+    Transformd pose;
+    pose.translation = x.at;
+    const RigidMotion motion{x.velocity, x.angular_velocity};
+    const FirstContact found = time_of_impact(floor, b, Pose(pose), motion, x.until);
+    EXPECT_NE(found.verdict.outcome, Outcome::undecided) << x.body;
+    const HalfSpaceCertificate proof = certify(floor, b, Pose(pose), motion, found, x.until);
+    EXPECT_EQ(check_certificate(floor, b, Pose(pose), motion, found, proof, x.until).fault, "") << x.body;
+  }
+}
+
 TEST(HalfSpaceCertificate, ContactsAreProvenAndNoOthers) {
   std::mt19937_64 random(343);
   for (const char* name : kTestBodies) {

@@ -9,6 +9,8 @@
 #include "engine/query/world_queries.h"
 #include "engine/scene/compound.h"
 #include "shapes/any_shape.h"
+#include "shapes/disc.h"
+#include "shapes/sphere.h"
 #include "tests/referees/bodies.h"
 #include "tests/referees/random_poses.h"
 
@@ -123,6 +125,38 @@ TEST(CompoundImpact, AnArmThatTurnsMeetsABallWhereTheCircleSaysSo) {
   EXPECT_EQ(brief.contact.verdict.outcome, Outcome::disjoint);
   EXPECT_GT(brief.n_pairs, 0u);
   EXPECT_LT(brief.n_pairs, 8u);
+}
+
+// The boxes of times that are looked at in one were as wide as exact numbers would have them, and left gaps between
+// them where places and times round: balls went through discs.
+TEST(CompoundImpact, NothingSlipsBetweenTimesThatRound) {
+  std::mt19937_64 random(353);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  struct Size {
+    double disc, ball, from, speed;
+  };
+  for (const Size& size : {Size{0.1, 1e-6, 1e12, 1.0}, Size{0.1, 1e-4, 1e14, 7.0}, Size{1e-14, 1e-16, 1e-12, 1.7e308},
+                           Size{1e-15, 1e-17, 1e-13, 1e307}}) {
+    for (int k = 0; k < 200; ++k) {
+      const double x = (size.from < 1.0 ? 10.0 * size.disc : 1.0) * unit(random);
+      Transformd flat;
+      flat.row_x = {0, 0, 1};
+      flat.row_y = {0, 1, 0};
+      flat.row_z = {-1, 0, 0};
+      flat.translation = {x, 0, 0};
+      Transformd aside;
+      aside.translation = {0, 0, 10.0 * size.disc};
+      const Compound a(std::vector<CompoundPart>{{ConvexBody(Disc(size.disc)), Pose(flat)},
+                                                 {ConvexBody(Sphere(0.01 * size.disc)), Pose(aside)}});
+      Transformd far;
+      far.translation = {size.from, 0, 0};
+      for (const double turn : {1e-100, 1e-20, 1e-6}) {
+        const CompoundContact found = time_of_impact(a, ConvexBody(Sphere(size.ball)), Pose(far), {{}, {turn, 0, 0}},
+                                                     {{-size.speed, 0, 0}, {}}, HUGE_VAL);
+        ASSERT_NE(found.contact.verdict.outcome, Outcome::disjoint) << size.from << " " << x << " " << turn;
+      }
+    }
+  }
 }
 
 TEST(CompoundImpact, OntoAFloorTheFirstPartIsTold) {
