@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/numeric/rounding.h"
+#include "engine/query/checker/contact_statement.h"
 #include "engine/query/checker/exact_hull.h"
 #include "engine/query/checker/moving_pair.h"
 #include "engine/query/contact_certificate.h"
@@ -66,28 +67,6 @@ bool are_apart_before(const StraightMotion& motion, const ContactCertificate& ce
   return until == HUGE_VAL || std::ranges::any_of(apart, [&](const Apart& interval) {
            return until < interval.to || (until == interval.to && motion.is_apart_at(interval, until));
          });
-}
-
-// What is said, apart from whether it is true.
-std::string fault_of_statement(const FirstContact& claimed, double until) {
-  const double time = claimed.time, lower = claimed.lower, upper = claimed.upper;
-  if (!(until >= 0.0)) return "the end is no time";
-  switch (claimed.verdict.outcome) {
-    case Outcome::disjoint:
-      if (!(time == HUGE_VAL && lower == HUGE_VAL && upper == HUGE_VAL)) return "there is a time of no contact";
-      return {};
-    case Outcome::overlap:
-      if (!(upper < HUGE_VAL)) return "the upper bound is no time";
-      if (upper > until) return "the contact is after the end";
-      break;
-    case Outcome::undecided:
-      if (upper != HUGE_VAL) return "an upper bound is claimed and no contact";
-      break;
-    default: return "the verdict is none";
-  }
-  if (!(lower >= 0.0 && lower < HUGE_VAL)) return "the lower bound is no time";
-  if (!(lower <= time && time <= upper)) return "the time is not between its bounds";
-  return {};
 }
 
 // `moving`: how fast any point of a body moves, about.
@@ -156,7 +135,7 @@ std::string fault_of(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
                      const Motion& motion, double moving, double turning, const FirstContact& claimed,
                      const ContactCertificate& certificate, double until) {
   const Outcome outcome = claimed.verdict.outcome;
-  if (std::string fault = fault_of_statement(claimed, until); !fault.empty()) return fault;
+  if (std::string fault = checker::fault_of_statement(claimed, until); !fault.empty()) return fault;
   const auto is_proven_at_start = [&](Outcome at_start) {
     return check_certificate(a, b, pose.a_from_b(), at_start, certificate.at_start).is_proven;
   };

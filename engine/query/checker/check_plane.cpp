@@ -2,10 +2,10 @@
 #include <cmath>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "engine/numeric/rounding.h"
+#include "engine/query/checker/contact_statement.h"
 #include "engine/query/checker/plane_heights.h"
 #include "engine/support/point_body.h"
 
@@ -17,7 +17,7 @@ using checker::ExactPair;
 using checker::ExactPose;
 using checker::Heights;
 using checker::magnitude;
-using checker::multiple;
+using checker::times;
 using checker::TurningHeights;
 using whole::Dyadic;
 using whole::DyadicVector;
@@ -54,7 +54,7 @@ std::string fault_of_point(const HalfSpace& a, const ConvexBody& b, const ExactP
                      own_b = whole::exactly(claimed.own_b);
   const Dyadic off_plane = magnitude(dot(heights.normal(), point_a) - heights.offset());
   if (!checker::is_at_least(-off_plane, -allowed, heights.normal_sq())) return "point_a is not on the plane";
-  const DyadicVector apart = point_b - point_a - multiple(Dyadic(claimed.distance), normal);
+  const DyadicVector apart = point_b - point_a - times(Dyadic(claimed.distance), normal);
   if (allowed_sq < dot(apart, apart)) return "the points are not the distance apart along the normal";
   const DyadicVector placed = place.pose(own_b) - point_b;
   if (allowed_sq < dot(placed, placed)) return "point_b is not where point_b_in_b is placed";
@@ -67,24 +67,6 @@ std::string fault_of_point(const HalfSpace& a, const ConvexBody& b, const ExactP
 const std::vector<Witness>& first_set(const HalfSpaceCertificate& certificate) {
   static const std::vector<Witness> none;
   return certificate.near_b.empty() ? none : certificate.near_b.front();
-}
-
-std::string fault_of_times(const FirstContact& claimed, double until) {
-  if (!(until >= 0.0)) return "the end is no time";
-  const auto& [time, lower, upper] = std::tie(claimed.time, claimed.lower, claimed.upper);
-  switch (claimed.verdict.outcome) {
-    case Outcome::disjoint:
-      return time == HUGE_VAL && lower == HUGE_VAL && upper == HUGE_VAL ? "" : "there is a time of no contact";
-    case Outcome::overlap:
-      if (!(upper < HUGE_VAL && upper <= until)) return "the upper bound is no time until the end";
-      break;
-    case Outcome::undecided:
-      if (upper != HUGE_VAL) return "an upper bound is claimed and no contact";
-      break;
-    default: return "the verdict is none";
-  }
-  const bool is_ordered = 0.0 <= lower && lower < HUGE_VAL && lower <= time && time <= upper;
-  return is_ordered ? "" : "the time is not between its bounds";
 }
 
 // What is claimed of a time until which there is no contact.
@@ -110,7 +92,7 @@ bool is_clear_before(const TurningHeights& motion, const std::vector<Clear>& cle
 std::string fault_of_motion(const HalfSpace& a, const ConvexBody& b, const Pose& pose, const ExactPair& pair,
                             const RigidMotion& motion, const FirstContact& claimed,
                             const HalfSpaceCertificate& certificate, double until) {
-  if (std::string fault = fault_of_times(claimed, until); !fault.empty()) return fault;
+  if (std::string fault = checker::fault_of_statement(claimed, until); !fault.empty()) return fault;
   const Heights heights(a, pair, pose.a_from_b());
   const Outcome outcome = claimed.verdict.outcome;
   const bool turns = norm_1(motion.angular_velocity) > 0.0, meets = outcome == Outcome::overlap;

@@ -18,8 +18,6 @@ using whole::Dyadic;
 using whole::DyadicVector;
 using Apart = ContactCertificate::Apart;
 
-inline DyadicVector times(const Dyadic& s, const DyadicVector& v) { return {s * v.x, s * v.y, s * v.z}; }
-
 // What both bodies' witnesses mean at a time, each off by less than `margin`.
 struct Places {
   std::vector<DyadicVector> of_a, of_b;

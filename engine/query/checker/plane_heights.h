@@ -17,7 +17,6 @@ using whole::Dyadic;
 using whole::DyadicVector;
 using Clear = HalfSpaceCertificate::Clear;
 
-inline DyadicVector multiple(const Dyadic& s, const DyadicVector& v) { return {s * v.x, s * v.y, s * v.z}; }
 inline Dyadic magnitude(const Dyadic& x) { return whole::sign(x) < 0 ? -x : x; }
 
 // The sign of p + r sqrt(s), s >= 0.
@@ -131,7 +130,7 @@ class TurningHeights {
   bool is_clear(const ExactPose& pose, const Dyadic& about, const Dyadic& by, const Dyadic& longest) const {
     ExactPose turn = pose;
     turn.translation = {};
-    const Dyadic lowest = -pair_.moved(turn).support_of_b(-(heights_.normal() + multiple(by, turning_)));
+    const Dyadic lowest = -pair_.moved(turn).support_of_b(-(heights_.normal() + times(by, turning_)));
     const Dyadic bent = Dyadic(1, -1) * longest * longest * bent_;
     return is_more_than(origin_ + (about + by) * rate_ + lowest - bent, Dyadic(pair_.b().ball_radius),
                         heights_.normal_sq());

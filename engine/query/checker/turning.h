@@ -12,5 +12,8 @@ namespace vex::checker {
 std::optional<ExactPose> pose_at(const Transformd& a_from_b, const RigidMotion& motion, const whole::Dyadic& time);
 
 whole::DyadicVector cross(const whole::DyadicVector& p, const whole::DyadicVector& q);
+inline whole::DyadicVector times(const whole::Dyadic& s, const whole::DyadicVector& v) {
+  return {s * v.x, s * v.y, s * v.z};
+}
 
 }  // namespace vex::checker

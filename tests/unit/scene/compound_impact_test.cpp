@@ -11,21 +11,11 @@
 #include "shapes/any_shape.h"
 #include "shapes/disc.h"
 #include "shapes/sphere.h"
-#include "tests/referees/bodies.h"
+#include "tests/referees/random_compound.h"
 #include "tests/referees/random_poses.h"
 
 namespace vex {
 namespace {
-
-Compound compound_of(std::mt19937_64& random, int n_parts, double spread) {
-  std::vector<CompoundPart> parts;
-  for (int k = 0; k < n_parts; ++k) {
-    Transformd pose = random_rotation(random);
-    pose.translation = spread * random_direction(random);
-    parts.push_back({parse_shape(kTestBodies[static_cast<std::size_t>(k) % kTestBodies.size()]).body, pose});
-  }
-  return Compound(std::move(parts));
-}
 
 // At one time, with both poses in the frame that is A's at first.
 double least_distance(const Compound& a, const Compound& b, const Transformd& pose, const RigidMotion& of_a,
@@ -63,7 +53,7 @@ TEST(CompoundImpact, BothMayMoveAndTurnAndTheFirstPartsThatMeetAreTold) {
   std::mt19937_64 random(331);
   int n_met = 0, n = 0;
   for (int k = 0; k < 30; ++k) {
-    const Compound a = compound_of(random, 6, 4.0), b = compound_of(random, 5, 4.0);
+    const Compound a = random_compound(random, 6, 4.0), b = random_compound(random, 5, 4.0);
     Transformd pose = random_rotation(random);
     pose.translation = 11.0 * random_direction(random);
     RigidMotion of_a{random_direction(random), 0.8 * random_direction(random)};

@@ -14,22 +14,13 @@
 #include "tests/referees/bodies.h"
 #include "tests/referees/exact_truth.h"
 #include "tests/referees/polytopes.h"
+#include "tests/referees/random_compound.h"
 #include "tests/referees/random_poses.h"
 
 namespace vex {
 namespace {
 
 using Triangle = std::array<Vec3d, 3>;
-
-Compound random_compound(std::mt19937_64& random, int n_parts, double spread) {
-  std::vector<CompoundPart> parts;
-  for (int k = 0; k < n_parts; ++k) {
-    Transformd pose = random_rotation(random);
-    pose.translation = spread * random_direction(random);
-    parts.push_back({parse_shape(kTestBodies[static_cast<std::size_t>(k) % kTestBodies.size()]).body, pose});
-  }
-  return Compound(std::move(parts));
-}
 
 // A bowl: a grid of triangles over z = (x^2 + y^2) / 4, its vertices shared.
 std::vector<Triangle> bowl(int n) {
