@@ -61,7 +61,8 @@ TEST_F(KeptResults, BehindAReportTheDocumentFollows) {
 TEST_F(KeptResults, AFolderThatGoesAwayCostsNothing) {
   const Finished finished =
       shell("mkdir gone; cd gone; " + kEndless +
-            "--seconds 0.6 --quiet --json result.json & program=$!; sleep 0.2; rmdir ../gone; wait $program; exit $?");
+            "--quiet --json result.json & program=$!; " + kUntilItTakesSignals +
+            "sleep 0.4; rmdir ../gone; kill -TERM $program; wait $program; exit $?");
   expect_document(finished, 1, "cannot be written (result.json: No such file or directory)");
 }
 

@@ -114,12 +114,14 @@ TEST_F(Virial, ThinBodiesAreDrawnAsAnyOthers) {
 
 TEST_F(Virial, AnInterruptedRunTellsWhatItHas) {
   const Finished finished =
-      run_and_signal({"box:1,1,1", "--seconds", "100", "--json", path("found.json")}, SIGINT, [](pid_t) {
+      run_and_signal({"box:1,1,1", "--seconds", "100", "--json", path("found.json")}, SIGINT, [](pid_t process) {
+        if (!has_worker_threads(process)) return false;
         ::usleep(700'000);
         return true;
       });
   EXPECT_EQ(finished.exit_code, 130);
-  const json found = json::parse(read_file("found.json"));
+  const json found = json::parse(read_file("found.json"), nullptr, false);
+  ASSERT_TRUE(found.is_object());
   EXPECT_FALSE(found["complete"]);
   EXPECT_GT(found["coefficients"][0]["samples"], 0);
 }
