@@ -156,7 +156,7 @@ std::string counts_text(const PercolateRun& run) {
   const SceneCounts::Stage& bounds = counts.stages[SceneStage::bounds];
   const auto number = [](std::uint64_t n) { return short_count(static_cast<double>(n)); };
   std::string text = number(counts.n_bodies) + " bodies placed; of " + number(counts.n_seen()) +
-                     " pairs whose balls meet " + number(counts.n_skipped()) +
+                     " pairs whose bounds meet " + number(counts.n_skipped()) +
                      " were in one cluster already and not tested, " + number(counts.n_tested()) + " were";
   if (bounds.seen > 0) text += ", " + number(bounds.settled) + " of them decided by bounds";
   text += "; " + plural(counts.n_undecided, "pair is UNDECIDED", "pairs are undecided") + "\n";

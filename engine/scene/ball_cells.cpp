@@ -49,11 +49,30 @@ Aabb bounds_of_most(const SceneBodies& bodies, const Aabb& all, std::array<std::
   return most;
 }
 
+// Of the boxes of two bodies, alike and not turned, each has a centre where the other's is or within the extents of it.
+bool can_be_upright(const SceneBodies& bodies) {
+  const std::optional<PeriodicBox>& box = bodies.box();
+  if (box && (box->xy() != 0.0 || box->xz() != 0.0 || box->yz() != 0.0)) return false;
+  if (bodies.shapes().size() != 1 || bodies.size() == 0) return false;
+  for (BodyId body = 0; body < bodies.end(); ++body) {
+    if (bodies.has(body) && !SceneBodies::is_upright(bodies.pose(body))) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void BallCells::lay_out(const std::optional<PeriodicBox>& box, const Aabb& bounds, double farthest, double reach,
                         std::size_t n_bodies) {
-  layout_ = CellLayout::make(box, bounds, farthest, reach, n_bodies);
+  extents_.reset();
+  layout_ = CellLayout::make(box, bounds, farthest, {reach, reach, reach}, n_bodies);
+  merge_cells(n_bodies);
+}
+
+void BallCells::lay_out_upright(const std::optional<PeriodicBox>& box, const Aabb& bounds, double farthest,
+                                const Vec3d& extents, std::size_t n_bodies) {
+  extents_ = extents;
+  layout_ = CellLayout::make(box, bounds, farthest, (1.0 + 0x1p-18) * extents, n_bodies);
   merge_cells(n_bodies);
 }
 
@@ -134,7 +153,8 @@ void BallCells::add(const SceneBodies& bodies, BodyId body) {
   const Vec3d& centre = bodies.centre(body);
   const ShapeBounds& bounds = bodies.bounds(bodies.shape_of()[body]);
   // As SortedBodies::fill.
-  const double radius = bounds.radius + 0x1p-46 * (norm_1(centre) + norm_1(bounds.centre)) + shift_error_ + kTrifle;
+  const double radius =
+      (extents_ ? 0.0 : bounds.radius) + 0x1p-46 * (norm_1(centre) + norm_1(bounds.centre)) + shift_error_ + kTrifle;
   const std::uint32_t first = holder_of(centre);
   if (links_[first].n == kLanes) {
     std::uint32_t full = static_cast<std::uint32_t>(blocks_.size());
@@ -205,9 +225,11 @@ void BallCellsOfScene::make_classes(const SceneBodies& bodies, bool are_expected
   });
 }
 
-void BallCellsOfScene::build(const SceneBodies& bodies, double farthest, double offset, std::size_t n_expected) {
+void BallCellsOfScene::build(const SceneBodies& bodies, double farthest, double offset, std::size_t n_expected,
+                             bool may_be_upright) {
   const std::optional<PeriodicBox>& box = bodies.box();
   in_box_ = box.has_value();
+  are_upright_ = may_be_upright && can_be_upright(bodies);
   make_classes(bodies, n_expected > 0);
   const std::size_t n = largest_.size();
   const auto reach = [this](std::size_t i, std::size_t j) { return (largest_[i] + largest_[j]) * (1.0 + 0x1p-18); };
@@ -225,7 +247,11 @@ void BallCellsOfScene::build(const SceneBodies& bodies, double farthest, double 
   for (std::size_t asking = 0; asking < n; ++asking) {
     for (std::size_t held = 0; held < n; ++held) {
       BallCells& grid = grids_[asking * n + held];
-      grid.lay_out(box, bounds, farthest_, reach(asking, held), n_bodies_[held]);
+      if (are_upright_) {
+        grid.lay_out_upright(box, bounds, farthest_, bodies.bounds(0).extents, n_bodies_[held]);
+      } else {
+        grid.lay_out(box, bounds, farthest_, reach(asking, held), n_bodies_[held]);
+      }
       for (std::size_t axis = 0; axis < 3; ++axis) n_images[axis] = std::max(n_images[axis], grid.n_images()[axis]);
     }
   }
@@ -253,6 +279,7 @@ void BallCellsOfScene::clear() {
 
 bool BallCellsOfScene::takes(const SceneBodies& bodies, BodyId body) const {
   const ShapeBounds& bounds = bodies.bounds(bodies.shape_of()[body]);
+  if (are_upright_ && !(bodies.shapes().size() == 1 && SceneBodies::is_upright(bodies.pose(body)))) return false;
   return takes(bounds.radius) && goes_as_far_as(norm_1(bodies.centre(body)) + norm_1(bounds.centre));
 }
 

@@ -17,13 +17,17 @@
 
 namespace vex {
 
-/// One grid. Holds circumscribed balls, those of a cell in blocks that a kernel reads.
+/// One grid. Holds circumscribed balls, those of a cell in blocks that a kernel reads; or the boxes of bodies of one
+/// shape none of which is turned: then radii are what rounding adds, and no more.
 class BallCells {
  public:
   /// For queries of balls whose centres are up to `reach` apart; with cells for so many bodies, whose centres are
   /// within `bounds`, or in the box, and no farther than `farthest` from the origin, as those of the queries.
   void lay_out(const std::optional<PeriodicBox>& box, const Aabb& bounds, double farthest, double reach,
                std::size_t n_bodies);
+  /// The same for queries of boxes of these extents. A periodic box is not triclinic.
+  void lay_out_upright(const std::optional<PeriodicBox>& box, const Aabb& bounds, double farthest, const Vec3d& extents,
+                       std::size_t n_bodies);
   /// The images that its queries look at: -n ... n along each lattice vector.
   const std::array<int, 3>& n_images() const { return layout_.n_images; }
   /// Empty cells of the layout. The table, which has all its images or more, must stay where it is.
@@ -70,7 +74,8 @@ class BallCells {
   void take_seat(std::uint32_t block, BodyId body, const Vec3d& centre, double radius);
 
   CellLayout layout_;
-  std::array<int, 3> merged_{};  // along each axis: 1 where two cells are held as one, else 0
+  std::optional<Vec3d> extents_;  // of boxes
+  std::array<int, 3> merged_{};   // along each axis: 1 where two cells are held as one, else 0
   std::array<std::uint32_t, 3> held_stride_{};
   std::size_t n_held_ = 0;
   std::array<Stencil, 3> stencils_;
@@ -88,7 +93,14 @@ void BallCells::near(const SceneKernel& kernel, std::uint64_t place, const Vec3d
   const std::array<int, 3> own = layout_.coordinates(centre);
   const std::span<const Step> xs = stencils_[0].about(own[0]);
   std::array<BallBlockAt, kMostAtOnce> at;
-  BallQuery query{blocks_.data(), shifts_->rows(), at.data(), 0, place, centre, radius + 0x1p-46 * norm_1(centre)};
+  BallQuery query{blocks_.data(),
+                  shifts_->rows(),
+                  at.data(),
+                  0,
+                  place,
+                  centre,
+                  radius + 0x1p-46 * norm_1(centre),
+                  extents_ ? &*extents_ : nullptr};
   std::uint64_t n_seen = 0;
   std::size_t n = 0;
   const auto ask = [&] {
@@ -128,8 +140,9 @@ class BallCellsOfScene {
  public:
   /// For queries of bodies of these shapes and of those that the scene has, whose centres are no farther than
   /// `farthest` from the origin and no farther than `offset` from the origins of their frames. `n_expected`: with cells
-  /// for so many bodies and for all shapes, whatever the scene has; 0: for the bodies that are there.
-  void build(const SceneBodies& bodies, double farthest, double offset, std::size_t n_expected);
+  /// for so many bodies and for all shapes, whatever the scene has; 0: for the bodies that are there. Where none of
+  /// them is turned the cells are for such bodies alone, if `may_be_upright`.
+  void build(const SceneBodies& bodies, double farthest, double offset, std::size_t n_expected, bool may_be_upright);
   /// Whether rounding is allowed for as far out as this, in the 1-norm: of a body or of a query. In a box it always is.
   bool goes_as_far_as(double distance) const { return in_box_ || distance <= farthest_; }
   const ShiftTable& shifts() const { return shifts_; }
@@ -138,17 +151,22 @@ class BallCellsOfScene {
   void remove(const SceneBodies& bodies, BodyId body);
   /// There are no bodies; the cells stay.
   void clear();
+  /// Whether they are for bodies that are not turned alone.
+  bool are_upright() const { return are_upright_; }
   /// Whether the cells are large enough for such a radius; nothing is before the first `build`.
   bool takes(double radius) const { return !largest_.empty() && radius <= largest_.front(); }
   /// ... and for the body, and for what rounding does where it is. Else where it is does not matter: in open space the
   /// outermost cells hold what is beyond them, since no two points are farther apart there than the points themselves.
   bool takes(const SceneBodies& bodies, BodyId body) const;
 
-  /// BallCells::near of all bodies; `of_shape` is the radius of the asking body's shape, which the cells take.
+  /// BallCells::near of all bodies, for one of a shape that the cells take, at this centre.
   template <class Take>
-  void near(const SceneKernel& kernel, std::uint64_t place, const Vec3d& centre, double of_shape, double radius,
+  void near(const SceneKernel& kernel, std::uint64_t place, const Vec3d& centre, const ShapeBounds& bounds,
             NearPairs& near, Take&& take) const {
-    const std::size_t n = largest_.size(), asking = class_of(of_shape);
+    // Widened as the held ones are, but for the shifts, which these allow for.
+    const double radius =
+        (are_upright_ ? 0.0 : bounds.radius) + 0x1p-46 * (norm_1(centre) + norm_1(bounds.centre)) + kTrifle;
+    const std::size_t n = largest_.size(), asking = class_of(bounds.radius);
     for (std::size_t held = 0; held < n; ++held) {
       grids_[asking * n + held].near(kernel, place, centre, radius, near, take);
     }
@@ -166,7 +184,7 @@ class BallCellsOfScene {
   std::vector<BallCells> grids_;  // of each class that asks, one of each that is held
   ShiftTable shifts_;
   double farthest_ = 0.0;
-  bool in_box_ = false;
+  bool in_box_ = false, are_upright_ = false;
   // Of `build`, which keeps its memory.
   std::vector<bool> is_there_;                 // of each shape
   std::vector<std::size_t> n_bodies_;          // of each class

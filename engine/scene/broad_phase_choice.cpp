@@ -45,7 +45,8 @@ BroadPhase cheaper_broad_phase(const SceneBodies& bodies, double reach, double m
   std::vector<Aabb> boxes;
   for (const BodyId body : asked) boxes.push_back(scene_box(bodies, body, margin, 0.0));
   const Aabb bounds = bodies.box() ? Aabb{} : bounds_of_centres(bodies, 1);
-  const CellLayout layout = CellLayout::make(bodies.box(), bounds, bodies.largest_offset(), reach, bodies.size());
+  const CellLayout layout =
+      CellLayout::make(bodies.box(), bounds, bodies.largest_offset(), {reach, reach, reach}, bodies.size());
   std::vector<std::array<int, 3>> cells;
   for (const BodyId body : asked) cells.push_back(layout.coordinates(bodies.centre(body)));
   double in_cells = 0.0, in_balls = 0.0, in_boxes = 0.0;

@@ -16,7 +16,7 @@ constexpr std::size_t kMostParts = 256, kBodiesAPart = 2048;
 
 void CellGrid::build(const SceneBodies& bodies, double reach, int n_threads) {
   const Aabb bounds = bodies.box() ? Aabb{} : bounds_of_centres(bodies, n_threads);
-  layout_ = CellLayout::make(bodies.box(), bounds, bodies.largest_offset(), reach, bodies.size());
+  layout_ = CellLayout::make(bodies.box(), bounds, bodies.largest_offset(), {reach, reach, reach}, bodies.size());
   shifts_.assign(layout_.box, layout_.n_images);
   sort(bodies, n_threads);
   sorted_.fill(bodies, order_, 3.0 * shifts_.largest_shift(), n_threads);

@@ -8,13 +8,14 @@ namespace {
 
 // Cells a body: more cells than this cost more than they spare.
 constexpr double kMostCellsABody = 2.0;
+constexpr double kThinnest = 0.25;
 
 double volume(const Vec3d& edges) { return edges.x * edges.y * edges.z; }
 
 }  // namespace
 
-CellLayout CellLayout::make(const std::optional<PeriodicBox>& box, const Aabb& bounds, double offset, double reach,
-                            std::size_t n_bodies) {
+CellLayout CellLayout::make(const std::optional<PeriodicBox>& box, const Aabb& bounds, double offset,
+                            const Vec3d& reach, std::size_t n_bodies) {
   CellLayout layout;
   layout.box = box;
   Vec3d extent = box ? box->face_distances() : bounds.upper - bounds.lower;
@@ -22,21 +23,27 @@ CellLayout CellLayout::make(const std::optional<PeriodicBox>& box, const Aabb& b
   const double farthest =
       box ? 64.0 * box->largest_coordinate() : std::fmax(norm_1(bounds.lower), norm_1(bounds.upper)) + norm_1(extent);
   // The radii's own terms, and that a centre is put into its cell, or into the next one, by rounding.
-  const double needed = reach * (1.0 + 0x1p-20) + 0x1p-44 * (farthest + offset) + 0x1p-490;
-  double width = needed;
-  if (!box) extent = {std::fmax(extent.x, width), std::fmax(extent.y, width), std::fmax(extent.z, width)};
-  const double most = std::fmax(kMostCellsABody * static_cast<double>(n_bodies), 8.0);
-  const auto cells = [&](double w) {
-    const auto along = [w](double e) { return std::fmax(std::floor(e / w), 1.0); };
-    return Vec3d{along(extent.x), along(extent.y), along(extent.z)};
+  // What the bodies are thin along needs cells no thinner than a part of what they are longest along.
+  const double least = kThinnest * std::fmax(reach.x, std::fmax(reach.y, reach.z));
+  const auto needed_for = [&](double along) {
+    return std::fmax(along, least) * (1.0 + 0x1p-20) + 0x1p-44 * (farthest + offset) + 0x1p-490;
   };
-  while (volume(cells(width)) > most) width *= 1.1;
+  const Vec3d needed{needed_for(reach.x), needed_for(reach.y), needed_for(reach.z)};
+  Vec3d width = needed;
+  if (!box) extent = {std::fmax(extent.x, width.x), std::fmax(extent.y, width.y), std::fmax(extent.z, width.z)};
+  const double most = std::fmax(kMostCellsABody * static_cast<double>(n_bodies), 8.0);
+  const auto cells = [&](const Vec3d& w) {
+    const auto along = [](double e, double its_width) { return std::fmax(std::floor(e / its_width), 1.0); };
+    return Vec3d{along(extent.x, w.x), along(extent.y, w.y), along(extent.z, w.z)};
+  };
+  while (volume(cells(width)) > most) width = 1.1 * width;
   const Vec3d n = cells(width);
-  const double along[3] = {n.x, n.y, n.z}, edges[3] = {extent.x, extent.y, extent.z};
+  const double along[3] = {n.x, n.y, n.z}, edges[3] = {extent.x, extent.y, extent.z},
+               needs[3] = {needed.x, needed.y, needed.z};
   for (std::size_t k = 0; k < 3; ++k) {
     layout.n_cells[k] = static_cast<int>(along[k]);
     const double of_cell = edges[k] / along[k];
-    layout.stencil[k] = std::max(1, static_cast<int>(std::ceil(needed / of_cell)));
+    layout.stencil[k] = std::max(1, static_cast<int>(std::ceil(needs[k] / of_cell)));
     layout.n_images[k] = box ? (layout.stencil[k] + layout.n_cells[k] - 1) / layout.n_cells[k] : 0;
   }
   layout.origin = bounds.lower;

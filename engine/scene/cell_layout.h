@@ -11,9 +11,9 @@
 
 namespace vex {
 
-/// Cells of one size, x first. Two bodies whose centres are no farther apart than `reach` are in cells that are no more
-/// than `stencil` apart along each lattice vector. A periodic scene has copies of its cells on all sides: however small
-/// the box is, a neighbour is a cell and an image of it.
+/// Cells of one size, x first. Two bodies whose centres are no farther apart than `reach`, along each axis, are in
+/// cells that are no more than `stencil` apart along each lattice vector. A periodic scene has copies of its cells on
+/// all sides: however small the box is, a neighbour is a cell and an image of it.
 struct CellLayout {
   std::array<int, 3> n_cells{1, 1, 1}, stencil{1, 1, 1};
   std::array<int, 3> n_images{};  // the images of neighbours are -n ... n
@@ -22,8 +22,8 @@ struct CellLayout {
 
   /// For some n bodies whose centres are within `bounds`, or in the box, and no farther than `offset` from the origins
   /// of their frames. What rounding adds to the radii of bodies so far out (SortedBodies::fill) is added to `reach`
-  /// here.
-  static CellLayout make(const std::optional<PeriodicBox>& box, const Aabb& bounds, double offset, double reach,
+  /// here. In a triclinic box `reach` is the same along each axis.
+  static CellLayout make(const std::optional<PeriodicBox>& box, const Aabb& bounds, double offset, const Vec3d& reach,
                          std::size_t n_bodies);
 
   std::size_t size() const {

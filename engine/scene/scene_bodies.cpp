@@ -62,6 +62,7 @@ ShapeBounds shape_bounds(const ConvexBody& body) {
   bounds.radius = widened(body.circumradius());
   bounds.inner_radius = body.inradius() * (1.0 - kStretch) - off_centre;
   const Aabb own = bounding_box(body, Pose());
+  bounds.extents = (1.0 + kStretch) * (own.upper - own.lower);
   double least = HUGE_VAL;
   for (int axis = 0; axis < 3; ++axis) {
     const double half =

@@ -26,6 +26,7 @@ inline constexpr ShapeId kNoShape = ~ShapeId{0};
 /// What is known of a shape at any pose of a scene (E26).
 struct ShapeBounds {
   Vec3d centre;
+  Vec3d extents;        // of bodies that are not turned: the box about one is this long along each axis, and more
   double radius = 0.0;  // of a ball about the centre that holds the placed body, as seen from any other body's frame
   double inner_radius = 0.0;  // of one that the body holds, seen likewise; below 0 where none is known
   // A cylinder about the centre, along a coordinate axis of the shape's frame.
@@ -113,6 +114,8 @@ class SceneBodies {
     return own_centre.x == 0.0 && own_centre.y == 0.0 && own_centre.z == 0.0 ? pose.translation : pose(own_centre);
   }
   static void write_pose(double* poses, std::size_t place, const Transformd& pose);
+  /// Its rotation is the identity, bit for bit but for the sign of zeros.
+  static bool is_upright(const Transformd& pose);
 
   /// The pose as the scene keeps it, moved into the box. Throws InputError where it is none for a scene.
   Transformd checked(ShapeId shape, const Pose& pose, ImageOffset* image) const;
@@ -145,6 +148,13 @@ class SceneBodies {
 inline Transformd SceneBodies::pose_at(const double* poses, std::size_t place) {
   const double* p = poses + kNumbersABody * place;
   return {{p[0], p[1], p[2]}, {p[4], p[5], p[6]}, {p[8], p[9], p[10]}, {p[3], p[7], p[11]}};
+}
+
+inline bool SceneBodies::is_upright(const Transformd& pose) {
+  const auto are = [](const Vec3d& row, double x, double y, double z) {
+    return (row.x == x) & (row.y == y) & (row.z == z);
+  };
+  return are(pose.row_x, 1.0, 0.0, 0.0) & are(pose.row_y, 0.0, 1.0, 0.0) & are(pose.row_z, 0.0, 0.0, 1.0);
 }
 
 inline void SceneBodies::write_pose(double* poses, std::size_t place, const Transformd& pose) {

@@ -42,11 +42,17 @@ BodyId Scene::Impl::add(ShapeId shape, const Pose& pose, const ImageOffset& move
   const BodyId body = bodies_.add(shape, pose, moved);
   phases_.bodies_changed();
   memory_.forget();
-  if (are_cells_true_) {
-    are_cells_true_ = cells_.takes(bodies_, body);
-    if (are_cells_true_) cells_.add(bodies_, body);
-  }
+  if (are_cells_true_) keep_in_cells(body);
   return body;
+}
+
+void Scene::Impl::keep_in_cells(BodyId body) {
+  are_cells_true_ = cells_.takes(bodies_, body);
+  if (are_cells_true_) {
+    cells_.add(bodies_, body);
+  } else if (cells_.are_upright()) {
+    are_some_turned_ = true;
+  }
 }
 
 void Scene::Impl::require(BodyId body) const {
@@ -67,11 +73,11 @@ void Scene::Impl::clear() {
   memory_.forget();
   // Cells are cut anew as bodies come, but for those that would be the same again. Were others kept, the order in which
   // pairs are found, and so which of them others spare, would hang on what the scene held before.
-  if (are_cells_true_ && are_cells_as_expected_) {
+  if (are_cells_true_ && are_cells_as_expected_ && !are_some_turned_) {
     cells_.clear();
     return;
   }
-  are_cells_true_ = false;
+  are_cells_true_ = are_some_turned_ = false;
   n_in_cells_ = 0;
 }
 
@@ -87,8 +93,7 @@ void Scene::Impl::move(BodyId body, const Pose& pose) {
   phases_.moved(bodies_, body);
   if (are_cells_true_) {
     cells_.remove(bodies_, body);
-    are_cells_true_ = cells_.takes(bodies_, body);
-    if (are_cells_true_) cells_.add(bodies_, body);
+    keep_in_cells(body);
   }
 }
 
@@ -122,7 +127,11 @@ double Scene::Impl::checked_reach(double margin) const {
 }
 
 // Made for single queries, and kept up to date from then on; anew where bodies have become many more or larger.
-BallCellsOfScene& Scene::Impl::ball_cells(double farthest) {
+BallCellsOfScene& Scene::Impl::ball_cells(double farthest, bool is_upright) {
+  if (are_cells_true_ && cells_.are_upright() && !is_upright) {
+    are_cells_true_ = false;
+    are_some_turned_ = true;
+  }
   // In a box they need not hang on where bodies are.
   const bool as_expected = n_expected_ > 0 && bodies_.box() && bodies_.size() <= 2 * n_expected_ + 64;
   const double radius = as_expected ? bodies_.largest_radius_of_shapes() : bodies_.largest_radius();
@@ -132,7 +141,8 @@ BallCellsOfScene& Scene::Impl::ball_cells(double farthest) {
     are_cells_as_expected_ = as_expected;
     n_in_cells_ = as_expected ? n_expected_ : bodies_.size();
     const double offset = as_expected ? bodies_.largest_offset_of_shapes() : bodies_.largest_offset();
-    cells_.build(bodies_, as_expected ? 0.0 : farthest, offset, as_expected ? n_expected_ : 0);
+    cells_.build(bodies_, as_expected ? 0.0 : farthest, offset, as_expected ? n_expected_ : 0,
+                 is_upright && !are_some_turned_);
     are_cells_true_ = true;
   }
   return cells_;

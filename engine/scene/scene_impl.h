@@ -78,8 +78,9 @@ class Scene::Impl {
   // For n_searches_ threads: each with its search, which has begun.
   void on_searches(const PairQuestion& asked, PairKeeper* keeper,
                    const std::function<void(PairSearch& search, int thread)>& work);
-  // For a query at a place as far out as this.
-  BallCellsOfScene& ball_cells(double farthest);
+  // For a query at a place as far out as this, of a body that is not turned or may be.
+  BallCellsOfScene& ball_cells(double farthest, bool is_upright);
+  void keep_in_cells(BodyId body);
   std::vector<PairSearch>& searches(double margin) { return searches_[margin > 0.0 ? 1 : 0]; }
   PairQuestion question(double margin);
   // Of pairs whose places are numbers of bodies.
@@ -95,6 +96,7 @@ class Scene::Impl {
   bool are_cells_true_ = false;
   std::size_t n_in_cells_ = 0, n_expected_ = 0;
   bool are_cells_as_expected_ = false;  // they are what they would be for another set of bodies
+  bool are_some_turned_ = false;        // of bodies and visitors, since cells were found to be for others alone
 
   std::vector<PairSearch> searches_[2];  // one a thread: without and with a margin
   bool last_had_margin_ = false;         // of the last query, and its threads

@@ -245,9 +245,12 @@ __attribute__((flatten)) void find_near(const NearQuery& asked, NearPairs& out) 
   out.n_seen += n_seen;
 }
 
-__attribute__((flatten)) void find_in_blocks(const BallQuery& asked, NearPairs& out) {
+namespace {
+
+// `meet` of a vector from centre to centre and of the sum of the radii.
+template <class Meet>
+void find_in_blocks_where(const BallQuery& query, NearPairs& out, const Meet& meet) {
   static_assert(BallBlock::kLanes % W == 0);
-  const BallQuery query = asked;  // as in find_near
   const Vec centre = broadcast<L>(query.centre);
   const L radius(query.radius);
   const Bits place(query.place);
@@ -260,14 +263,28 @@ __attribute__((flatten)) void find_in_blocks(const BallQuery& asked, NearPairs& 
     const BallBlock& balls = query.blocks[at.block];
     for (std::size_t k = 0; k < BallBlock::kLanes; k += W) {
       const Vec d = Vec{L::load(balls.x + k), L::load(balls.y + k), L::load(balls.z + k)} - from;
-      const L reach = radius + L::load(balls.radius + k);
-      const Compaction<W> kept(dot(d, d) <= reach * reach);
+      const Compaction<W> kept(meet(d, radius + L::load(balls.radius + k)));
       kept.store(out.places + n, (Bits::load(balls.body + k) << 32) | place);
       shift.store(out.shift + n);
       n += static_cast<std::size_t>(kept.n());
     }
   }
   out.n = n;
+}
+
+}  // namespace
+
+__attribute__((flatten)) void find_in_blocks(const BallQuery& asked, NearPairs& out) {
+  const BallQuery query = asked;  // as in find_near
+  if (query.extents == nullptr) {
+    find_in_blocks_where(query, out, [](const Vec& d, const L& reach) { return dot(d, d) <= reach * reach; });
+    return;
+  }
+  const Vec extents = broadcast<L>(*query.extents);
+  find_in_blocks_where(query, out, [&extents](const Vec& d, const L& more) {
+    return both(both(absolute(d.x) <= extents.x + more, absolute(d.y) <= extents.y + more),
+                absolute(d.z) <= extents.z + more);
+  });
 }
 
 __attribute__((flatten)) void place_pairs(const PlaceQuery& query, PlacedPairs& out) { Placing(query, out).run(); }

@@ -40,7 +40,8 @@ struct NearQuery {
   std::size_t n_ranges;
 };
 
-/// Balls of bodies of one cell, in columns; the x of an empty lane is 1e300.
+/// Balls of bodies of one cell, in columns; the x of an empty lane is 1e300. For BallQuery::extents the radii are what
+/// rounding alone adds.
 struct BallBlock {
   static constexpr std::size_t kLanes = 8;
 
@@ -62,6 +63,7 @@ struct BallQuery {
   std::uint64_t place;
   Vec3d centre;
   double radius;
+  const Vec3d* extents;  // or null. What centres may be apart along each axis, but for the radii, in place of balls
 };
 
 /// Circumscribed cylinders about the bodies' centres, along a coordinate axis of each body's frame (E26).
@@ -97,7 +99,7 @@ struct PlacedPairs {
 struct SceneKernel {
   /// Appends the pairs whose balls may meet; so many must find room behind out.n: (end - first) times the ranges' sum.
   void (*find_near)(const NearQuery& query, NearPairs& out);
-  /// Appends the pairs with bodies whose balls may meet it; 8 n must find room behind out.n.
+  /// Appends the pairs with bodies whose balls, or boxes, may meet it; 8 n must find room behind out.n.
   void (*find_in_blocks)(const BallQuery& query, NearPairs& out);
   void (*place)(const PlaceQuery& query, PlacedPairs& out);
 };

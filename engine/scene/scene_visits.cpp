@@ -8,11 +8,6 @@
 namespace vex {
 namespace {
 
-// Of the ball that is looked for among the cells', widened as theirs are but for the shifts, which they allow for.
-double radius_among_cells(const ShapeBounds& bounds, const Vec3d& centre) {
-  return bounds.radius + 0x1p-46 * (norm_1(centre) + norm_1(bounds.centre)) + kTrifle;
-}
-
 void take_sorted(const PairSearch& search, ScenePairs& out) {
   out.pairs.assign(search.pairs.begin(), search.pairs.end());
   out.undecided.assign(search.undecided.begin(), search.undecided.end());
@@ -37,7 +32,7 @@ PairSearch& Scene::Impl::find_pairs_of(BodyId body, const Transformd& pose) {
   const ShapeId shape = bodies_.shape_of()[body];
   const ShapeBounds& bounds = bodies_.bounds(shape);
   const Vec3d centre = pose(bounds.centre);
-  const BallCellsOfScene& cells = ball_cells(norm_1(centre) + norm_1(bounds.centre));
+  const BallCellsOfScene& cells = ball_cells(norm_1(centre) + norm_1(bounds.centre), SceneBodies::is_upright(pose));
   bodies_.set_visitor(shape, pose);
   const std::uint64_t place = bodies_.end();
   PairSearch& search = single_;
@@ -45,7 +40,6 @@ PairSearch& Scene::Impl::find_pairs_of(BodyId body, const Transformd& pose) {
   asked.visitor = place;
   asked.visitor_id = body;
   search.begin(asked);
-  const double radius = radius_among_cells(bounds, centre);
   // Where it is in the scene it is not any more.
   const auto leave_out_itself = [&] {
     std::size_t n = 0;
@@ -56,16 +50,17 @@ PairSearch& Scene::Impl::find_pairs_of(BodyId body, const Transformd& pose) {
     }
     search.near.n = n;
   };
-  cells.near(asked.kernel, place, centre, bounds.radius, radius, search.near, [&] {
+  cells.near(asked.kernel, place, centre, bounds, search.near, [&] {
     leave_out_itself();
     search.take();
   });
   leave_out_itself();
   // Its own copies, where it is longer than the box.
   const ShiftTable& shifts = cells.shifts();
+  const double reach = 2.0 * (bounds.radius + 0x1p-46 * (norm_1(centre) + norm_1(bounds.centre)) + kTrifle);
   for (std::uint64_t shift = shifts.home() + std::uint64_t{1}; shift < shifts.size(); ++shift) {
     ++search.near.n_seen;
-    if (safe_norm(shifts.shift(shift)) > 2.0 * radius * (1.0 + 0x1p-20)) continue;
+    if (safe_norm(shifts.shift(shift)) > reach * (1.0 + 0x1p-20)) continue;
     search.near.places[search.near.n] = place | (place << 32);
     search.near.shift[search.near.n] = shift;
     if (++search.near.n >= NearPairs::kMost) search.take();
@@ -76,7 +71,7 @@ PairSearch& Scene::Impl::find_pairs_of(BodyId body, const Transformd& pose) {
 }
 
 PairSearch& Scene::Impl::find_pairs_of_added(BodyId first, Clusters* joined, const PairJudge* judge) {
-  const BallCellsOfScene& cells = ball_cells(0.0);
+  const BallCellsOfScene& cells = ball_cells(0.0, true);
   PairSearch& search = single_;
   const PairQuestion asked = question_of_cells(cells);
   search.begin(asked);
@@ -87,7 +82,6 @@ PairSearch& Scene::Impl::find_pairs_of_added(BodyId first, Clusters* joined, con
     if (!bodies_.has(body)) continue;
     const ShapeBounds& bounds = bodies_.bounds(bodies_.shape_of()[body]);
     const Vec3d& centre = bodies_.centre(body);
-    const double radius = radius_among_cells(bounds, centre);
     // The cells hold what was added later, and the body itself, too. Of its own copies one of two is kept.
     std::size_t n = near.n;
     const auto keep_earlier = [&] {
@@ -99,7 +93,7 @@ PairSearch& Scene::Impl::find_pairs_of_added(BodyId first, Clusters* joined, con
       }
       near.n = n;
     };
-    cells.near(asked.kernel, body, centre, bounds.radius, radius, near, [&] {
+    cells.near(asked.kernel, body, centre, bounds, near, [&] {
       keep_earlier();
       search.take();
       n = 0;
