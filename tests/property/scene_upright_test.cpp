@@ -47,8 +47,10 @@ class UprightScene {
     const BodyId other = scene_->end() == 0 ? 0 : static_cast<BodyId>(random_() % scene_->end());
     if (!scene_->has(other) || random_() % 2 == 0) return pose;
     const Vec3d there = scene_->pose(other).translation;
-    const Aabb own = bounding_box(body_, Pose());
-    const Vec3d reach = own.upper - own.lower;
+    const auto extent = [this](const Vec3d& axis) {
+      return dot(axis, body_.support(axis)) + dot(-axis, body_.support(-axis));
+    };
+    const Vec3d reach{extent({1, 0, 0}), extent({0, 1, 0}), extent({0, 0, 1})};
     const std::array<double*, 3> to = {&pose.translation.x, &pose.translation.y, &pose.translation.z};
     const std::array<double, 3> from = {there.x, there.y, there.z}, by = {reach.x, reach.y, reach.z};
     for (std::size_t axis = 0; axis < 3; ++axis) {
