@@ -20,6 +20,7 @@ namespace {
 
 // All prices in nanoseconds.
 constexpr double kOfOneByOne = 40.0;     // a support call outside of packets, besides its body's price
+constexpr double kOfLongFacets = 0.4;    // and of each vertex of a body with facets too long for a table
 constexpr double kOfEscalation = 2e4;    // a trial that double precision leaves open
 constexpr double kOfPeersTrial = 400.0;  // of a peer's search
 constexpr std::uint64_t kTrials = 256;   // poses that are searched
@@ -40,6 +41,10 @@ double price_of(const CoreForm& core) {
 
 double price_of(const ConvexBody& body, const CoreForm* core) {
   const double of_ball = body.ball_radius() > 0.0 ? 1.0 : 0.0;
+  if (core != nullptr && core->kind == CoreForm::Kind::table && core->table.cells == nullptr) {
+    // Searches end at facets, so that a good part of their calls scan one.
+    return of_ball + kOfOneByOne + kOfLongFacets * static_cast<double>(body.exact_form()->points.size());
+  }
   return of_ball + (core != nullptr ? price_of(*core) : kOfOneByOne);
 }
 

@@ -4,9 +4,12 @@
 
 #include <cmath>
 #include <memory>
+#include <vector>
 
+#include "engine/numeric/elementary.h"
 #include "engine/sampling/radial/radial_estimator.h"
 #include "shapes/any_shape.h"
+#include "shapes/polytope.h"
 
 namespace vex {
 namespace {
@@ -38,6 +41,22 @@ TEST(Pilot, OfAPairThatNeverHitsTellsNoTime) {
   MonteCarloSettings settings;
   settings.domain = ball_domain(needle, needle);
   EXPECT_TRUE(std::isinf(pilot(needle, needle, settings).seconds_to(1e-3)));
+}
+
+// Its trials were priced as if none of their calls scanned a facet, and it took seconds.
+TEST(Pilot, OfBodiesWithVeryLongFacetsIsShort) {
+  std::vector<Vec3d> corners;
+  for (int k = 0; k < 6000; ++k) {
+    const SinCos<double> at = sincospi(k / 3000.0);
+    for (const double z : {-0.5, 0.5}) corners.push_back({at.cos, at.sin, z});
+  }
+  const ConvexBody prism = Polytope(corners, {}, 0.4);
+  MonteCarloSettings settings;
+  settings.domain = ball_domain(prism, prism);
+  const std::uint64_t n_of_prisms = pilot(prism, prism, settings).n_trials;
+  const ConvexBody box = parse_shape("box:1,1,1").body;
+  settings.domain = ball_domain(box, box);
+  EXPECT_LE(8 * n_of_prisms, pilot(box, box, settings).n_trials);
 }
 
 }  // namespace
