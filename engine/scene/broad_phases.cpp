@@ -14,7 +14,10 @@ void BroadPhases::poses_changed() { is_grid_true_ = is_tree_true_ = is_tree_sort
 
 void BroadPhases::moved(const SceneBodies& bodies, BodyId body) {
   is_grid_true_ = is_tree_sorted_ = false;
-  if (is_tree_true_) tree_.move(bodies, body);
+  if (!is_tree_true_) return;
+  is_tree_true_ = false;  // also where memory gives out
+  tree_.move(bodies, body);
+  is_tree_true_ = true;
 }
 
 void BroadPhases::build_tree(const SceneBodies& bodies, double reach, double margin, int n_threads) {

@@ -26,6 +26,13 @@ bool is_turned_well(const Transformd& pose) {
   return are_units & is_small(dot(x, y)) & is_small(dot(y, z)) & is_small(dot(z, x));
 }
 
+// So that what is added next needs no memory: where it gives out nothing has changed.
+template <class Vector>
+void make_room(Vector& vector, std::size_t more) {
+  const std::size_t needed = vector.size() + more;
+  if (needed > vector.capacity()) vector.reserve(std::max(needed, 2 * vector.capacity()));
+}
+
 double part(const Vec3d& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
 // How far the body reaches from the line through its centre along a coordinate axis.
@@ -116,6 +123,9 @@ ShapeId SceneBodies::add_shape(const ConvexBody& body) {
                        " apart - give a larger box");
     }
   }
+  make_room(shapes_, 1);
+  make_room(bounds_, 1);
+  make_room(n_of_shape_, 1);
   shape_by_identity_.emplace(body.identity().get(), static_cast<ShapeId>(shapes_.size()));
   shapes_.push_back(body);
   bounds_.push_back(bounds);
@@ -178,6 +188,10 @@ BodyId SceneBodies::add(ShapeId shape, const Pose& pose, const ImageOffset& move
   BodyId body = end();
   if (free_.empty()) {
     if (body == kNoBody - 1) throw UsageError("a scene holds fewer than 2^32 - 1 bodies - make several");
+    make_room(shape_of_, 1);
+    make_room(image_, 1);
+    make_room(poses_, kNumbersABody);
+    make_room(centres_, 1);
     shape_of_.back() = shape;
     shape_of_.push_back(kNoShape);
     image_.push_back(image);
@@ -252,6 +266,7 @@ double SceneBodies::largest_offset_of_shapes() const {
 }
 
 void SceneBodies::remove(BodyId body) {
+  make_room(free_, 1);
   --n_of_shape_[shape_of_[body]];
   shape_of_[body] = kNoShape;
   free_.push_back(body);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <new>
 #include <utility>
 
 #include "engine/numeric/errors.h"
@@ -46,10 +47,15 @@ BodyId Scene::Impl::add(ShapeId shape, const Pose& pose, const ImageOffset& move
   return body;
 }
 
+// Where memory gives out they are made anew.
 void Scene::Impl::keep_in_cells(BodyId body) {
-  are_cells_true_ = cells_.takes(bodies_, body);
-  if (are_cells_true_) {
-    cells_.add(bodies_, body);
+  are_cells_true_ = false;
+  if (cells_.takes(bodies_, body)) {
+    try {
+      cells_.add(bodies_, body);
+      are_cells_true_ = true;
+    } catch (const std::bad_alloc&) {
+    }
   } else if (cells_.are_upright()) {
     are_some_turned_ = true;
   }
@@ -61,8 +67,11 @@ void Scene::Impl::require(BodyId body) const {
 
 void Scene::Impl::remove(BodyId body) {
   require(body);
-  if (are_cells_true_) cells_.remove(bodies_, body);
+  const bool were_cells_true = are_cells_true_;
+  are_cells_true_ = false;  // also where memory gives out
+  if (were_cells_true) cells_.remove(bodies_, body);
   bodies_.remove(body);
+  are_cells_true_ = were_cells_true;
   phases_.bodies_changed();
   memory_.forget();
 }
@@ -90,11 +99,12 @@ void Scene::Impl::expect(std::size_t n_bodies) {
 void Scene::Impl::move(BodyId body, const Pose& pose) {
   require(body);
   bodies_.set_pose(body, pose);
+  const bool were_cells_true = are_cells_true_;
+  are_cells_true_ = false;  // also where memory gives out
   phases_.moved(bodies_, body);
-  if (are_cells_true_) {
-    cells_.remove(bodies_, body);
-    keep_in_cells(body);
-  }
+  if (!were_cells_true) return;
+  cells_.remove(bodies_, body);
+  keep_in_cells(body);
 }
 
 void Scene::Impl::move_all(std::span<const Pose> poses) {

@@ -1,5 +1,5 @@
 // Queries of all pairs keep their memory: once a scene has answered, the same query of one thread allocates nothing. So
-// do manifolds of two bodies in a caller's memory.
+// do manifolds of two bodies in a caller's memory. Where memory gives out a scene is what it was, or what it was to be.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -17,22 +17,32 @@
 #include "shapes/ellipsoid.h"
 #include "shapes/polytope.h"
 #include "tests/referees/random_poses.h"
+#include "tests/referees/scene_judge.h"
 
 namespace {
 
 std::atomic<std::uint64_t> n_allocations{0};
+std::atomic<std::int64_t> n_until_none{-1};  // allocations, from which on there are no more; or none ends
+
+bool gives_out() {
+  if (n_until_none < 0) return false;
+  if (n_until_none == 0) return true;
+  --n_until_none;
+  return false;
+}
 
 }  // namespace
 
 // Not inlined: a compiler that sees only one of them through takes them for a mismatched pair.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++n_allocations;
+  if (gives_out()) throw std::bad_alloc();
   if (void* const memory = std::malloc(size == 0 ? 1 : size)) return memory;
   throw std::bad_alloc();
 }
 [[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   ++n_allocations;
-  return std::malloc(size == 0 ? 1 : size);
+  return gives_out() ? nullptr : std::malloc(size == 0 ? 1 : size);
 }
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
@@ -138,6 +148,59 @@ TEST(ManifoldAllocations, InACallersMemoryThereAreNoneInSteadyState) {
   };
   EXPECT_EQ(allocations_of(ask_all), 0u);
   EXPECT_GT(n_contacts, 2000u);
+}
+
+// A body that was added while memory gave out was there without a pose, and a shape that was not there was found again.
+TEST(SceneAllocations, WhereMemoryGivesOutTheSceneIsWhatItSaysItIs) {
+  std::mt19937_64 random(3);
+  std::size_t n_refused = 0, n_pairs = 0;
+  for (const BroadPhase phase : {BroadPhase::grid, BroadPhase::tree}) {
+    for (const double skin : {0.0, 0.2}) {
+      Scene scene(PeriodicBox::cube(6.0), {.broad_phase = phase, .skin = skin});
+      const auto place = [&random] {
+        Transformd pose = random() % 2 == 0 ? random_rotation(random) : Transformd{};
+        for (double* x : {&pose.translation.x, &pose.translation.y, &pose.translation.z}) {
+          *x = 6.0 * (random_in_unit_interval(random) - 0.5);
+        }
+        return Pose(pose);
+      };
+      std::vector<ConvexBody> bodies;
+      for (int k = 0; k < 40; ++k) bodies.emplace_back(Box(0.5 + 0.02 * k, 1.0, 0.7));
+      ScenePairs found;
+      for (int step = 0; step < 800; ++step) {
+        const BodyId body = scene.end() == 0 ? 0 : static_cast<BodyId>(random() % scene.end());
+        const Pose pose = place();
+        const std::size_t n_before = scene.size();
+        const std::uint64_t choice = scene.size() > 30 ? 0 : random() % 5;
+        n_until_none = step % 3 == 0 ? -1 : static_cast<std::int64_t>(random() % (choice == 4 ? 40 : 6));
+        bool is_refused = false;
+        try {
+          if (choice == 0 && scene.has(body)) scene.remove(body);
+          if (choice == 1 && scene.has(body)) scene.move(body, pose);
+          if (choice == 2 && scene.has(body)) scene.overlaps_of(body, found);
+          if (choice == 3) scene.overlapping_pairs(found);
+          if (choice == 4) scene.add(bodies[static_cast<std::size_t>(step) % bodies.size()], pose);
+        } catch (const std::bad_alloc&) {
+          is_refused = true;
+        }
+        n_until_none = -1;
+        n_refused += is_refused ? 1 : 0;
+        if (choice == 4) {
+          EXPECT_EQ(scene.size(), n_before + (is_refused ? 0 : 1));
+        }
+        if (choice == 0 && is_refused) {
+          EXPECT_EQ(scene.size(), n_before);
+        }
+        if (!is_refused && step % 50 != 0) continue;
+        const EveryPair every = every_pair(scene);
+        n_pairs += every.pairs.size();
+        ASSERT_EQ(fault_of_pairs(scene, every), "") << step;
+        ASSERT_EQ(fault_of_single_bodies(scene, every), "") << step;
+      }
+    }
+  }
+  EXPECT_GT(n_refused, 200u);
+  EXPECT_GT(n_pairs, 1000u);
 }
 
 }  // namespace
