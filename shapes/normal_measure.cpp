@@ -151,6 +151,12 @@ double sum_of_radii_of_curvature(const Vec3d& semi_axes, const Vec3d& n) {
   return sum / (height * height * height);
 }
 
+bool is_alike_about_z(const NormalMeasure::Component& component) {
+  return std::holds_alternative<NormalRing>(component) || std::holds_alternative<NormalZone>(component) ||
+         std::holds_alternative<NormalRim>(component) || std::holds_alternative<NormalBelt>(component) ||
+         std::holds_alternative<HalfSpheroidNormals>(component);
+}
+
 double mass_of(const NormalMeasure::Component& component) {
   return std::visit([](const auto& c) { return c.mass; }, component);
 }

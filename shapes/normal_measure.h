@@ -122,6 +122,9 @@ class NormalMeasure {
   std::vector<Component> components_;
 };
 
+/// Whether it is a part of a surface of revolution about z by its kind: a ring, a zone, a rim, a belt, a half spheroid.
+bool is_alike_about_z(const NormalMeasure::Component& component);
+
 /// The part of a measure that is the component's own.
 double mass_of(const NormalMeasure::Component& component);
 

@@ -27,12 +27,17 @@ double tail_of(const OrientationLaw& law, const AxisMoments& a, const AxisMoment
 }  // namespace
 
 std::optional<SeriesAverage> legendre_average(const Body& a, const Body& b, const OrientationLaw& law) {
-  if (law.kind() < OrientationLaw::Kind::cone || law.has_axes()) return std::nullopt;
+  if (law.kind() < OrientationLaw::Kind::cone) return std::nullopt;
   std::optional<AxisMoments> moments_a = axis_moments(law.of_body(0));
   const std::optional<AxisMoments> moments_b = axis_moments(law.of_body(1));
   if (!moments_a || !moments_b) return std::nullopt;
   const std::optional<AxialMeasures> of_a = axial_measures(a), of_b = axial_measures(b);
   if (!of_a || !of_b) return std::nullopt;
+  const Vec3d axis_a = law.axis_of(0), axis_b = law.axis_of(1);
+  if (!has_series_about(of_a->area, axis_a) || !has_series_about(of_b->area, axis_b)) return std::nullopt;
+  if (!has_series_about(of_a->mean_curvature, axis_a) || !has_series_about(of_b->mean_curvature, axis_b)) {
+    return std::nullopt;
+  }
 
   // |S_l| <= S and |H_l| <= M, and the factor is at most 1 / (2 l) in size: (2 l + 1) / (2 pi (l^2 + l - 2)), l >= 2.
   const double largest = a.measures.surface_area * b.measures.integrated_mean_curvature +
@@ -56,9 +61,10 @@ std::optional<SeriesAverage> legendre_average(const Body& a, const Body& b, cons
                          b.measures.surface_area * a.body.circumradius();
   if (!(0.5 * largest * left_out <= kLargestError * at_most)) return std::nullopt;
   if (!are_affordable({&*of_a, &*of_b}, degree)) return std::nullopt;
-  const LegendreSeries s_a = legendre_series(of_a->area, degree), s_b = legendre_series(of_b->area, degree);
-  const LegendreSeries h_a = legendre_series(of_a->mean_curvature, degree);
-  const LegendreSeries h_b = legendre_series(of_b->mean_curvature, degree);
+  const LegendreSeries s_a = legendre_series(of_a->area, degree, axis_a);
+  const LegendreSeries s_b = legendre_series(of_b->area, degree, axis_b);
+  const LegendreSeries h_a = legendre_series(of_a->mean_curvature, degree, axis_a);
+  const LegendreSeries h_b = legendre_series(of_b->mean_curvature, degree, axis_b);
   double sum = 0.0;
   for (std::size_t l = degree; l != 1; l = l == 2 ? 0 : l - 1) {  // of degree 1 no body has a part
     const double factor = l % 2 == 0 ? coefficient_of_degree(l) : -coefficient_of_degree(l);

@@ -23,10 +23,14 @@ std::size_t panels_for(double angle_rad, std::size_t n_degrees) {
   return static_cast<std::size_t>(angle_rad * static_cast<double>(n_degrees) / 40.0) + 1;
 }
 
-/// The same for the mean of weight(v) P_l(n_z(v)) over 0 < v < 1, where n_z turns through `angle_rad`: 30 nodes for
+constexpr Vec3d kZ{0.0, 0.0, 1.0};
+
+double along(const Vec3d& unit_normal, const Vec3d& axis) { return std::clamp(dot(unit_normal, axis), -1.0, 1.0); }
+
+/// The same for the mean of weight(v) P_l(n(v) . axis) over 0 < v < 1, where n turns through `angle_rad`: 30 nodes for
 /// each 40 radians of phase of the highest degree.
 template <class F>
-void add_mean(double angle_rad, std::size_t least_panels, const F& normal_of, Series* sum) {
+void add_mean(double angle_rad, std::size_t least_panels, const F& normal_of, const Vec3d& axis, Series* sum) {
   using Gauss = boost::math::quadrature::gauss<double, 30>;
   const std::size_t n_panels = std::max(panels_for(angle_rad, sum->size()), least_panels);
   const double half_width = 0.5 / static_cast<double>(n_panels);
@@ -35,7 +39,7 @@ void add_mean(double angle_rad, std::size_t least_panels, const F& normal_of, Se
     for (std::size_t i = 0; i < Gauss::abscissa().size(); ++i) {
       for (const double side : {-1.0, 1.0}) {
         const WeightedNormal at = normal_of(middle + side * half_width * Gauss::abscissa()[i]);
-        add_polynomials(half_width * Gauss::weights()[i] * at.weight, std::clamp(at.unit_normal.z, -1.0, 1.0), sum);
+        add_polynomials(half_width * Gauss::weights()[i] * at.weight, along(at.unit_normal, axis), sum);
       }
     }
   }
@@ -78,7 +82,29 @@ void add_ellipsoid(const Vec3d& axes, double factor, const F& density, Series* s
         for (int i = 0; i < n_angles; ++i) mean += density(v, 0.25 * (i + 0.5) / n_angles) / n_angles;
         return {{0.0, 0.0, -std::cos(pi * t)}, factor * mean * 0.5 * pi * std::sin(pi * t)};
       },
-      sum);
+      kZ, sum);
+}
+
+/// The semi-axes in a frame whose z axis is this one of the ellipsoid's own, from which side matters not; nothing where
+/// it is askew.
+std::optional<Vec3d> semi_axes_about(const Vec3d& axes, const Vec3d& unit_axis) {
+  const bool x = unit_axis.x != 0.0, y = unit_axis.y != 0.0, z = unit_axis.z != 0.0;
+  if (z && !x && !y) return axes;
+  if (x && !y && !z) return Vec3d{axes.y, axes.z, axes.x};
+  if (y && !x && !z) return Vec3d{axes.z, axes.x, axes.y};
+  return std::nullopt;
+}
+
+/// Of an ellipsoid's part, or null.
+const Vec3d* semi_axes_of(const NormalMeasure::Component& component) {
+  if (const auto* const area = std::get_if<EllipsoidNormals>(&component)) return &area->semi_axes;
+  if (const auto* const curvature = std::get_if<EllipsoidCurvature>(&component)) return &curvature->semi_axes;
+  return nullptr;
+}
+
+bool turns_about_z(const NormalMeasure::Component& component) {
+  const Vec3d* const axes = semi_axes_of(component);
+  return axes != nullptr ? axes->x == axes->y : is_alike_about_z(component);
 }
 
 /// In steps of the polynomials' recursion.
@@ -131,10 +157,23 @@ void add_polynomials(double weight, double x, LegendreSeries* sum) {
   }
 }
 
-LegendreSeries legendre_series(const NormalMeasure& measure, std::size_t max_degree) {
-  Series sum(max_degree + 1, 0.0);
+bool has_series_about(const NormalMeasure& measure, const Vec3d& unit_axis) {
+  return std::ranges::all_of(measure.components(), [&](const NormalMeasure::Component& component) {
+    const Vec3d* const axes = semi_axes_of(component);
+    return axes == nullptr || turns_about_z(component) || semi_axes_about(*axes, unit_axis).has_value();
+  });
+}
+
+// What is alike about z has, about an axis at the angle t to it, P_l(cos t) times its integrals about z: the mean of
+// P_l(n . axis) over all turns about z is P_l(n_z) P_l(cos t), by the addition theorem.
+LegendreSeries legendre_series(const NormalMeasure& measure, std::size_t max_degree, const Vec3d& unit_axis) {
+  const bool is_about_z = unit_axis.z == 1.0;
+  Series all(max_degree + 1, 0.0), alike_about_z(is_about_z ? 0 : max_degree + 1, 0.0);
   for (const NormalMeasure::Component& component : measure.components()) {
     if (!(mass_of(component) > 0.0)) continue;
+    const bool is_alike = turns_about_z(component);
+    Series& sum = is_alike && !is_about_z ? alike_about_z : all;
+    const Vec3d& axis = is_alike ? kZ : unit_axis;
     const auto at = [&](double v) { return normal_at(component, v, 0.5); };
     if (const auto* const zone = std::get_if<NormalZone>(&component)) {
       // The integral of P_l is (P_(l+1) - P_(l-1)) / (2 l + 1).
@@ -147,28 +186,31 @@ LegendreSeries legendre_series(const NormalMeasure& measure, std::size_t max_deg
         sum[l] += zone->mass * integral / (static_cast<double>(2 * l + 1) * (zone->cos_to - zone->cos_from));
       }
     } else if (const auto* const arc = std::get_if<NormalArc>(&component)) {
-      add_mean(arc->angle_rad, 1, at, &sum);
+      add_mean(arc->angle_rad, 1, at, axis, &sum);
     } else if (const auto* const rim = std::get_if<NormalRim>(&component)) {
-      add_mean(rim->polar_to_rad - rim->polar_from_rad, 1, at, &sum);
+      add_mean(rim->polar_to_rad - rim->polar_from_rad, 1, at, axis, &sum);
     } else if (const auto* const belt = std::get_if<NormalBelt>(&component)) {
-      add_mean(2.0 * belt->half_angle_rad, 1, at, &sum);
+      add_mean(2.0 * belt->half_angle_rad, 1, at, axis, &sum);
     } else if (const auto* const half = std::get_if<HalfSpheroidNormals>(&component)) {
       const double ratio = aspect_ratio({half->across, half->across, half->along});
-      add_mean(0.5 * pi, static_cast<std::size_t>(2.0 * ratio), at, &sum);
+      add_mean(0.5 * pi, static_cast<std::size_t>(2.0 * ratio), at, axis, &sum);
     } else if (std::holds_alternative<NormalAtom>(component) || std::holds_alternative<NormalRing>(component)) {
-      add_polynomials(mass_of(component), std::clamp(at(0.5).unit_normal.z, -1.0, 1.0), &sum);
+      add_polynomials(mass_of(component), along(at(0.5).unit_normal, axis), &sum);
     } else if (const auto* const area = std::get_if<EllipsoidNormals>(&component)) {
-      add_ellipsoid(area->semi_axes, area->factor, GaussianCurvature{area->semi_axes}, &sum);
+      const Vec3d axes = semi_axes_about(area->semi_axes, axis).value();
+      add_ellipsoid(axes, area->factor, GaussianCurvature{axes}, &sum);
     } else if (const auto* const curvature = std::get_if<EllipsoidCurvature>(&component)) {
+      const Vec3d axes = semi_axes_about(curvature->semi_axes, axis).value();
       add_ellipsoid(
-          curvature->semi_axes, curvature->factor,
-          [&](double v, double w) {
-            return 2.0 * pi * sum_of_radii_of_curvature(curvature->semi_axes, uniform_normal(v, w));
-          },
-          &sum);
+          axes, curvature->factor,
+          [&](double v, double w) { return 2.0 * pi * sum_of_radii_of_curvature(axes, uniform_normal(v, w)); }, &sum);
     }
   }
-  return sum;
+  if (is_about_z) return all;
+  Series of_axis(max_degree + 1, 0.0);
+  add_polynomials(1.0, std::clamp(unit_axis.z, -1.0, 1.0), &of_axis);
+  for (std::size_t l = 0; l <= max_degree; ++l) all[l] += of_axis[l] * alike_about_z[l];
+  return all;
 }
 
 std::optional<AxialMeasures> axial_measures(const Body& body) {

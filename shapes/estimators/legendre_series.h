@@ -19,8 +19,12 @@ using LegendreSeries = std::vector<double>;  // by degree, from 0 up
 /// sum[l] += weight P_l(x), by the three-term recursion, which is stable for |x| <= 1.
 void add_polynomials(double weight, double x, LegendreSeries* sum);
 
-/// The integrals of P_l(n_z) over the measure, to some 1e-11 of its mass.
-LegendreSeries legendre_series(const NormalMeasure& measure, std::size_t max_degree);
+/// The integrals of P_l(n . unit_axis) over the measure, to some 1e-11 of its mass. The axis is any where
+/// `has_series_about`.
+LegendreSeries legendre_series(const NormalMeasure& measure, std::size_t max_degree,
+                               const Vec3d& unit_axis = {0.0, 0.0, 1.0});
+/// All axes will do but those askew in a body that has a part of an ellipsoid of three different semi-axes.
+bool has_series_about(const NormalMeasure& measure, const Vec3d& unit_axis);
 
 struct AxialMeasures {
   NormalMeasure area, mean_curvature;

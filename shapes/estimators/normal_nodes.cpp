@@ -45,12 +45,6 @@ std::uint64_t place_on_sphere(const Vec3d& n) {
 
 Vec3d middle_normal(const NormalMeasure::Component& component) { return normal_at(component, 0.5, 0.5).unit_normal; }
 
-bool is_alike_about_z(const NormalMeasure::Component& component) {
-  return std::holds_alternative<NormalRing>(component) || std::holds_alternative<NormalZone>(component) ||
-         std::holds_alternative<NormalRim>(component) || std::holds_alternative<NormalBelt>(component) ||
-         std::holds_alternative<HalfSpheroidNormals>(component);
-}
-
 bool is_whole_sphere(const NormalMeasure::Component& component) {
   const auto* const zone = std::get_if<NormalZone>(&component);
   return zone != nullptr && zone->cos_from == -1.0 && zone->cos_to == 1.0;

@@ -324,6 +324,53 @@ TEST(LegendreAverage, IsNothingForLawsAndBodiesItIsNotMadeFor) {
   EXPECT_FALSE(legendre_average(box, ellipsoid, OrientationLaw::onsager(5)).has_value());
 }
 
+TEST(LegendreAverage, AboutOtherAxesIsThatOfTheTurnedBody) {
+  const Body cone = parse_shape("cone:1,0.5");
+  const auto average = [&cone](const std::string& body, const OrientationLaw& law) {
+    return legendre_average(parse_shape(body), cone, law);
+  };
+  const Vec3d x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, askew{1, -2, 2};
+  const OrientationLaw law = OrientationLaw::onsager(4.0);
+  struct Same {
+    const char *body, *turned;
+    Vec3d axis;
+  };
+  for (const Same& same :
+       {Same{"box:3,2,1", "box:2,1,3", x}, Same{"box:3,2,1", "box:1,3,2", y},
+        Same{"ellipsoid:3,2,1", "ellipsoid:2,1,3", x}, Same{"ellipsoid:3,2,1", "ellipsoid:3,1,2", y},
+        Same{"ellipsoid:1,1,2", "ellipsoid:1,2,1", x}, Same{"hemisphere:1", "hemisphere:1", z},
+        Same{"sphere:1", "sphere:1", askew}, Same{"rounded:0.2,box:3,2,1", "rounded:0.2,box:2,1,3", x}}) {
+    SCOPED_TRACE(same.body);
+    const std::optional<SeriesAverage> found = average(same.body, law.about(same.axis, z));
+    ASSERT_TRUE(found.has_value());
+    const std::optional<SeriesAverage> truth = average(same.turned, law);
+    ASSERT_TRUE(truth.has_value());
+    EXPECT_NEAR(found->excluded_volume, truth->excluded_volume, 3.0 * found->error);
+  }
+  EXPECT_FALSE(average("ellipsoid:3,2,1", law.about(askew, z)).has_value());
+  // Bodies with every kind of part, odd degrees too: one law tells up from down.
+  ExactAverageSettings settings = quick();
+  settings.series = false;
+  double largest_off = 0.0;
+  const AxisLaw up = AxisLaw::table({{-1.0, 0.3, 1.0}, {0.1, 0.2, 2.0}});
+  const OrientationLaw of_each = OrientationLaw::each(up, up);
+  for (const std::string text : {"box:3,2,1", "tetrahedron:1", "cylinder:1,0.5", "cone:2,0.5", "capsule:1,0.5",
+                                 "hemisphere:1", "disc:1", "frustum:1,0.7,0.3", "ellipsoid:1,1,2", "spindle:4,1"}) {
+    SCOPED_TRACE(text);
+    const Body body = parse_shape(text);
+    for (const OrientationLaw& one : {law, of_each}) {
+      const OrientationLaw about = one.about(askew, Vec3d{0, 0, -1});
+      const std::optional<SeriesAverage> series = legendre_average(body, cone, about);
+      ASSERT_TRUE(series.has_value());
+      const ExactAverage found = exact_average(body, cone, about, settings);
+      expect_average(found, series->excluded_volume, 1e-2);
+      largest_off = std::max(largest_off, std::fabs(found.excluded_volume - series->excluded_volume) / found.error);
+      EXPECT_GT(std::fabs(legendre_average(body, cone, one)->excluded_volume - series->excluded_volume), 1e-6);
+    }
+  }
+  EXPECT_GT(largest_off, 0.5) << "the stated errors are too large to tell anything";
+}
+
 TEST(AverageOverALaw, OfANeedleAndADiscFollowsFromTheMeanCosine) {
   // A cone of 90 degrees is all directions: |cos gamma| is 1/2 on average.
   ExactAverageSettings settings = quick();
