@@ -85,7 +85,7 @@ TEST_F(Signals, OfProgramsThatWaitForTheirInput) {
 
 TEST_F(Signals, AQuestionIsAnsweredAndTheRunGoesOn) {
   std::string ask;
-  for (const std::string& line : {"1", "2"})
+  for (const std::string line : {"1", "2"})
     ask += "kill -USR1 $program; until [ $(wc -l < told) = " + line + " ]; do sleep 0.05; done; ";
   const Finished finished =
       shell(signalled(kEndless + "--quiet --json result.json 2> told", ask + "kill -HUP $program; "));
