@@ -11,20 +11,37 @@ bool is_turned(const Transformd& a, const Transformd& b) {
   return differ(a.row_x, b.row_x) | differ(a.row_y, b.row_y) | differ(a.row_z, b.row_z);
 }
 
+// Seen from the centre, no point of a ball of this radius moves farther: of the matrices' difference the Frobenius norm
+// is taken.
+double most_turned(const Transformd& from, const Transformd& to, double radius) {
+  const auto square = [](const Vec3d& v) { return dot(v, v); };
+  return std::sqrt(square(to.row_x - from.row_x) + square(to.row_y - from.row_y) + square(to.row_z - from.row_z)) *
+         radius * (1.0 + 0x1p-18);
+}
+
+// A body's travel and one step more, from one centre to another. Rounded up, so that what was added between two times
+// is at most the difference, however small the steps are; and larger than it was, so that it tells whether the body has
+// moved.
+double farther(double travel, const Vec3d& step, const Vec3d& from, const Vec3d& to, double turned) {
+  const double rounding = 0x1p-46 * (norm_1(to) + norm_1(from) + norm_1(step));
+  const double by = norm(step) * (1.0 + 0x1p-18) + turned + rounding + kTrifle;
+  return (travel + by) * (1.0 + 0x1p-51);
+}
+
 }  // namespace
 
 void SceneBodies::track() {
+  is_tracked_ = false;  // also where memory gives out
   travel_.assign(end(), 0.0);
   travel_before_.assign(end(), 0.0);
+  turned_.assign(end(), 0.0);
   has_crossed_.assign(end(), 0);
-  tracks_.resize(end());  // at last: where there are tracks the others are as long, also where memory gives out
-  for (BodyId body = 0; body < end(); ++body) {
-    Track& track = tracks_[body];
-    track.centre = centres_[body];
-    track.crossed = {};
-    track.shape = shape_of_[body];
-    track.turned = 0.0;
-  }
+  crossed_.resize(end());
+  is_tracked_ = true;
+}
+
+Vec3d SceneBodies::tracked_centre(BodyId body) const {
+  return has_crossed(body) ? centres_[body] + box_->shift(crossed_[body]) : centres_[body];
 }
 
 SceneBodies::Travel SceneBodies::largest_travel() {
@@ -39,51 +56,57 @@ SceneBodies::Travel SceneBodies::largest_travel() {
   return largest;
 }
 
-// A point c + R x with |x| <= r moves by |c' - c| + |R' - R| r or less; of the matrix the Frobenius norm.
-void SceneBodies::add_to_track(BodyId body, double turned, const Vec3d& centre_from) {
-  Track& track = tracks_[body];
-  const Vec3d centre = centres_[body];
-  ++track.n_moves;
-  Vec3d step = centre - centre_from;
+// Of a move that may cross a face, or has a rotation to be looked at twice.
+void SceneBodies::set_any_pose(BodyId body, const Transformd& given) {
+  const ShapeId shape = shape_of_[body];
+  const Transformd from = pose(body);
+  const Vec3d centre_from = centres_[body];
+  ImageOffset image;
+  // A rotation that is there already has been checked.
+  const bool turns = is_turned(given, from);
+  const Transformd kept = turns ? checked(shape, given, &image) : placed(shape, given, &image);
+  place(body, kept);
+  if (image_[body] != image) image_[body] = image;
+  if (!is_tracked_ || !(turns || differ(kept.translation, from.translation))) return;
+  const double turned = turns ? most_turned(from, kept, bounds_[shape].radius) : 0.0;
+  Vec3d step = centres_[body] - centre_from;
   // A body that has left through one face and come back through the opposite one has moved a little.
   if (box_ && !box_->surely_holds(step, kInside)) {
-    const ImageOffset image = box_->towards_origin(step);
-    step = step + box_->shift(image);
-    track.crossed = image_sum(track.crossed, image);
+    const ImageOffset by = box_->towards_origin(step);
+    step = step + box_->shift(by);
+    crossed_[body] = has_crossed(body) ? image_sum(crossed_[body], by) : by;
+    has_crossed_[body] = crossed_[body] != ImageOffset{} ? 1 : 0;
   }
-  const bool has_crossed = (track.crossed[0] | track.crossed[1] | track.crossed[2]) != 0;
-  if (has_crossed_[body] != static_cast<std::uint8_t>(has_crossed)) has_crossed_[body] = has_crossed ? 1 : 0;
-  track.centre = has_crossed ? centre + box_->shift(track.crossed) : centre;
-  const double rounding = 0x1p-46 * (norm_1(centre) + norm_1(centre_from) + norm_1(step));
-  track.turned += turned;
-  // Rounded up, so that what was added between two times is at most the difference, however small the steps are.
-  const double by = norm(step) * (1.0 + 0x1p-18) + turned + rounding + kTrifle;
-  travel_[body] = (travel_[body] + by) * (1.0 + 0x1p-51);
+  turned_[body] += turned;
+  travel_[body] = farther(travel_[body], step, centre_from, centres_[body], turned);
 }
 
-void SceneBodies::set_pose(BodyId body, const Pose& pose) {
-  const ShapeId shape = shape_of_[body];
-  ImageOffset image;
-  if (tracks_.empty()) {
-    place(body, checked(shape, pose, &image));
-  } else {
-    const Transformd& given = pose.a_from_b();
-    const Transformd from = this->pose(body);
-    const Vec3d centre_from = centres_[body];
-    // A rotation that is there already has been checked.
-    const bool turns = is_turned(given, from);
-    const Transformd kept = turns ? checked(shape, pose, &image) : placed(shape, given, &image);
-    place(body, kept);
-    const auto square = [](const Vec3d& v) { return dot(v, v); };
-    double turned = 0.0;
-    if (turns) {
-      turned = std::sqrt(square(kept.row_x - from.row_x) + square(kept.row_y - from.row_y) +
-                         square(kept.row_z - from.row_z)) *
-               bounds_[shape].radius * (1.0 + 0x1p-18);
+// What most moves need, side by side; the others go one by one.
+void SceneBodies::set_poses(BodyId first, std::span<const Pose> poses) {
+  const bool is_tracked = is_tracked_;
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const BodyId body = first + static_cast<BodyId>(k);
+    const Transformd& given = poses[k].a_from_b();
+    const ShapeBounds& bounds = bounds_[shape_of_[body]];
+    const Vec3d centre = centre_of(given, bounds.centre), step = centre - centres_[body];
+    const Transformd before = pose(body);
+    const bool turns = !is_tracked || is_turned(given, before);
+    const bool stays = box_ ? box_->surely_holds(centre, kInside) && (!is_tracked || box_->surely_holds(step, kInside))
+                            : norm_1(centre) <= kFarthest;
+    if (!stays || (turns && !is_turned_well(given))) {
+      set_any_pose(body, given);
+      continue;
     }
-    if (turns || differ(kept.translation, from.translation)) add_to_track(body, turned, centre_from);
+    if (is_tracked && (turns || differ(given.translation, before.translation))) {
+      const double turned = turns ? most_turned(before, given, bounds.radius) : 0.0;
+      if (turns) turned_[body] += turned;
+      travel_[body] = farther(travel_[body], step, centres_[body], centre, turned);
+    }
+    write_pose(poses_.data(), body, given);
+    centres_[body] = centre;
+    ImageOffset& image = image_[body];
+    if ((image[0] | image[1] | image[2]) != 0) image = {};
   }
-  if (image_[body] != image) image_[body] = image;
 }
 
 }  // namespace vex

@@ -6,6 +6,7 @@
 
 #include "engine/numeric/interruption.h"
 #include "engine/numeric/interval.h"
+#include "engine/scene/depth_around_core.h"
 #include "engine/scene/threads.h"
 
 namespace vex {
@@ -13,6 +14,26 @@ namespace {
 
 // Of lengths, as kStretch of scene_bodies.cpp: what rotations that are ones to within 2e-7 change, twice over.
 constexpr double kLess = 1.0 - 0x1p-18;
+
+// A pair whose inscribed balls are at least this share of the circumscribed ones is known by them, too; a point of its
+// difference is then taken for one that is nearer to the centres by so much (E26).
+constexpr double kLeastCore = 0x1p-4, kLessOfTip = 1.0 - 0x1p-14;
+
+// A float that is no larger.
+float float_below(double x) {
+  const float nearest = static_cast<float>(x);
+  return static_cast<double>(nearest) > x ? std::nextafter(nearest, -HUGE_VALF) : nearest;
+}
+
+// So many entries of any values, with room for a few more: a list that grows a little stays where it is.
+template <class Vector>
+void make_room(Vector& entries, std::size_t n) {
+  if (entries.capacity() < n) {
+    entries = Vector();
+    entries.reserve(n + n / 8);
+  }
+  entries.resize(n);
+}
 
 // The numbers, counted from `first`, of those of which something is true; how many. Whether it is true is as good as
 // random: each number is written in any case.
@@ -27,6 +48,46 @@ std::size_t numbers_of(std::size_t first, std::size_t end, std::uint32_t* number
 }
 
 }  // namespace
+
+// Of bodies that have crossed no face it is from where they are.
+inline Vec3d PairMemory::way(const Listed& pair) const {
+  const bool has_crossed = bodies_->has_crossed(pair.a) | bodies_->has_crossed(pair.b);
+  const Vec3d between = has_crossed ? bodies_->tracked_centre(pair.b) - bodies_->tracked_centre(pair.a)
+                                    : bodies_->centre(pair.b) - bodies_->centre(pair.a);
+  return between + shifts_.shift(pair.shift);
+}
+inline double PairMemory::turned(const Listed& pair) const { return bodies_->turned(pair.a) + bodies_->turned(pair.b); }
+inline Vec3d PairMemory::travels(const Listed& pair) const {
+  return {bodies_->travel(pair.a), bodies_->travel(pair.b), 0.0};
+}
+
+inline ImageOffset PairMemory::image(const Listed& pair) const {
+  const ImageOffset& then = shifts_.image(pair.shift);
+  if (!(bodies_->has_crossed(pair.a) | bodies_->has_crossed(pair.b))) return then;
+  return image_sum(then, image_difference(bodies_->crossed(pair.b), bodies_->crossed(pair.a)));
+}
+
+inline double PairMemory::left(const Known& known, const Listed& pair, const Vec3d& way) const {
+  switch (known.kind) {
+    case Known::Kind::apart: return dot(known.at, way) - turned(pair) - known.limit;
+    case Known::Kind::overlap: return known.limit - (norm(way - known.at) + turned(pair));
+    case Known::Kind::overlap_around_core:
+      return depth_around_core(way, known.at, static_cast<double>(known.core)) - (turned(pair) - known.limit);
+    case Known::Kind::apart_at_rest:
+    case Known::Kind::overlap_at_rest:
+    case Known::Kind::nothing: break;
+  }
+  return 0.0;
+}
+
+// What the clock may grow to, at least, while what is above 0 now shrinks by no more than it grows: below it by no less
+// than its rounding, so that the sum's is covered.
+inline double PairMemory::clock_when(double left) const { return (clock_ + left) * (1.0 - 0x1p-52); }
+
+inline bool PairMemory::is_at_rest(const Known& known, const Listed& pair) const {
+  if (known.kind != Known::Kind::apart_at_rest && known.kind != Known::Kind::overlap_at_rest) return false;
+  return known.at.x == bodies_->travel(pair.a) && known.at.y == bodies_->travel(pair.b);
+}
 
 void PairMemory::build(SceneBodies& bodies, const BroadPhases& phases, const SceneKernel& kernel, double skin,
                        int n_threads) {
@@ -58,21 +119,26 @@ void PairMemory::build(SceneBodies& bodies, const BroadPhases& phases, const Sce
 }
 
 void PairMemory::find_pairs_within_skin(const BroadPhases& phases, const SceneKernel& kernel, int n_threads) {
+  // Of each shift of the broad phase, the number here; numbers are in the order of images.
+  const ShiftTable& theirs = phases.shifts();
+  std::vector<std::uint32_t> number(theirs.size());
+  for (std::uint32_t k = 0; k < theirs.size(); ++k) number[k] = shifts_.number(theirs.image(k));
   if (found_.size() < phases.n_parts()) found_.resize(phases.n_parts());
   for (std::vector<Listed>& part : found_) part.clear();
   share_parts(n_threads, phases.n_parts(), [&](std::size_t part) {
     thread_local NearPairs near;
+    const BodyId* const id = phases.bodies().id.data();
     near.n = 0;
     phases.find_near(part, kernel, near, [&] {
       end_if_interrupted();
       for (std::size_t k = 0; k < near.n; ++k) {
-        BodyId a = phases.bodies().id[near.places[k] & 0xffffffffu], b = phases.bodies().id[near.places[k] >> 32];
-        ImageOffset image = phases.shifts().image(near.shift[k]);
-        if (a > b || (a == b && !(image > ImageOffset{}))) {
-          std::swap(a, b);
-          image = {-image[0], -image[1], -image[2]};
+        const BodyId a = id[near.places[k] & 0xffffffffu], b = id[near.places[k] >> 32];
+        const std::uint32_t shift = number[near.shift[k]];
+        if (a > b || (a == b && shift < shifts_.home())) {
+          found_[part].push_back({b, a, static_cast<std::uint32_t>(shifts_.opposite(shift))});
+        } else {
+          found_[part].push_back({a, b, shift});
         }
-        found_[part].push_back({a, b, shifts_.number(image)});
       }
       near.n = 0;
       return true;
@@ -84,7 +150,7 @@ void PairMemory::find_pairs_within_skin(const BroadPhases& phases, const SceneKe
     for (const Listed& pair : part) ++next_[pair.a + 1];
   }
   for (std::size_t k = 1; k < next_.size(); ++k) next_[k] += next_[k - 1];
-  listed_.resize(next_.back());
+  make_room(listed_, next_.back());
   for (const std::vector<Listed>& part : found_) {
     for (const Listed& pair : part) listed_[next_[pair.a]++] = pair;
   }
@@ -100,14 +166,14 @@ void PairMemory::list(bool keeps_old) {
   until_before_.swap(until_);
   overlaps_before_.swap(overlaps_);
   const std::size_t n = listed_.size(), n_before = keeps_old ? listed_before_.size() : 0;
-  known_.resize(n);
-  until_.resize(n);
-  overlaps_.resize(n);
+  make_room(known_, n);
+  make_room(until_, n);
+  make_room(overlaps_, n);
   std::size_t at = 0;
   for (std::size_t k = 0; k < n; ++k) {
     const Listed& pair = listed_[k];
     while (at < n_before && listed_before_[at] < pair) ++at;
-    if (at == n_before || listed_before_[at] != pair) {
+    if (at == n_before || !(listed_before_[at] == pair)) {
       known_[k] = {};
       until_[k] = -HUGE_VAL;
       overlaps_[k] = 0;
@@ -128,10 +194,12 @@ void PairMemory::list(bool keeps_old) {
 void PairMemory::carry_over(const Listed& pair, bool is_same_copy, Known& known) const {
   switch (known.kind) {
     case Known::Kind::apart: known.limit = next_above(known.limit + turned(pair)); break;
-    case Known::Kind::overlap: known.limit = next_below(known.limit - turned(pair)); break;
+    case Known::Kind::overlap:
+    case Known::Kind::overlap_around_core: known.limit = next_below(known.limit - turned(pair)); break;
     case Known::Kind::apart_at_rest:
     case Known::Kind::overlap_at_rest:
-      if (!is_same_copy) known.kind = Known::Kind::nothing;
+      if (!is_same_copy || !is_at_rest(known, pair)) known.kind = Known::Kind::nothing;
+      known.at = {};
       break;
     case Known::Kind::nothing: break;
   }
@@ -145,45 +213,17 @@ bool PairMemory::holds(SceneBodies& bodies, double skin) {
   return 2.0 * travel.since_track < skin * kLess;
 }
 
-Vec3d PairMemory::way(const Listed& pair) const {
-  return (bodies_->track_of(pair.b).centre - bodies_->track_of(pair.a).centre) + shifts_.shift(pair.shift);
-}
-double PairMemory::turned(const Listed& pair) const {
-  return bodies_->track_of(pair.a).turned + bodies_->track_of(pair.b).turned;
-}
-double PairMemory::n_moves(const Listed& pair) const {
-  return static_cast<double>(bodies_->track_of(pair.a).n_moves + bodies_->track_of(pair.b).n_moves);
-}
-
-ImageOffset PairMemory::image(const Listed& pair) const {
-  const ImageOffset& then = shifts_.image(pair.shift);
-  if (!(bodies_->has_crossed(pair.a) | bodies_->has_crossed(pair.b))) return then;
-  const ImageOffset &of_a = bodies_->track_of(pair.a).crossed, &of_b = bodies_->track_of(pair.b).crossed;
-  return {then[0] + of_b[0] - of_a[0], then[1] + of_b[1] - of_a[1], then[2] + of_b[2] - of_a[2]};
-}
-
-double PairMemory::left(const Known& known, const Listed& pair, const Vec3d& way) const {
-  switch (known.kind) {
-    case Known::Kind::apart: return dot(known.at, way) - turned(pair) - known.limit;
-    case Known::Kind::overlap: return known.limit - (norm(way - known.at) + turned(pair));
-    case Known::Kind::apart_at_rest:
-    case Known::Kind::overlap_at_rest:
-    case Known::Kind::nothing: break;
-  }
-  return 0.0;
-}
-
 bool PairMemory::keep_what_balls_tell(std::uint64_t tag, const Vec3d& way) {
   const Listed& pair = listed_[tag];
   const double distance = norm(way);
-  const ShapeBounds& of_a = bodies_->bounds(bodies_->track_of(pair.a).shape);
-  const ShapeBounds& of_b = bodies_->bounds(bodies_->track_of(pair.b).shape);
+  const ShapeBounds& of_a = bodies_->bounds_of(pair.a);
+  const ShapeBounds& of_b = bodies_->bounds_of(pair.b);
   const double apart = distance * kLess - (of_a.radius + of_b.radius) - rounding_;
   const double inside = (of_a.inner_radius + of_b.inner_radius) - distance / kLess - rounding_;
   if (apart > 0.0) {
     keep_apart(tag, (1.0 / distance) * way, apart);
   } else if (inside > 0.0) {
-    keep_overlap(tag, inside);
+    if (!keep_around_core(tag, way, Vec3d{}, 0.0)) keep_overlap(tag, Vec3d{}, inside);
   } else {
     return false;
   }
@@ -210,11 +250,10 @@ void PairMemory::look(std::size_t block, PairSearch& search) {
     const Known& known = known_[k];
     const Vec3d from_a_to_b = way(pair);
     const double still = left(known, pair, from_a_to_b);
-    const bool is_at_rest = known.kind == Known::Kind::apart_at_rest || known.kind == Known::Kind::overlap_at_rest;
     if (still > 0.0) {
-      until_[k] = next_below(clock_ + still);
+      until_[k] = clock_when(still);
       ++unmoved.settled;
-    } else if (is_at_rest && n_moves(pair) == known.limit) {
+    } else if (is_at_rest(known, pair)) {
       ++unmoved.settled;
     } else {
       ++balls.seen;
@@ -255,7 +294,7 @@ void PairMemory::collect(int n_threads, std::vector<ScenePair>& out) {
 // `left`: by how much the clock may grow before the pair is looked at.
 void PairMemory::keep(std::uint64_t tag, bool overlaps, double left) {
   overlaps_[tag] = overlaps ? 1 : 0;
-  until_[tag] = left > 0.0 ? next_below(clock_ + left) : -HUGE_VAL;
+  until_[tag] = left > 0.0 ? clock_when(left) : -HUGE_VAL;
 }
 
 void PairMemory::keep_as_it_stands(std::uint64_t tag, Outcome outcome) {
@@ -263,7 +302,7 @@ void PairMemory::keep_as_it_stands(std::uint64_t tag, Outcome outcome) {
   known.kind = outcome == Outcome::overlap    ? Known::Kind::overlap_at_rest
                : outcome == Outcome::disjoint ? Known::Kind::apart_at_rest
                                               : Known::Kind::nothing;
-  known.limit = n_moves(listed_[tag]);
+  known.at = travels(listed_[tag]);
   keep(tag, outcome == Outcome::overlap, 0.0);
 }
 
@@ -274,19 +313,36 @@ void PairMemory::keep_apart(std::uint64_t tag, const Vec3d& unit_dir, double cle
     return;
   }
   const Listed& pair = listed_[tag];
-  known_[tag] = {Known::Kind::apart, unit_dir, dot(unit_dir, way(pair)) - turned(pair) - left};
+  known_[tag] = {Known::Kind::apart, 0.0f, unit_dir, dot(unit_dir, way(pair)) - turned(pair) - left};
   keep(tag, false, left);
 }
 
-void PairMemory::keep_overlap(std::uint64_t tag, double clearance) {
+void PairMemory::keep_overlap(std::uint64_t tag, const Vec3d& point, double clearance) {
+  const Listed& pair = listed_[tag];
+  const Vec3d from_a_to_b = way(pair);
   const double left = clearance * kLess - rounding_;
+  if (keep_around_core(tag, from_a_to_b, kLessOfTip * (from_a_to_b + point), 0.5 * left)) return;
   if (!(left > rounding_)) {
     keep_as_it_stands(tag, Outcome::overlap);
     return;
   }
-  const Listed& pair = listed_[tag];
-  known_[tag] = {Known::Kind::overlap, way(pair), left + turned(pair)};
+  known_[tag] = {Known::Kind::overlap, 0.0f, from_a_to_b, left + turned(pair)};
   keep(tag, true, left);
+}
+
+// Of a pair whose difference has this tip, seen from that of the centres: where that leaves more than `least`.
+bool PairMemory::keep_around_core(std::uint64_t tag, const Vec3d& way, const Vec3d& tip, double least) {
+  const Listed& pair = listed_[tag];
+  const ShapeBounds& of_a = bodies_->bounds_of(pair.a);
+  const ShapeBounds& of_b = bodies_->bounds_of(pair.b);
+  const double core = of_a.inner_radius + of_b.inner_radius;
+  if (!(core > kLeastCore * (of_a.radius + of_b.radius))) return false;
+  Known known{Known::Kind::overlap_around_core, float_below(core), tip, turned(pair) - rounding_};
+  const double left = this->left(known, pair, way);
+  if (!(left > std::fmax(least, rounding_))) return false;
+  known_[tag] = known;
+  keep(tag, true, left);
+  return true;
 }
 
 }  // namespace vex

@@ -38,7 +38,7 @@ class PairMemory final : public PairKeeper {
 
   void keep_as_it_stands(std::uint64_t tag, Outcome outcome) override;
   void keep_apart(std::uint64_t tag, const Vec3d& unit_dir, double clearance) override;
-  void keep_overlap(std::uint64_t tag, double clearance) override;
+  void keep_overlap(std::uint64_t tag, const Vec3d& point, double clearance) override;
 
  private:
   static constexpr std::size_t kBlock = 4096;
@@ -49,11 +49,15 @@ class PairMemory final : public PairKeeper {
       apart,
       // While the distance of that way from `at`, and what both have turned, are together below `limit`.
       overlap,
-      // While neither has moved: both have made `limit` moves, together.
+      // While that way is farther inside of the hull of the ball of radius `core` about 0 and of `at` than what both
+      // have turned, less `limit`.
+      overlap_around_core,
+      // While neither has moved: their travels are those in `at`.
       apart_at_rest,
       overlap_at_rest,
     };
     Kind kind = Kind::nothing;
+    float core = 0.0f;
     Vec3d at;
     double limit = 0.0;
   };
@@ -61,20 +65,27 @@ class PairMemory final : public PairKeeper {
   struct Listed {
     BodyId a, b;
     std::uint32_t shift;  // of b's copy when the list was made
-    friend auto operator<=>(const Listed&, const Listed&) = default;
+    std::uint64_t bodies() const { return (std::uint64_t{a} << 32) | b; }
+    friend bool operator==(const Listed&, const Listed&) = default;
+    friend bool operator<(const Listed& p, const Listed& q) {
+      return p.bodies() != q.bodies() ? p.bodies() < q.bodies() : p.shift < q.shift;
+    }
   };
   void find_pairs_within_skin(const BroadPhases& phases, const SceneKernel& kernel, int n_threads);
   void list(bool keeps_old);
   void carry_over(const Listed& pair, bool is_same_copy, Known& known) const;
+  bool is_at_rest(const Known& known, const Listed& pair) const;
   // From a's centre to that of b's copy.
   Vec3d way(const Listed& pair) const;
   double turned(const Listed& pair) const;
-  double n_moves(const Listed& pair) const;
+  Vec3d travels(const Listed& pair) const;
   ImageOffset image(const Listed& pair) const;
   // Of the clearance: above 0 while what is known holds.
   double left(const Known& known, const Listed& pair, const Vec3d& way) const;
+  double clock_when(double left) const;
   bool keep_what_balls_tell(std::uint64_t tag, const Vec3d& way);
   void keep(std::uint64_t tag, bool overlaps, double left);
+  bool keep_around_core(std::uint64_t tag, const Vec3d& way, const Vec3d& tip, double least);
 
   bool is_there_ = false;
   double skin_ = 0.0;

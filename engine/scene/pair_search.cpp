@@ -293,14 +293,19 @@ void PairSearch::settle_batch(Kind& kind, const Pairs& asked) {
 // Of the k-th answer of the packets.
 void PairSearch::keep_clearance(const Pairs& asked, std::size_t row, std::size_t k) {
   const double clearance = clearances_->length[k];
-  if (answers_[k] == PacketAnswer::overlap) {
-    keeper_->keep_overlap(asked.tag[row], clearance);
+  if (!(clearance > 0.0)) {
+    const bool overlaps = answers_[k] == PacketAnswer::overlap;
+    keeper_->keep_as_it_stands(asked.tag[row], overlaps ? Outcome::overlap : Outcome::disjoint);
     return;
   }
-  const Vec3d dir{clearances_->dir[0][k], clearances_->dir[1][k], clearances_->dir[2][k]};
+  const Vec3d in_a{clearances_->where[0][k], clearances_->where[1][k], clearances_->where[2][k]};
   const Transformd a = SceneBodies::pose_at(question_.poses, asked.a[row]);
-  const Vec3d unit = (1.0 / norm(dir)) * dir;
-  keeper_->keep_apart(asked.tag[row], {dot(a.row_x, unit), dot(a.row_y, unit), dot(a.row_z, unit)}, clearance);
+  const Vec3d where{dot(a.row_x, in_a), dot(a.row_y, in_a), dot(a.row_z, in_a)};
+  if (answers_[k] == PacketAnswer::overlap) {
+    keeper_->keep_overlap(asked.tag[row], where, clearance);
+  } else {
+    keeper_->keep_apart(asked.tag[row], (1.0 / norm(in_a)) * where, clearance);
+  }
 }
 
 void PairSearch::settle_one(const Pairs& asked, std::size_t row) {

@@ -17,15 +17,6 @@ namespace {
 // is undone by its transpose.
 constexpr double kStretch = 0x1p-19;
 
-// Whether check_rotation has nothing against it; NaN fails.
-bool is_turned_well(const Transformd& pose) {
-  const Vec3d x{pose.row_x.x, pose.row_y.x, pose.row_z.x}, y{pose.row_x.y, pose.row_y.y, pose.row_z.y},
-      z{pose.row_x.z, pose.row_y.z, pose.row_z.z};
-  const auto is_small = [](double off) { return std::fabs(off) <= 0.5 * Scene::kRotationTolerance; };
-  const bool are_units = is_small(dot(x, x) - 1.0) & is_small(dot(y, y) - 1.0) & is_small(dot(z, z) - 1.0);
-  return are_units & is_small(dot(x, y)) & is_small(dot(y, z)) & is_small(dot(z, x));
-}
-
 // So that what is added next needs no memory: where it gives out nothing has changed.
 template <class Vector>
 void make_room(Vector& vector, std::size_t more) {
@@ -156,8 +147,15 @@ void SceneBodies::check_rotation(const Transformd& pose) {
   }
 }
 
-Transformd SceneBodies::checked(ShapeId shape, const Pose& pose, ImageOffset* image) const {
-  const Transformd& given = pose.a_from_b();
+bool SceneBodies::is_turned_well(const Transformd& pose) {
+  const Vec3d x{pose.row_x.x, pose.row_y.x, pose.row_z.x}, y{pose.row_x.y, pose.row_y.y, pose.row_z.y},
+      z{pose.row_x.z, pose.row_y.z, pose.row_z.z};
+  const auto is_small = [](double off) { return std::fabs(off) <= 0.5 * Scene::kRotationTolerance; };
+  const bool are_units = is_small(dot(x, x) - 1.0) & is_small(dot(y, y) - 1.0) & is_small(dot(z, z) - 1.0);
+  return are_units & is_small(dot(x, y)) & is_small(dot(y, z)) & is_small(dot(z, x));
+}
+
+Transformd SceneBodies::checked(ShapeId shape, const Transformd& given, ImageOffset* image) const {
   if (!is_turned_well(given)) check_rotation(given);
   return placed(shape, given, image);
 }
@@ -167,7 +165,7 @@ Transformd SceneBodies::placed(ShapeId shape, const Transformd& given, ImageOffs
   *image = {};
   const Vec3d centre = centre_of(given, bounds_[shape].centre);
   if (!box_) {
-    if (!(norm_1(centre) <= 1e100)) throw InputError("a body of a scene is more than 1e100 away - move it nearer");
+    if (!(norm_1(centre) <= kFarthest)) throw InputError("a body of a scene is more than 1e100 away - move it nearer");
     return given;
   }
   return box_->surely_holds(centre, kInside) ? given : wrapped(given, bounds_[shape].centre, image);
@@ -183,7 +181,7 @@ BodyId SceneBodies::add(ShapeId shape, const Pose& pose, const ImageOffset& move
     }
   }
   ImageOffset image;
-  const Transformd kept = checked(shape, pose, &image);
+  const Transformd kept = checked(shape, pose.a_from_b(), &image);
   image = image_sum(image, moved);
   BodyId body = end();
   if (free_.empty()) {
@@ -197,7 +195,7 @@ BodyId SceneBodies::add(ShapeId shape, const Pose& pose, const ImageOffset& move
     image_.push_back(image);
     poses_.resize(poses_.size() + kNumbersABody);
     centres_.emplace_back();
-    tracks_.clear();
+    is_tracked_ = false;
   } else {
     std::pop_heap(free_.begin(), free_.end(), std::greater<>());
     body = free_.back();
@@ -280,7 +278,7 @@ void SceneBodies::clear() {
   poses_.resize(kNumbersABody);
   centres_.clear();
   image_.clear();
-  tracks_.clear();
+  is_tracked_ = false;
   free_.clear();
   n_ = 0;
 }

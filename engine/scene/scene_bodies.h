@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -58,11 +59,14 @@ class SceneBodies {
   void remove(BodyId body);
   /// All of them. The shapes stay, and memory is kept.
   void clear();
-  void set_pose(BodyId body, const Pose& pose);
+  void set_pose(BodyId body, const Pose& pose) { set_poses(body, {&pose, 1}); }
+  /// Of this body and those behind it.
+  void set_poses(BodyId first, std::span<const Pose> poses);
 
   const std::optional<PeriodicBox>& box() const { return box_; }
   const std::vector<ConvexBody>& shapes() const { return shapes_; }
   const ShapeBounds& bounds(ShapeId shape) const { return bounds_[shape]; }
+  const ShapeBounds& bounds_of(BodyId body) const { return bounds_[shape_of_[body]]; }
   std::size_t size() const { return n_; }
   BodyId end() const { return static_cast<BodyId>(shape_of_.size() - 1); }
   bool has(BodyId body) const { return body < end() && shape_of_[body] != kNoShape; }
@@ -87,21 +91,22 @@ class SceneBodies {
   /// Of the centres themselves (in the 1-norm).
   double largest_distance() const;
 
-  /// How a body has moved since `track` (E26). A line of memory.
-  struct alignas(64) Track {
-    Vec3d centre;         // where its centre would be, had it not been moved into the box again:
-    ImageOffset crossed;  // this many lattice vectors from where it is
-    ShapeId shape;
-    double turned = 0.0;        // no point has moved farther than this, seen from the centre, as a sum over the moves
-    std::uint64_t n_moves = 0;  // that changed any bit of the pose
-  };
-  /// From now on moves are added up; of tracks that are there already only `n_moves` goes on.
+  /// From now on moves are added up (E26).
   void track();
-  bool is_tracked() const { return !tracks_.empty(); }
-  const Track& track_of(BodyId body) const { return tracks_[body]; }
-  void prefetch_track(BodyId body) const { __builtin_prefetch(&tracks_[body]); }
-  /// Whether it is in another box than it was.
+  bool is_tracked() const { return is_tracked_; }
+  /// Since `track`: no point of the body has moved farther than `travel`, which each move makes larger, nor, seen from
+  /// the centre, than `turned`; each a sum over the moves.
+  double travel(BodyId body) const { return travel_[body]; }
+  double turned(BodyId body) const { return turned_[body]; }
+  /// Where the centre would be, had the body not been moved into the box again: `crossed` lattice vectors from where it
+  /// is, where it is in another box than it was.
+  Vec3d tracked_centre(BodyId body) const;
   bool has_crossed(BodyId body) const { return has_crossed_[body] != 0; }
+  ImageOffset crossed(BodyId body) const { return has_crossed(body) ? crossed_[body] : ImageOffset{}; }
+  void prefetch_track(BodyId body) const {
+    __builtin_prefetch(&centres_[body]);
+    __builtin_prefetch(&turned_[body]);
+  }
   /// No point of any body has moved farther than `since_track`, nor than `since_asked` since this was asked before, or
   /// since `track`; each a sum over the body's moves.
   struct Travel {
@@ -118,15 +123,18 @@ class SceneBodies {
   static bool is_upright(const Transformd& pose);
 
   /// The pose as the scene keeps it, moved into the box. Throws InputError where it is none for a scene.
-  Transformd checked(ShapeId shape, const Pose& pose, ImageOffset* image) const;
+  Transformd checked(ShapeId shape, const Transformd& given, ImageOffset* image) const;
 
  private:
   // Of a box: what is surely inside is not wrapped.
   static constexpr double kInside = 0.999;
+  // In open space.
+  static constexpr double kFarthest = 1e100;
+  // Whether check_rotation has nothing against it; NaN fails.
+  static bool is_turned_well(const Transformd& pose);
   void place(BodyId body, const Transformd& pose);
   Transformd placed(ShapeId shape, const Transformd& given, ImageOffset* image) const;
-  // `turned`: by how much the move has turned points about the centre, at most.
-  void add_to_track(BodyId body, double turned, const Vec3d& centre_from);
+  void set_any_pose(BodyId body, const Transformd& given);
 
   std::optional<PeriodicBox> box_;
   std::vector<ConvexBody> shapes_;
@@ -137,11 +145,11 @@ class SceneBodies {
   LargeVector<double> poses_;
   LargeVector<Vec3d> centres_;
   LargeVector<ImageOffset> image_;
-  // None before `track`. What no point of a body has moved farther than stands apart: it is read of all bodies.
-  LargeVector<Track> tracks_;
-  LargeVector<double> travel_, travel_before_;
+  bool is_tracked_ = false;  // of all bodies there are then:
+  LargeVector<double> travel_, travel_before_, turned_;
   LargeVector<std::uint8_t> has_crossed_;
-  std::vector<BodyId> free_;  // a heap, the lowest first
+  LargeVector<ImageOffset> crossed_;  // of those that have
+  std::vector<BodyId> free_;          // a heap, the lowest first
   std::size_t n_ = 0;
 };
 

@@ -118,7 +118,7 @@ void Scene::Impl::move_all(std::span<const Pose> poses) {
   const int n_threads = settings_.n_threads;
   on_threads(n_threads, [&](int thread) {
     const Part part = part_of(poses.size(), thread, n_threads);
-    for (std::size_t k = part.first; k < part.end; ++k) bodies_.set_pose(static_cast<BodyId>(k), poses[k]);
+    bodies_.set_poses(static_cast<BodyId>(part.first), poses.subspan(part.first, part.end - part.first));
   });
 }
 

@@ -126,7 +126,7 @@ void Scene::overlaps_of_added(BodyId first, ScenePairs& out, Clusters* joined, c
 Outcome Scene::would_overlap(BodyId body, const Pose& world_from_body) {
   impl_->require(body);
   ImageOffset image;
-  const Transformd pose = impl_->bodies().checked(shape_of(body), world_from_body, &image);
+  const Transformd pose = impl_->bodies().checked(shape_of(body), world_from_body.a_from_b(), &image);
   const PairSearch& search = impl_->find_pairs_of(body, pose);
   if (!search.pairs.empty()) return Outcome::overlap;
   return search.undecided.empty() ? Outcome::disjoint : Outcome::undecided;

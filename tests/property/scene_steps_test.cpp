@@ -195,6 +195,40 @@ TEST(Steps, NeedlesMeetByTurning) {
   EXPECT_GT(check_steps(made, {.broad_phase = BroadPhase::grid, .skin = 0.5}, 100, turn), 30u);
 }
 
+// What overlaps goes apart again, through the faces, edges and corners of its Minkowski difference: along straight
+// lines, in turns on the spot, and both.
+TEST(Steps, OverlapsEndWhenTheirClearanceEnds) {
+  std::mt19937_64 random(15);
+  const ConvexBody kinds[] = {Box(0.6, 0.6, 0.6), Box(0.3, 0.5, 1.0), displaced_hull(12, 0.5, {0.3, 0.1, 0.0}, random)};
+  for (const double turning : {0.0, 0.03}) {
+    for (const double pace : {0.0, 0.02}) {
+      if (turning == 0.0 && pace == 0.0) continue;
+      RandomScene made;
+      made.box.emplace(4.0, 3.5, 3.0);
+      made.size = 4.0;
+      std::vector<Vec3d> drifts;
+      std::vector<Transformd> turns;
+      for (std::size_t k = 0; k < 90; ++k) {
+        made.bodies.push_back(kinds[k % 3]);
+        Transformd pose = random_rotation(random);
+        pose.translation = 2.0 * random_direction(random);
+        made.poses.push_back(pose);
+        drifts.push_back(pace * random_direction(random));
+        turns.push_back(small_turn(turning, random));
+      }
+      const auto move = [&](std::vector<Transformd>& poses) {
+        for (std::size_t k = 0; k < poses.size(); ++k) {
+          if (turning > 0.0) poses[k] = product(turns[k], poses[k]);
+          poses[k].translation = poses[k].translation + drifts[k];
+        }
+      };
+      for (const int n_threads : {1, 2, 8}) {
+        EXPECT_GT(check_steps(made, {.n_threads = n_threads, .skin = 0.4}, 200, move), 60u);
+      }
+    }
+  }
+}
+
 // Without a skin, by a tree that is fitted to the moved bodies again and again.
 TEST(Steps, OfAFittedTreeGiveWhatAGridFromNothingGives) {
   std::mt19937_64 random(12);

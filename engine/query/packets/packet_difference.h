@@ -80,9 +80,9 @@ struct PacketDifference {
   }
 
   // How far inside of K the origin is, where it is in that simplex (E18): its height over each face, or what the ball
-  // about v0 has of it.
+  // about v0 has of it. `weight`: what v0 has of it at least.
   L clearance(const Vec& v0, const Vec& v1, const Vec& v2, const Vec& v3, const L& d0, const L& d23, const L& d31,
-              const L& d12) const {
+              const L& d12, L* weight) const {
     const Vec from_v0[] = {v1 - v0, v2 - v0, v3 - v0};
     const L reach(own_reach + farthest), unsure(threshold);
     const auto height = [&](const L& d, const Vec& normal) {
@@ -91,8 +91,14 @@ struct PacketDifference {
     const L over_sides =
         smaller(height(d23, cross(from_v0[1], from_v0[2])),
                 smaller(height(d31, cross(from_v0[2], from_v0[0])), height(d12, cross(from_v0[0], from_v0[1]))));
-    const L weight = (d0 - unsure) / (L(1.0 + 0x1p-20) * ((d0 + d23) + (d31 + d12)) + L(4.0) * unsure);
-    return larger(smaller(height(d0, cross(v2 - v1, v3 - v1)), over_sides), weight * L(start_clearance));
+    *weight = (d0 - unsure) / (L(1.0 + 0x1p-20) * ((d0 + d23) + (d31 + d12)) + L(4.0) * unsure);
+    return larger(smaller(height(d0, cross(v2 - v1, v3 - v1)), over_sides), *weight * L(start_clearance));
+  }
+
+  // Where v0 has at least this weight in the origin, a point of K on the other side of it, no farther than v0 is.
+  static Vec beyond_origin(const Vec& v0, const L& weight) {
+    const L of_v0 = smaller(weight, L(0.5));
+    return (-of_v0 / (L(1.0) - of_v0)) * v0;
   }
 
   CoreA a;

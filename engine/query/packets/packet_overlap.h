@@ -69,9 +69,10 @@ class PacketOverlap {
 /// How far the bodies may move before each answer can end, in A's frame; of open trials nothing (E18). Of two bodies
 /// whose cores are of different forms (CoreForm::Kind) all are 0.
 struct PacketClearances {
-  /// Of disjoint bodies, where `length` is above 0, a direction from A towards B, of any length, along which their
-  /// supports are at least `length` apart; of overlapping ones nothing.
-  double dir[3][PacketOverlap::kStride];
+  /// Where `length` is above 0: of disjoint bodies a direction from A towards B, of any length, along which their
+  /// supports are at least `length` apart; of overlapping ones a point of A - B, from about the difference of their
+  /// centres beyond the origin.
+  double where[3][PacketOverlap::kStride];
   /// Of overlapping bodies A - B has a ball of this radius about the origin. Not below 0.
   double length[PacketOverlap::kStride];
 };

@@ -46,7 +46,7 @@ class PacketSearch {
       answers[code >> 2] = static_cast<PacketAnswer>(code & 3u);
       if constexpr (kTells) {
         const std::uint64_t row = code >> 2;
-        for (std::size_t c = 0; c < 3; ++c) clearances->dir[c][row] = ended_clearance_[c][k];
+        for (std::size_t c = 0; c < 3; ++c) clearances->where[c][row] = ended_clearance_[c][k];
         clearances->length[row] = ended_clearance_[3][k] > 0.0 ? ended_clearance_[3][k] : 0.0;
       }
     }
@@ -76,23 +76,26 @@ class PacketSearch {
   // believed. clearance_ has the direction and the gap that it shows, where that is asked for.
   template <bool kTells>
   void set_found(std::size_t k, const Vec& dir, const Vec& w, const L& gap, const Mask& apart, const Mask& usual) {
-    if constexpr (kTells) tell_gap(k, dir, gap);
+    if constexpr (kTells) tell(k, dir, gap / (L(1.0 + 0x1p-40) * norm(dir)));
     w.x.store(w_[0] + k);
     w.y.store(w_[1] + k);
     w.z.store(w_[2] + k);
     from_bits(bits_of(apart)).store(apart_ + k);
     from_bits(bits_of(but_not(usual, apart))).store(onward_ + k);
   }
-  void tell_gap(std::size_t k, const Vec& dir, const L& gap) {
-    dir.x.store(clearance_[0] + k);
-    dir.y.store(clearance_[1] + k);
-    dir.z.store(clearance_[2] + k);
-    (gap / (L(1.0 + 0x1p-40) * norm(dir))).store(clearance_[3] + k);
+  void tell(std::size_t k, const Vec& where, const L& length) {
+    where.x.store(clearance_[0] + k);
+    where.y.store(clearance_[1] + k);
+    where.z.store(clearance_[2] + k);
+    length.store(clearance_[3] + k);
   }
-  // Of trials whose simplex has the origin, at least what no length of theirs is below; of others 0.
+  // Of trials whose simplex has the origin, at least what no length of theirs is below, and the weight of v0; of others
+  // 0.
   L clearance_of(const Mask& inside, const Vec& v0, const Vec& v1, const Vec& v2, const Vec& v3, const L& d0,
-                 const L& d23, const L& d31, const L& d12) const {
-    return select(inside, larger(pair_.clearance(v0, v1, v2, v3, d0, d23, d31, d12), L(0x1p-1000)), L(0.0));
+                 const L& d23, const L& d31, const L& d12, L* weight) const {
+    const L clearance = pair_.clearance(v0, v1, v2, v3, d0, d23, d31, d12, weight);
+    *weight = select(inside, larger(*weight, L(0.0)), L(0.0));
+    return select(inside, larger(clearance, L(0x1p-1000)), L(0.0));
   }
   template <bool kTells, class Direction, class Found>
   void find_points(const double (*columns)[kColumn], std::size_t n, const Direction& direction, const Found& found) {
@@ -252,8 +255,11 @@ class PacketSearch {
       const Bits code = bits_of(L::load(wedges_[kCode] + k));
       end<kTells>(n_ended, k, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), inside);
       const Compaction<W> passed(but_not(onward, turns));
-      if constexpr (kTells)
-        passed.store(portal_clearance_ + n_portal, clearance_of(inside, v0, v1, v2, w, d0, d23, d31, d12));
+      if constexpr (kTells) {
+        L weight;
+        passed.store(portal_clearance_ + n_portal, clearance_of(inside, v0, v1, v2, w, d0, d23, d31, d12, &weight));
+        passed.store(portal_weight_ + n_portal, weight);
+      }
       append(portals_, n_portal, passed, wedges_[0], kColumn, k, code, v1, v2, w);
       append(wedges_, n_wedge, Compaction<W>(both(onward, turns)), wedges_[0], kColumn, k, code,
              select<L>(outside_23, w, v1), select<L>(outside_13, w, v2));
@@ -291,18 +297,24 @@ class PacketSearch {
       const L d0 = dot(w, face), d23 = -part.past_right, d31 = part.past_left, d12 = -dot(face, v0);
       Mask inside = both(usual, pair.encloses(d0, d23, d31, d12));
       Mask ends = inside;
-      L clearance;
+      L clearance, weight;
       if constexpr (kTells) {
-        clearance = larger(L::load(portal_clearance_ + k), clearance_of(inside, v0, left, right, w, d0, d23, d31, d12));
+        clearance = larger(L::load(portal_clearance_ + k),
+                           clearance_of(inside, v0, left, right, w, d0, d23, d31, d12, &weight));
+        weight = larger(L::load(portal_weight_ + k), weight);
         inside = clearance > L(0.0);
         ends = is_last ? inside : but_not(inside, load_mask(is_far_ + k));
-        select(inside, clearance, L::load(clearance_[3] + k)).store(clearance_[3] + k);
+        tell(k, select<L>(inside, Pair::beyond_origin(v0, weight), load(clearance_, 0, k)),
+             select(inside, clearance, L::load(clearance_[3] + k)));
       }
       const Mask onward = but_not(both(usual, load_mask(advances_ + k)), ends);
       const Bits code = bits_of(L::load(portals_[kCode] + k));
       end<kTells>(n_ended, k, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), inside);
       const Compaction<W> passed(onward);
-      if constexpr (kTells) passed.store(portal_clearance_ + n_portal, clearance);
+      if constexpr (kTells) {
+        passed.store(portal_clearance_ + n_portal, clearance);
+        passed.store(portal_weight_ + n_portal, weight);
+      }
       append(portals_, n_portal, passed, portals_[0], kColumn, k, code, left, right, w);
     }
     n_ended_ = n_ended;
@@ -317,7 +329,8 @@ class PacketSearch {
   alignas(64) double ended_[kColumn] = {}, ended_clearance_[4][kColumn] = {};
   // Of a step: support points, truth values as the bits of doubles, and directions with the clearance that they show.
   alignas(64) double w_[3][kColumn] = {}, apart_[kColumn] = {}, onward_[kColumn] = {}, advances_[kColumn] = {};
-  alignas(64) double clearance_[4][kColumn] = {}, portal_clearance_[kColumn] = {}, is_far_[kColumn] = {};
+  alignas(64) double clearance_[4][kColumn] = {}, portal_clearance_[kColumn] = {},
+                     portal_weight_[kColumn] = {}, is_far_[kColumn] = {};
 };
 
 }  // namespace VEX_ISA

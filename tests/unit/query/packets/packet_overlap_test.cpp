@@ -174,13 +174,25 @@ TEST(PacketOverlap, AnswersWhatTheEngineProves) {
   }
 }
 
+// A point of A - B is below its support planes: of directions about the point's own.
+void expect_in_difference(const ConvexBody& a, const ConvexBody& b, const Transformd& pose, const Vec3d& point,
+                          std::mt19937_64& random) {
+  for (int k = 0; k < 20; ++k) {
+    const Vec3d near = norm(point) > 0.0 ? (1.0 / norm(point)) * point : Vec3d{};
+    const Vec3d dir = near + (0.05 * k) * random_direction(random), unit = (1.0 / norm(dir)) * dir;
+    if (!(norm(dir) > 0.0)) continue;
+    const double height = dot(unit, a.support(unit) - pose(b.support(-pose.direction_to_b(unit))));
+    ASSERT_LE(dot(unit, point), height + 1e-12 * (a.reach() + b.reach() + norm_1(pose.translation)));
+  }
+}
+
 // What a clearance claims is looked at by support points alone where bodies are apart, and by the depth's proven bound
 // where they overlap; and it is worth something.
 TEST(PacketOverlap, HasTheClearancesItClaims) {
   std::mt19937_64 random(12);
   for (const InstructionSet set : kernel_sets()) {
     const std::vector<ConvexBody> bodies = packet_bodies();
-    long n_apart = 0, n_inside = 0, n_worth_apart = 0, n_worth_inside = 0;
+    long n_apart = 0, n_inside = 0, n_worth_apart = 0, n_worth_inside = 0, n_beyond = 0;
     for (const ConvexBody& a : bodies) {
       for (const ConvexBody& b : bodies) {
         const std::unique_ptr<PacketOverlap> packets = make_packet_overlap(packet_kernel(set), a, b);
@@ -207,9 +219,12 @@ TEST(PacketOverlap, HasTheClearancesItClaims) {
             ASSERT_LE(clearance, depth * (1.0 + 1e-9) + 1e-13 * size);
             ++n_inside;
             n_worth_inside += clearance > 0.2 * depth ? 1 : 0;
+            const Vec3d point{clearances->where[0][k], clearances->where[1][k], clearances->where[2][k]};
+            expect_in_difference(a, b, pose, point, random);
+            n_beyond += norm(point) > 0.2 * depth ? 1 : 0;
             continue;
           }
-          const Vec3d dir{clearances->dir[0][k], clearances->dir[1][k], clearances->dir[2][k]};
+          const Vec3d dir{clearances->where[0][k], clearances->where[1][k], clearances->where[2][k]};
           const Vec3d unit = (1.0 / norm(dir)) * dir;
           const double gap = dot(unit, pose(b.support(-pose.direction_to_b(unit))) - a.support(unit));
           ASSERT_LE(clearance, gap + 1e-13 * (size + norm_1(pose.translation)));
@@ -222,6 +237,7 @@ TEST(PacketOverlap, HasTheClearancesItClaims) {
     EXPECT_GT(n_inside, 1000) << name_of(set);
     EXPECT_GT(n_worth_apart, n_apart / 2) << name_of(set);
     EXPECT_GT(n_worth_inside, n_inside / 2) << name_of(set);
+    EXPECT_GT(n_beyond, n_inside / 2) << name_of(set);
   }
 }
 
