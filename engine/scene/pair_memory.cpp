@@ -27,7 +27,7 @@ float float_below(double x) {
 
 // So many entries of any values, with room for a few more: a list that grows a little stays where it is.
 template <class Vector>
-void make_room(Vector& entries, std::size_t n) {
+void resize_with_room(Vector& entries, std::size_t n) {
   if (entries.capacity() < n) {
     entries = Vector();
     entries.reserve(n + n / 8);
@@ -150,7 +150,7 @@ void PairMemory::find_pairs_within_skin(const BroadPhases& phases, const SceneKe
     for (const Listed& pair : part) ++next_[pair.a + 1];
   }
   for (std::size_t k = 1; k < next_.size(); ++k) next_[k] += next_[k - 1];
-  make_room(listed_, next_.back());
+  resize_with_room(listed_, next_.back());
   for (const std::vector<Listed>& part : found_) {
     for (const Listed& pair : part) listed_[next_[pair.a]++] = pair;
   }
@@ -166,9 +166,9 @@ void PairMemory::list(bool keeps_old) {
   until_before_.swap(until_);
   overlaps_before_.swap(overlaps_);
   const std::size_t n = listed_.size(), n_before = keeps_old ? listed_before_.size() : 0;
-  make_room(known_, n);
-  make_room(until_, n);
-  make_room(overlaps_, n);
+  resize_with_room(known_, n);
+  resize_with_room(until_, n);
+  resize_with_room(overlaps_, n);
   std::size_t at = 0;
   for (std::size_t k = 0; k < n; ++k) {
     const Listed& pair = listed_[k];
