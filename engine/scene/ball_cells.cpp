@@ -78,8 +78,8 @@ void BallCells::lay_out_upright(const std::optional<PeriodicBox>& box, const Aab
 
 void BallCells::begin(const ShiftTable& shifts) {
   shifts_ = &shifts;
+  largest_shift_ = 3.0 * shifts.largest_shift();
   for (std::size_t axis = 0; axis < 3; ++axis) make_stencil(axis);
-  shift_error_ = 0x1p-46 * 3.0 * shifts.largest_shift();
   clear();
 }
 
@@ -152,9 +152,7 @@ void BallCells::add(const SceneBodies& bodies, BodyId body) {
   if (body >= seats_.size()) seats_.resize(std::size_t{body} + 1);
   const Vec3d& centre = bodies.centre(body);
   const ShapeBounds& bounds = bodies.bounds(bodies.shape_of()[body]);
-  // As SortedBodies::fill.
-  const double radius =
-      (extents_ ? 0.0 : bounds.radius) + 0x1p-46 * (norm_1(centre) + norm_1(bounds.centre)) + shift_error_ + kTrifle;
+  const double radius = (extents_ ? 0.0 : bounds.radius) + bounds.rounding_at(centre, largest_shift_);
   const std::uint32_t first = holder_of(centre);
   if (links_[first].n == kLanes) {
     std::uint32_t full = static_cast<std::uint32_t>(blocks_.size());

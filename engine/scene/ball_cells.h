@@ -80,7 +80,7 @@ class BallCells {
   std::size_t n_held_ = 0;
   std::array<Stencil, 3> stencils_;
   const ShiftTable* shifts_ = nullptr;
-  double shift_error_ = 0.0;
+  double largest_shift_ = 0.0;       // as ShapeBounds::rounding_at counts it
   LargeVector<BallBlock> blocks_;    // the first of each cell, then others
   LargeVector<Link> links_;          // of each block
   std::vector<std::uint32_t> free_;  // blocks that no cell has
@@ -164,8 +164,7 @@ class BallCellsOfScene {
   void near(const SceneKernel& kernel, std::uint64_t place, const Vec3d& centre, const ShapeBounds& bounds,
             NearPairs& near, Take&& take) const {
     // Widened as the held ones are, but for the shifts, which these allow for.
-    const double radius =
-        (are_upright_ ? 0.0 : bounds.radius) + 0x1p-46 * (norm_1(centre) + norm_1(bounds.centre)) + kTrifle;
+    const double radius = (are_upright_ ? 0.0 : bounds.radius) + bounds.rounding_at(centre);
     const std::size_t n = largest_.size(), asking = class_of(bounds.radius);
     for (std::size_t held = 0; held < n; ++held) {
       grids_[asking * n + held].near(kernel, place, centre, radius, near, take);

@@ -18,7 +18,7 @@ Aabb scene_box(const SceneBodies& bodies, BodyId body, double margin, double lar
   Aabb box = bounding_box(bodies.shapes()[shape], Pose::unchecked(bodies.pose(body)));
   // The body is turned back and forth by matrices that are rotations to within 2e-7, and shifts are rounded.
   const double more = 0.5 * margin * (1.0 + 0x1p-19) + 0x1p-18 * (bounds.radius + norm_1(bounds.centre)) +
-                      0x1p-46 * (norm_1(bodies.centre(body)) + norm_1(bounds.centre) + largest_shift) + kTrifle;
+                      bounds.rounding_at(bodies.centre(body), largest_shift);
   const Vec3d wider{more, more, more};
   return {box.lower - wider, box.upper + wider};
 }

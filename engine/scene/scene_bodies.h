@@ -35,6 +35,11 @@ struct ShapeBounds {
   double half_length = 0.0, axis_radius = 0.0;
   bool has_exact_form = false;
 
+  /// What rounding takes off or adds where such a body's centre, its way to another one's, moved by a shift that is
+  /// counted so, and squares of distances are computed: to be added to radii and half extents.
+  double rounding_at(const Vec3d& place, double shift = 0.0) const {
+    return 0x1p-46 * (norm_1(place) + norm_1(centre) + shift) + kTrifle;
+  }
   bool is_long() const { return half_length > 2.0 * axis_radius; }
   bool is_flat() const { return axis_radius > 3.0 * half_length; }
 };

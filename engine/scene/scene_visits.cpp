@@ -57,7 +57,7 @@ PairSearch& Scene::Impl::find_pairs_of(BodyId body, const Transformd& pose) {
   leave_out_itself();
   // Its own copies, where it is longer than the box.
   const ShiftTable& shifts = cells.shifts();
-  const double reach = 2.0 * (bounds.radius + 0x1p-46 * (norm_1(centre) + norm_1(bounds.centre)) + kTrifle);
+  const double reach = 2.0 * (bounds.radius + bounds.rounding_at(centre));
   for (std::uint64_t shift = shifts.home() + std::uint64_t{1}; shift < shifts.size(); ++shift) {
     ++search.near.n_seen;
     if (safe_norm(shifts.shift(shift)) > reach * (1.0 + 0x1p-20)) continue;

@@ -39,8 +39,7 @@ void SortedBodies::fill(const SceneBodies& bodies, std::span<const BodyId> order
       x[k] = centre.x;
       y[k] = centre.y;
       z[k] = centre.z;
-      // What rounding takes off or adds where centres, shifts and squares of distances are computed.
-      radius[k] = bounds.radius + 0x1p-46 * (norm_1(centre) + norm_1(bounds.centre) + largest_shift) + kTrifle;
+      radius[k] = bounds.radius + bounds.rounding_at(centre, largest_shift);
     }
   });
 }

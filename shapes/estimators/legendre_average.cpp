@@ -34,10 +34,7 @@ std::optional<SeriesAverage> legendre_average(const Body& a, const Body& b, cons
   const std::optional<AxialMeasures> of_a = axial_measures(a), of_b = axial_measures(b);
   if (!of_a || !of_b) return std::nullopt;
   const Vec3d axis_a = law.axis_of(0), axis_b = law.axis_of(1);
-  if (!has_series_about(of_a->area, axis_a) || !has_series_about(of_b->area, axis_b)) return std::nullopt;
-  if (!has_series_about(of_a->mean_curvature, axis_a) || !has_series_about(of_b->mean_curvature, axis_b)) {
-    return std::nullopt;
-  }
+  if (!have_series_about(*of_a, axis_a) || !have_series_about(*of_b, axis_b)) return std::nullopt;
 
   // |S_l| <= S and |H_l| <= M, and the factor is at most 1 / (2 l) in size: (2 l + 1) / (2 pi (l^2 + l - 2)), l >= 2.
   const double largest = a.measures.surface_area * b.measures.integrated_mean_curvature +

@@ -157,11 +157,13 @@ void add_polynomials(double weight, double x, LegendreSeries* sum) {
   }
 }
 
-bool has_series_about(const NormalMeasure& measure, const Vec3d& unit_axis) {
-  return std::ranges::all_of(measure.components(), [&](const NormalMeasure::Component& component) {
+bool have_series_about(const AxialMeasures& body, const Vec3d& unit_axis) {
+  const auto has_series = [&](const NormalMeasure::Component& component) {
     const Vec3d* const axes = semi_axes_of(component);
     return axes == nullptr || turns_about_z(component) || semi_axes_about(*axes, unit_axis).has_value();
-  });
+  };
+  return std::ranges::all_of(body.area.components(), has_series) &&
+         std::ranges::all_of(body.mean_curvature.components(), has_series);
 }
 
 // What is alike about z has, about an axis at the angle t to it, P_l(cos t) times its integrals about z: the mean of

@@ -19,12 +19,10 @@ using LegendreSeries = std::vector<double>;  // by degree, from 0 up
 /// sum[l] += weight P_l(x), by the three-term recursion, which is stable for |x| <= 1.
 void add_polynomials(double weight, double x, LegendreSeries* sum);
 
-/// The integrals of P_l(n . unit_axis) over the measure, to some 1e-11 of its mass. The axis is any where
-/// `has_series_about`.
+/// The integrals of P_l(n . unit_axis) over the measure, to some 1e-11 of its mass. The axis is z, or one that
+/// `have_series_about` has nothing against.
 LegendreSeries legendre_series(const NormalMeasure& measure, std::size_t max_degree,
                                const Vec3d& unit_axis = {0.0, 0.0, 1.0});
-/// All axes will do but those askew in a body that has a part of an ellipsoid of three different semi-axes.
-bool has_series_about(const NormalMeasure& measure, const Vec3d& unit_axis);
 
 struct AxialMeasures {
   NormalMeasure area, mean_curvature;
@@ -33,6 +31,8 @@ struct AxialMeasures {
 /// Nothing where their series would take more than some tenths of a second, as for meshes of more than 20 000 vertices
 /// and for ellipsoids more than a hundred times as long as thin. UsageError where a body has no measures on normals.
 std::optional<AxialMeasures> axial_measures(const Body& body);
+/// All axes will do but those askew in a body that has a part of an ellipsoid of three different semi-axes.
+bool have_series_about(const AxialMeasures& body, const Vec3d& unit_axis);
 /// Whether the series of all of them up to this degree take less than that.
 bool are_affordable(std::initializer_list<const AxialMeasures*> bodies, std::size_t max_degree);
 
