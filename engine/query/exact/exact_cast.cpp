@@ -15,6 +15,8 @@ namespace {
 constexpr std::array kTimeDigits = {44, 32, 20, 8};
 // Times between the bounds, each half as far from the lower one as that before.
 constexpr int kMostTimes = 16;
+// Bodies that slide along each other may be as near at every time that is tried, and each answer is exact.
+constexpr int kMostSupportCalls = 1 << 10;
 
 /// x + t d without any rounding: none where that is not a double.
 std::optional<double> exactly_moved(double x, double t, double d) {
@@ -36,8 +38,9 @@ class ExactMotion {
               std::vector<Vec3d> vertices_b)
       : a_(a), b_(b), start_(start), motion_(motion), vertices_b_(std::move(vertices_b)) {}
 
-  /// None where a coordinate is rounded, or where nothing is proven.
+  /// None where a coordinate is rounded, where nothing is proven, or where too much has been asked.
   std::optional<bool> meets_at(double time) {
+    if (n_support_calls_ > kMostSupportCalls) return std::nullopt;
     const std::optional<Vec3d> translation = exactly_moved(start_.translation, time, motion_);
     if (!translation) return std::nullopt;
     Transformd pose = start_;

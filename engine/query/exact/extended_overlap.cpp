@@ -97,22 +97,27 @@ void descend_to_nearest(const ExtendedDifference& difference, int max_support_ca
   findings.limit_gap(norm(found.simplex.at()).high);
 }
 
+// A hull that goes around the origin does so with some 60 points at most; one of a K that the origin is on the rim of
+// creeps, and each of its points is dearer than the last one.
+constexpr int kMostPointsOfHull = 96;
+
 bool hull_overlaps(const ExtendedDifference& difference, int max_support_calls, Findings& findings) {
   const PointsOfDifference points(difference);
   PolytopeStore<Extended, PointOfDifference> store;
-  Hull hull(points, kError, max_support_calls, store);
+  const int most = std::min(max_support_calls, kMostPointsOfHull);
+  Hull hull(points, kError, most, store);
   const bool overlaps = goes_around_origin(hull);
   findings.n_support_calls += hull.n_support_calls();
-  findings.is_capped = !overlaps && hull.n_support_calls() >= max_support_calls;
+  findings.is_capped = !overlaps && hull.n_support_calls() >= most;
   return overlaps;
 }
 
 // A gap that is known so well is contact, whatever kept a search going.
 constexpr double kContact = 0x1p-55;
 
-// More calls than portals take that close in on the origin as they do on smooth bodies; others, as those of two tips
-// that touch, creep.
-constexpr int kMostCallsOfPortal = 160;
+// More calls than portals and descents take that close in on the origin as they do on smooth bodies; others, as those
+// of two tips that touch, creep, and what they would find a hull finds sooner.
+constexpr int kMostCallsOfSearch = 128;
 
 // One after the other until there is a proof, or none can be. Every direction that was looked at may be one of
 // disjointness, whatever became of the search.
@@ -124,22 +129,17 @@ std::optional<Outcome> decide(const ExtendedDifference& difference, int max_supp
   const auto may_be_apart = [&findings] { return findings.gap_upper > 1.5 * kExtendedError; };
   findings.n_support_calls += static_cast<int>(kSpanningDirections.size());
   const auto starts = inner_points(difference);
-  const int few = std::min(max_support_calls, kMostCallsOfPortal);
-  bool is_any_capped = false;
+  const int few = std::min(max_support_calls, kMostCallsOfSearch);
   for (const Vec3e& start : starts) {
     const PortalResult<Extended> found = search_portal(difference, start, few, findings);
     if (found.overlap) return Outcome::overlap;
     if (is_apart()) return Outcome::disjoint;
-    is_any_capped = is_any_capped || found.capped;
     if (found.disjoint || found.capped || !may_overlap()) break;
   }
-  if (may_overlap() || may_be_apart()) descend_to_nearest(difference, max_support_calls, findings);
+  if (may_overlap() || may_be_apart()) descend_to_nearest(difference, few, findings);
   if (is_apart()) return Outcome::disjoint;
   // A difference that ends so near to the origin has no room behind it for the points' error: contact.
   if (difference.gap_lower() > -4.0 * kExtendedError) return std::nullopt;
-  for (std::size_t k = 0; is_any_capped && k < starts.size(); ++k) {
-    if (search_portal(difference, starts[k], max_support_calls, findings).overlap) return Outcome::overlap;
-  }
   if (hull_overlaps(difference, max_support_calls, findings)) return Outcome::overlap;
   if (is_apart()) return Outcome::disjoint;
   return std::nullopt;

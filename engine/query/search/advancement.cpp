@@ -9,6 +9,7 @@
 #include "engine/query/search/advance_search.h"
 #include "engine/query/search/parting_start.h"
 #include "engine/query/search/ray_search.h"
+#include "engine/query/search/separation_search.h"
 #include "engine/query/separation_with_verdict.h"
 
 namespace vex {
@@ -64,11 +65,8 @@ class Advancement {
     // Of an end that is the start nothing is known but what is known of the start. Where the window begins later the
     // balls are apart when it does, too.
     if (time_ >= until_ && !(time_ > 0.0) && !is_apart_at_start_) return undecided(UndecidedReason::rounding);
-    while (n_calls() <= kMostSupportCalls) {
+    while (!is_spent()) {
       if (time_ >= until_) return touched_ || !ends_ ? undecided(UndecidedReason::rounding) : nothing();
-      if (touched_ && n_calls() - n_calls_before_touch_ > kMostCallsOfTouch) {
-        return undecided(UndecidedReason::rounding);
-      }
       double gap = 0.0;
       Separation apart = separation_now(gap);
       last_gap_ = std::fmax(gap, 0.0);
@@ -114,7 +112,7 @@ class Advancement {
       if (finds_contact(apart)) return found();
       if (!(time_ < until_)) return undecided(UndecidedReason::rounding);
     }
-    return undecided(UndecidedReason::iteration_cap);
+    return undecided(n_calls() > kMostSupportCalls ? UndecidedReason::iteration_cap : UndecidedReason::rounding);
   }
 
  private:
@@ -124,6 +122,14 @@ class Advancement {
     const Pose pose = Pose::unchecked(sweep_.relative_pose(time));
     look_at(time);
     return counted_and_turned(time, distance(a_, b_, pose, settings, &warm_start_, overlap_));
+  }
+  // A distance is not below it, as far as double precision tells. Of bodies that touch nobody asks here whether they
+  // do, which takes as long as all the rest.
+  double distance_lower_at(double time) {
+    const Transformd pose = sweep_.relative_pose(time);
+    const Separation found = search_in_double({a_, b_, pose, SeparationGoal::distance, {}}, nullptr).separation;
+    n_support_calls_ += found.n_support_calls;
+    return found.lower;
   }
   // What `overlap` says is asked once of each time.
   void look_at(double time) {
@@ -216,6 +222,7 @@ class Advancement {
     double step = std::fmax(first_step(normal, most_apart), least);
     double before = 0.0;
     for (int k = 0; k < kMostDoublings; ++k, before = step, step *= 2.0) {
+      if (is_spent()) return false;
       step = std::fmin(step, remaining);
       if (sweep_.meets_at(time_ + step)) {
         double after = step;
@@ -227,7 +234,7 @@ class Advancement {
         return true;
       }
       const double gap = k % 8 < 7 && norm_1(normal) > 0.0 ? sweep_.gap_during(normal, time_ + step, 0.0)
-                                                           : separation_at(time_ + step, 0.0).lower;
+                                                           : distance_lower_at(time_ + step);
       const bool is_apart = gap > 4.0 * sweep_.rounding_at(time_ + step);
       if (k == 0 && is_apart && finds_contact_before(step, normal, least)) return true;
       if (is_apart || step >= remaining) {
@@ -249,7 +256,7 @@ class Advancement {
 
   // Where the first step has gone too far: a thin part of one body may have passed through the other's rim meanwhile.
   bool finds_contact_before(double step, const Vec3d& normal, double least) {
-    for (step *= 0x1p-4; step > least; step *= 0x1p-4) {
+    for (step *= 0x1p-4; step > least && !is_spent(); step *= 0x1p-4) {
       if (sweep_.gap_during(normal, time_ + step, 0.0) > 4.0 * sweep_.rounding_at(time_ + step)) continue;
       if (!sweep_.meets_at(time_ + step)) continue;
       contact_.upper = time_ + step;
@@ -259,6 +266,9 @@ class Advancement {
   }
 
   int n_calls() const { return n_support_calls_ + sweep_.n_support_calls(); }
+  bool is_spent() const {
+    return n_calls() > kMostSupportCalls || (touched_ && n_calls() - n_calls_before_touch_ > kMostCallsOfTouch);
+  }
   FirstContact counted(FirstContact contact) const {
     contact.n_support_calls = n_calls();
     return contact;
