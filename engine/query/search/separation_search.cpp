@@ -75,8 +75,9 @@ class DoubleSearch {
 
   bool answer_without_search(Separation& result) const {
     if (!are_zonotopes()) return false;
-    if (query_.a.generators()->n_vectors + query_.b.generators()->n_vectors <= 2) {
-      const std::optional<ZonotopeSeparation> nearest = nearest_of_segments(zonotope(), error_);
+    const Generators &of_a = *query_.a.generators(), &of_b = *query_.b.generators();
+    if (of_a.n_vectors + of_b.n_vectors <= 2) {
+      const std::optional<ZonotopeSeparation> nearest = nearest_of_segments(of_a, of_b, query_.a_from_b, error_);
       const double rounding = 4.0 * error_.support;
       if (!nearest || nearest->bounds.width() > rounding + settings_.wanted(nearest->distance)) return false;
       take(*nearest, result);

@@ -25,8 +25,7 @@ Vec3d centre_of(const DifferenceZonotope& k) { return k.centre_a - k.centre_b; }
 using Factors = std::array<double, DifferenceZonotope::kMostVectors>;
 
 // The points of A and B whose difference has these factors.
-template <std::size_t N>
-void set_points(ZonotopeSeparation& result, const DifferenceZonotope& k, const std::array<double, N>& factors) {
+void set_points(ZonotopeSeparation& result, const DifferenceZonotope& k, const Factors& factors) {
   result.point_a = k.centre_a;
   result.point_b = k.centre_b;
   result.own_point_b = k.own_b.centre;
@@ -41,7 +40,10 @@ void set_points(ZonotopeSeparation& result, const DifferenceZonotope& k, const s
   }
 }
 
-double clamped(double s) { return std::clamp(s, -1.0, 1.0); }
+double clamped(double s) {
+  const double above = s > -1.0 ? s : -1.0;
+  return above < 1.0 ? above : 1.0;
+}
 
 // The vectors in a plane with the unit normal `normal` whose combination is `target`, which is in their zonotope to
 // rounding: one factor after the other, each in the middle of what leaves the rest within reach of the others.
@@ -84,50 +86,49 @@ DifferenceZonotope::DifferenceZonotope(const Generators& a, const Generators& b,
   for (int i = 0; i < b.n_vectors; ++i) vectors[index_of(n_of_a + i)] = turned(a_from_b, b.vectors[index_of(i)]);
 }
 
-std::optional<ZonotopeSeparation> nearest_of_segments(const DifferenceZonotope& k, const QueryError<double>& error) {
-  if (k.n_vectors > 2) return std::nullopt;
-  const Vec3d centre = centre_of(k), &g = k.vectors[0], &h = k.vectors[1];
-  std::array<double, 2> factors;
-  Vec3d across;
-  bool is_inside = false;  // of a parallelogram
-  if (k.n_vectors == 1) {
-    factors[0] = clamped(-dot(centre, g) / dot(g, g));
-  } else if (k.n_vectors == 2) {
-    // The nearest points of two segments: C. Ericson, Real-Time Collision Detection, section 5.1.9.
-    const double gg = dot(g, g), hh = dot(h, h), gh = dot(g, h), cg = dot(centre, g), ch = dot(centre, h);
-    across = cross(g, h);
-    const double determinant = dot(across, across);
-    double s = determinant > 0x1p-80 * (gg * hh) ? clamped((gh * ch - cg * hh) / determinant) : 0.0;
-    double t = -(ch + s * gh) / hh;
-    if (std::fabs(t) <= 1.0) {
-      is_inside = std::fabs(s) < 1.0 && determinant > 0.0;
-    } else {
-      t = clamped(t);
-      s = clamped(-(cg + t * gh) / gg);
-    }
-    factors = {s, t};
-  }
-  Vec3d nearest = centre;
-  for (int i = 0; i < k.n_vectors; ++i) nearest = nearest + factors[index_of(i)] * k.vectors[index_of(i)];
+// What is clamped is as often beyond a limit as not, so nothing here is a branch: each of the factors is the best one
+// for the other's last value (C. Ericson, Real-Time Collision Detection, section 5.1.9), and that of a vector that is
+// not there is 0.
+std::optional<ZonotopeSeparation> nearest_of_segments(const Generators& a, const Generators& b,
+                                                      const Transformd& a_from_b, const QueryError<double>& error) {
+  if (a.n_vectors + b.n_vectors > 2) return std::nullopt;
+  // One of each body, or both of one.
+  const bool are_of_a = a.n_vectors == 2, are_of_b = b.n_vectors == 2;
+  const Vec3d g = are_of_b ? turned(a_from_b, b.vectors[0]) : a.vectors[0];
+  const Vec3d h = are_of_a ? a.vectors[1] : turned(a_from_b, b.vectors[are_of_b ? 1 : 0]);
+  const Vec3d centre_b = a_from_b(b.centre), centre = a.centre - centre_b;
+  const double gg = dot(g, g), hh = dot(h, h), gh = dot(g, h), cg = dot(centre, g), ch = dot(centre, h);
+  const double inverse_gg = gg > 0.0 ? 1.0 / gg : 0.0, inverse_hh = hh > 0.0 ? 1.0 / hh : 0.0;
+  const Vec3d across = cross(g, h);
+  const double determinant = dot(across, across);
+  const double crossing = (gh * ch - cg * hh) / determinant;
+  const double first = determinant > 0x1p-80 * (gg * hh) ? clamped(crossing) : 0.0;
+  const double t = clamped(-(ch + first * gh) * inverse_hh), s = clamped(-(cg + t * gh) * inverse_gg);
+  const Vec3d nearest = (centre + s * g) + t * h;
   const double slack = 2.0 * error.support, length = norm(nearest);
   if (!(length > slack)) return std::nullopt;
+  const auto lower_along = [&](const Vec3d& normal) {
+    return (-dot(normal, centre) - std::fabs(dot(normal, g))) - std::fabs(dot(normal, h));
+  };
   std::optional<ZonotopeSeparation> answer(std::in_place);
   ZonotopeSeparation& result = *answer;
-  result.bounds.lower = -HUGE_VAL;
-  const auto take = [&](const Vec3d& normal) {
-    double lower = -dot(normal, centre);
-    for (int i = 0; i < k.n_vectors; ++i) lower -= std::fabs(dot(normal, k.vectors[index_of(i)]));
-    if (lower > result.bounds.lower) {
-      result.bounds.lower = lower;
+  result.normal = (-1.0 / length) * nearest;
+  double lower = lower_along(result.normal);
+  // Of segments that nearly cross the nearest point is all rounding, and what is across them is not.
+  if (length - lower > slack && std::fabs(s) < 1.0 && std::fabs(t) < 1.0 && determinant > 0.0) [[unlikely]] {
+    const Vec3d normal = ((dot(across, nearest) < 0.0 ? 1.0 : -1.0) / std::sqrt(determinant)) * across;
+    const double found = lower_along(normal);
+    if (found > lower) {
+      lower = found;
       result.normal = normal;
     }
-  };
-  take((-1.0 / length) * nearest);
-  // Of segments that nearly cross the nearest point is all rounding, and what is across them is not.
-  if (is_inside) take(((dot(across, nearest) < 0.0 ? 1.0 : -1.0) / norm(across)) * across);
+  }
   result.distance = length;
-  result.bounds = {result.bounds.lower - slack, length + slack};
-  set_points(result, k, factors);
+  result.bounds = {lower - slack, length + slack};
+  result.point_a = (a.centre + (are_of_b ? 0.0 : s) * g) + (are_of_a ? t : 0.0) * h;
+  result.point_b = (centre_b - (are_of_b ? s : 0.0) * g) - (are_of_a ? 0.0 : t) * h;
+  result.own_point_b = b.centre - (are_of_a ? 0.0 : t) * b.vectors[are_of_b ? 1 : 0];
+  if (are_of_b) result.own_point_b = result.own_point_b - s * b.vectors[0];
   return answer;
 }
 

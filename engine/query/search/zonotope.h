@@ -32,9 +32,10 @@ struct ZonotopeSeparation {
   Vec3d own_point_b;       // in B's frame
 };
 
-/// Of up to two vectors, points and segments: the nearest point in closed form. None where rounding leaves it open, as
-/// of segments that cross.
-std::optional<ZonotopeSeparation> nearest_of_segments(const DifferenceZonotope& k, const QueryError<double>& error);
+/// Of up to two vectors together, of points, segments and a rectangle beside a point: the nearest point in closed form.
+/// None of more, or where rounding leaves it open, as of segments that cross.
+std::optional<ZonotopeSeparation> nearest_of_segments(const Generators& a, const Generators& b,
+                                                      const Transformd& a_from_b, const QueryError<double>& error);
 
 /// Of three to six vectors: K reaches least far in the direction of one of its faces, each of which two vectors span.
 /// All are looked at. With the origin outside a face proves it: then `bounds.lower` is positive, and nothing else is
