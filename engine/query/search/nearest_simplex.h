@@ -49,10 +49,11 @@ class NearestSimplex {
       keep(best, newest);
       return true;
     }
-    take(best, vertex(a));
-    for (std::size_t i = 0; i < n; ++i) {
-      offer_edge(best, a, i);
-      for (std::size_t j = i + 1; j < n; ++j) offer_triangle(best, a, i, j);
+    if (!has_nearest_triangle(best, a, n)) {
+      // Where an edge has a nearest point inside, its ends are no nearer.
+      bool is_inside = best.is_any;
+      for (std::size_t i = 0; i < n; ++i) is_inside = offer_edge(best, a, i) || is_inside;
+      if (!is_inside) take(best, vertex(a));
     }
     if (!best.is_any) return false;
     keep(best, newest);
@@ -68,7 +69,10 @@ class NearestSimplex {
     const Point& newest = points.back();
     Candidate best = vertex(newest.w);
     best.is_any = false;
-    if (points.size() == 3 && spans_plane(points)) offer_triangle(best, newest.w, 0, 1);
+    if (points.size() == 3) {
+      const Vec3<L> e = points[1].w - points[0].w, f = points[2].w - points[0].w;
+      if (spans_plane(e, f, cross(e, f))) offer_triangle(best, newest.w, 0, 1);
+    }
     if (points.size() == 2) offer_edge(best, newest.w, 0);
     if (best.is_any) return keep(best, newest);
     points_.clear();
@@ -78,9 +82,8 @@ class NearestSimplex {
  private:
   static constexpr std::size_t kNone = 4;
 
-  // Of a sliver's normal rounding makes what it likes, and only its edges tell.
-  static bool spans_plane(std::span<const Point> triangle) {
-    const Vec3<L> e = triangle[1].w - triangle[0].w, f = triangle[2].w - triangle[0].w, normal = cross(e, f);
+  // Of a sliver's normal rounding makes what it likes, and only its edges tell. Of a triangle's two edges.
+  static bool spans_plane(const Vec3<L>& e, const Vec3<L>& f, const Vec3<L>& normal) {
     return dot(normal, normal) > L(0x1p-40) * (dot(e, e) * dot(f, f));
   }
 
@@ -111,40 +114,55 @@ class NearestSimplex {
     if (other.square < best.square) best = other;
   }
 
+  // Offers the triangles of the newest point. True where one has the nearest point of all inside, of which no edge has
+  // to be asked: of a triangle alone, or of a tetrahedron that is on the other side of its plane than the origin.
+  bool has_nearest_triangle(Candidate& best, const Vec3<L>& a, std::size_t n) const {
+    const auto is_offered = [&](std::size_t i, std::size_t j) {
+      return offer_triangle(best, a, i, j) && spans_plane(points_.point(i).w - a, points_.point(j).w - a, best.normal);
+    };
+    if (n == 2) return is_offered(0, 1);
+    for (std::size_t k = 0; k < n && n == 3; ++k) {
+      const std::size_t i = k == 0 ? 1 : 0, j = k == 2 ? 1 : 2;
+      if (is_offered(i, j) && dot(best.normal, points_.point(k).w - a) > L(0.0)) return true;
+    }
+    return false;
+  }
+
+  // Each tells whether its nearest point is inside, and nearer than the best one.
   // Both weights are products that do not cancel together.
-  void offer_edge(Candidate& best, const Vec3<L>& a, std::size_t i) const {
+  bool offer_edge(Candidate& best, const Vec3<L>& a, std::size_t i) const {
     const Vec3<L>& b = points_.point(i).w;
     const Vec3<L> e = b - a;
     const L of_b = -dot(a, e), of_a = dot(b, e);
-    if (!(of_a > L(0.0) && of_b > L(0.0))) return;
+    if (!(of_a > L(0.0) && of_b > L(0.0))) return false;
     const L inverse = L(1.0) / (of_a + of_b);
     const L weight_a = of_a * inverse, weight_b = of_b * inverse;
     const Vec3<L> at = weight_a * a + weight_b * b;
     const L square = dot(at, at);
-    if (!(square < best.square)) return;
+    if (!(square < best.square)) return false;
     best.square = square;
     best.at = best.normal = at;
     best.old = {i, kNone, kNone};
     best.weight = {weight_b, L(0.0), L(0.0), weight_a};
-    best.is_any = true;
+    return best.is_any = true;
   }
 
-  void offer_triangle(Candidate& best, const Vec3<L>& a, std::size_t i, std::size_t j) const {
+  bool offer_triangle(Candidate& best, const Vec3<L>& a, std::size_t i, std::size_t j) const {
     const Vec3<L>&b = points_.point(i).w, &c = points_.point(j).w;
     const Vec3<L> normal = cross(b - a, c - a);
     const L of_a = dot(cross(b, c), normal), of_b = dot(cross(c, a), normal), of_c = dot(cross(a, b), normal);
-    if (!(of_a > L(0.0) && of_b > L(0.0) && of_c > L(0.0))) return;
+    if (!(of_a > L(0.0) && of_b > L(0.0) && of_c > L(0.0))) return false;
     const L inverse = L(1.0) / ((of_a + of_b) + of_c);
     const L weight_a = of_a * inverse, weight_b = of_b * inverse, weight_c = of_c * inverse;
     const Vec3<L> at = (weight_a * a + weight_b * b) + weight_c * c;
     const L square = dot(at, at);
-    if (!(square < best.square)) return;
+    if (!(square < best.square)) return false;
     best.square = square;
     best.at = at;
     best.normal = dot(normal, a) < L(0.0) ? -normal : normal;
     best.old = {i, j, kNone};
     best.weight = {weight_b, weight_c, L(0.0), weight_a};
-    best.is_any = true;
+    return best.is_any = true;
   }
 
   bool offer_inside(Candidate& best, const Vec3<L>& d) const {
