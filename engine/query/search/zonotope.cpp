@@ -57,7 +57,7 @@ void combine_in_plane(const DifferenceZonotope& k, const std::array<int, 6>& mem
       double reach = 0.0;
       for (int j = m + 1; j < n_members; ++j) reach += std::fabs(dot(d, k.vectors[index_of(members[index_of(j)])]));
       const double along = dot(d, g), wanted = dot(d, target);
-      if (!(std::fabs(along) > kParallel * norm(d) * norm(g))) return;
+      if (!(along * along > (kParallel * kParallel) * (dot(d, d) * dot(g, g)))) return;
       const double one = (wanted - reach) / along, other = (wanted + reach) / along;
       low = std::max(low, std::min(one, other));
       high = std::min(high, std::max(one, other));
@@ -162,26 +162,29 @@ std::optional<ZonotopeSeparation> deepest_of_faces(const DifferenceZonotope& k, 
     const Vec3d g = k.vectors[index_of(i)];
     for (std::size_t p = 0; p < n; ++p) reach[p] += std::fabs((x[p] * g.x + y[p] * g.y) + z[p] * g.z);
   }
-  // Heights over the lengths of the normals, and what the roundings of the normals change in them (E24).
-  std::size_t best = n;
-  double least = HUGE_VAL, least_lower = HUGE_VAL;
-  const double slack = 2.0 * error.support;
+  // Heights over the lengths of the normals, and what the roundings of the normals change in them (E24). The least is
+  // found by the squares, and a root is drawn only of those that are about as low, or that much is changed in.
+  std::array<double, kMostPairs> low;  // the square, with the height's sign
   bool leaves_out = false;
   for (std::size_t p = 0; p < n; ++p) {
-    if (!(square[p] > (kParallel * kParallel) * product[p])) {
-      leaves_out = true;
-      continue;
-    }
-    const double inverse = 1.0 / std::sqrt(square[p]);
-    const double height = reach[p] * inverse;
-    const double lower = height - (kTurn * kU) * error.reach * (std::sqrt(product[p]) * inverse);
-    if (height < least) {
-      best = p;
-      least = height;
-    }
-    least_lower = std::min(least_lower, lower);
+    const bool is_pair = square[p] > (kParallel * kParallel) * product[p];
+    low[p] = is_pair ? reach[p] * std::fabs(reach[p]) / square[p] : HUGE_VAL;
+    leaves_out |= !is_pair;
   }
-  if (best == n) return std::nullopt;
+  std::size_t best = 0;
+  for (std::size_t p = 1; p < n; ++p) best = low[p] < low[best] ? p : best;
+  if (!(low[best] < HUGE_VAL)) return std::nullopt;
+  const double slack = 2.0 * error.support, turn = (kTurn * kU) * error.reach;
+  const double least = reach[best] / std::sqrt(square[best]);
+  double least_lower = HUGE_VAL;
+  constexpr double kFewTurns = 64.0;
+  const double near = least + kFewTurns * turn, near_low = near * std::fabs(near);
+  for (std::size_t p = 0; p < n; ++p) {
+    const bool may_be_lower = !(low[p] > near_low) || product[p] > (kFewTurns * kFewTurns) * square[p];
+    if (!may_be_lower || !(low[p] < HUGE_VAL)) continue;
+    const double inverse = 1.0 / std::sqrt(square[p]);
+    least_lower = std::min(least_lower, reach[p] * inverse - turn * (std::sqrt(product[p]) * inverse));
+  }
   std::optional<ZonotopeSeparation> answer(std::in_place);
   ZonotopeSeparation& result = *answer;
   const double sign = aside[best] > 0.0 ? -1.0 : 1.0;
