@@ -115,7 +115,8 @@ std::optional<ZonotopeSeparation> nearest_of_segments(const Generators& a, const
   result.normal = (-1.0 / length) * nearest;
   double lower = lower_along(result.normal);
   // Of segments that nearly cross the nearest point is all rounding, and what is across them is not.
-  if (length - lower > slack && std::fabs(s) < 1.0 && std::fabs(t) < 1.0 && determinant > 0.0) [[unlikely]] {
+  const double few_roundings = 8.0 * kU * error.reach;
+  if (length - lower > few_roundings && std::fabs(s) < 1.0 && std::fabs(t) < 1.0 && determinant > 0.0) [[unlikely]] {
     const Vec3d normal = ((dot(across, nearest) < 0.0 ? 1.0 : -1.0) / std::sqrt(determinant)) * across;
     const double found = lower_along(normal);
     if (found > lower) {
