@@ -56,7 +56,8 @@ bool is_even(const NormalMeasure::Component& component) {
   if (const auto* const ring = std::get_if<NormalRing>(&component)) return ring->cos_polar == 0.0;
   if (const auto* const zone = std::get_if<NormalZone>(&component)) return zone->cos_from == -zone->cos_to;
   return std::holds_alternative<NormalBelt>(component) || std::holds_alternative<EllipsoidNormals>(component) ||
-         std::holds_alternative<EllipsoidCurvature>(component);
+         std::holds_alternative<EllipsoidCurvature>(component) ||
+         std::holds_alternative<SuperellipsoidNormals>(component);
 }
 
 /// Exactly opposite vectors are equal once the first coordinate that is not 0 is made positive.
