@@ -189,6 +189,12 @@ double NormalNodes::take_out_faces(const std::function<double(const Vec3d&)>& f)
   return total.value();
 }
 
+bool NormalNodes::has_powers() const {
+  return std::ranges::any_of(even_, [](const NormalMeasure::Component& component) {
+    return std::holds_alternative<SuperellipsoidNormals>(component);
+  });
+}
+
 std::size_t NormalNodes::n_components() const {
   return faces_.n_components() + edges_.n_components() + even_.size() + curved_.size();
 }
