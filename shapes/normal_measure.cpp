@@ -8,6 +8,7 @@
 #include "engine/numeric/double_double.h"
 #include "engine/numeric/elementary.h"
 #include "engine/numeric/expect.h"
+#include "shapes/superellipsoid_normals.h"
 
 namespace vex {
 namespace {
@@ -64,6 +65,7 @@ struct NormalAt {
     return {around_z(side * a * at.cos / length, c * at.sin / length, w),
             scale * (half.is_curvature ? c * (1.0 + ratio * ratio) : 2.0 * a * length)};
   }
+  WeightedNormal operator()(const SuperellipsoidNormals& part) const { return superellipsoid_normal(part, v, w); }
   WeightedNormal operator()(const EllipsoidNormals& ellipsoid) const {
     const auto [a, b, c] = ellipsoid.semi_axes;
     // det D D^-1 u; no axis divides another.
@@ -127,6 +129,8 @@ void NormalMeasure::add(const NormalMeasure& other, double factor) {
       curvature->factor *= factor;
     } else if (auto* const half = std::get_if<HalfSpheroidNormals>(&component)) {
       half->factor *= factor;
+    } else if (auto* const part = std::get_if<SuperellipsoidNormals>(&component)) {
+      part->factor *= factor;
     } else if (auto* const belt = std::get_if<NormalBelt>(&component)) {
       belt->over_chord *= factor;
       belt->straight *= factor;
@@ -152,6 +156,7 @@ double sum_of_radii_of_curvature(const Vec3d& semi_axes, const Vec3d& n) {
 }
 
 bool is_alike_about_z(const NormalMeasure::Component& component) {
+  if (const auto* const part = std::get_if<SuperellipsoidNormals>(&component)) return is_round(*part);
   return std::holds_alternative<NormalRing>(component) || std::holds_alternative<NormalZone>(component) ||
          std::holds_alternative<NormalRim>(component) || std::holds_alternative<NormalBelt>(component) ||
          std::holds_alternative<HalfSpheroidNormals>(component);

@@ -96,6 +96,18 @@ struct HalfSpheroidNormals {
   double factor = 1.0;
 };
 
+/// A superellipsoid's surface, or one of the two terms of its mean curvature, of which `curvature_across` is all that a
+/// cylinder with this cross-section would have (shapes/superellipsoid_normals.h).
+struct SuperellipsoidNormals {
+  enum class Part { area, curvature_across, curvature_along };
+
+  Vec3d semi_axes;
+  double across = 2.0, along = 2.0;  // 2P and 2Q
+  Part part = Part::area;
+  double mass = 0.0;  // factor times the term
+  double factor = 1.0;
+};
+
 /// The image of a point of the unit square: a unit normal (to a few roundings), and what it counts for.
 struct WeightedNormal {
   Vec3d unit_normal;
@@ -107,7 +119,7 @@ struct WeightedNormal {
 class NormalMeasure {
  public:
   using Component = std::variant<NormalAtom, NormalArc, NormalRing, NormalZone, NormalRim, NormalBelt, EllipsoidNormals,
-                                 EllipsoidCurvature, HalfSpheroidNormals>;
+                                 EllipsoidCurvature, HalfSpheroidNormals, SuperellipsoidNormals>;
 
   void add(const Component& component) { components_.push_back(component); }
   /// Every component of `other`, `factor` times.
@@ -122,7 +134,8 @@ class NormalMeasure {
   std::vector<Component> components_;
 };
 
-/// Whether it is a part of a surface of revolution about z by its kind: a ring, a zone, a rim, a belt, a half spheroid.
+/// Whether it is a part of a surface of revolution about z whose normals go around z with w: a ring, a zone, a rim, a
+/// belt, a half spheroid, a superellipsoid that is round across z.
 bool is_alike_about_z(const NormalMeasure::Component& component);
 
 /// The part of a measure that is the component's own.

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "engine/numeric/double_double.h"
 #include "engine/numeric/errors.h"
 #include "engine/support/checked_input.h"
+#include "shapes/superellipsoid_normals.h"
 
 namespace vex {
 namespace {
@@ -60,7 +60,7 @@ struct Node {
 };
 
 /// Both halves of (0, 1), each in a power of t or 1 - t in which the density has no pole, by the double exponential
-/// rule (H. Takahasi and M. Mori, 1974) of this step: what is left of algebraic singularities is at the ends.
+/// rule of this step: what is left of algebraic singularities is at the ends.
 class Nodes {
  public:
   explicit Nodes(double step) : step_(step) {}
@@ -94,11 +94,8 @@ class Nodes {
   template <class F>
   void add(double e, const F& f) const {
     const double end = std::exp2(-e);
-    constexpr double kLast = 3.4;
-    for (int k = -static_cast<int>(kLast / step_); k <= static_cast<int>(kLast / step_); ++k) {
-      const double s = 0.5 * std::numbers::pi * std::sinh(k * step_);
-      const double y = end / (1.0 + std::exp(-2.0 * s)), cosh = std::cosh(s);
-      const double weight = end * step_ * 0.25 * std::numbers::pi * std::cosh(k * step_) / (cosh * cosh);
+    for (const UnitNode& node : unit_nodes(step_)) {
+      const double y = end * node.u, weight = end * node.weight;
       if (weight > 0.0 && y > 0.0) f(e > 0.0 ? std::min(0.5, std::pow(y, 1.0 / e)) : 0.0, y, weight);
     }
   }
@@ -208,6 +205,28 @@ Measures Superellipsoid::measures() const {
   const double curvature = settled_mean_over(of_dual, inverse, [](double d_sq) { return 1.0 / (d_sq * d_sq); });
   return {of_body.volume() * axes_.x * axes_.y * axes_.z, 3.0 * of_body.volume() * (x * y * z) * area * unit * unit,
           3.0 * of_dual.volume() / (x * y * z) * curvature * unit};
+}
+
+NormalMeasure Superellipsoid::area_measure() const {
+  NormalMeasure area;
+  area.add(
+      SuperellipsoidNormals{axes_, across_.p, along_.p, SuperellipsoidNormals::Part::area, measures().surface_area});
+  return area;
+}
+
+/// Which share of M is whose comes from the measures themselves; only how nodes are spread hangs on it.
+NormalMeasure Superellipsoid::mean_curvature_measure() const {
+  SuperellipsoidNormals across{axes_, across_.p, along_.p, SuperellipsoidNormals::Part::curvature_across};
+  SuperellipsoidNormals along{axes_, across_.p, along_.p, SuperellipsoidNormals::Part::curvature_along};
+  across.mass = total_weight(across);
+  along.mass = total_weight(along);
+  const double mean_curvature = measures().integrated_mean_curvature;
+  across.mass *= mean_curvature / (across.mass + along.mass);
+  along.mass = mean_curvature - across.mass;
+  NormalMeasure curvature;
+  curvature.add(across);
+  curvature.add(along);
+  return curvature;
 }
 
 /// Dirichlet's integrals of x^2 over the plane's curve, and of the fourth and second powers of what is left of it along

@@ -6,6 +6,7 @@
 #include "engine/numeric/vec3.h"
 #include "engine/support/support_mapping.h"
 #include "shapes/measures.h"
+#include "shapes/normal_measure.h"
 #include "shapes/solid_moments.h"
 
 namespace vex {
@@ -37,6 +38,8 @@ class Superellipsoid {
   /// stands still to 1e-12, and otherwise refused by an InputError.
   Measures measures() const;
   SolidMoments solid_moments() const;
+  NormalMeasure area_measure() const;
+  NormalMeasure mean_curvature_measure() const;
 
  private:
   /// The unit circle of the norm (u^p + v^p)^(1/p), and of its dual.

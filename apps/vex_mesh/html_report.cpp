@@ -180,7 +180,7 @@ void add_costs(HtmlPage& page, const MeshRun& run, const nlohmann::ordered_json&
     table.rows.push_back(
         {name + (is_this ? " (this run)" : "") + how,
          is_this ? short_number(run.result.record.seconds, 2) : number(row.at("seconds_to_this_error"), 1.0),
-         number(row.at("seconds_per_trial"), 1e6), row.at("runs_gjk").get<bool>() ? "yes" : "no"});
+         number(row.at("seconds_per_trial"), 1e6), row.at("runs_gjk").get<bool>() ? "no" : "yes"});
   }
   page.begin_section("What other ways would have cost", true);
   page.table(table);

@@ -1,5 +1,6 @@
 #include "apps/vex_nematic/mixture_run.h"
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 
@@ -58,6 +59,10 @@ std::string report_text(const NematicMixtureRun& run) {
             ": an isotropic one with a share of B of " + short_number(three.isotropic.composition(), 6) +
             ", and nematic ones with " + short_number(three.nematic[0].composition(), 6) + " and " +
             short_number(three.nematic[1].composition(), 6) + "\n";
+  }
+  const auto& found = run.found.result.found;
+  if (std::ranges::any_of(found, [](const auto& one) { return one.composition == 0.0 || one.composition == 1.0; })) {
+    text += "   shares of 0 and 1 stand for a trace of the other kind, 1e-7 at most\n";
   }
   text += "   equilibria of two nematic fluids without an isotropic one are not looked for\n";
   return text;

@@ -53,6 +53,7 @@ bool is_axial(const NormalMeasure& measure) {
   return std::ranges::all_of(measure.components(), [](const NormalMeasure::Component& component) {
     if (const auto* const atom = std::get_if<NormalAtom>(&component)) return is_across_or_along(atom->unit_normal);
     if (std::holds_alternative<NormalArc>(component)) return mass_of(component) == 0.0;
+    if (std::holds_alternative<SuperellipsoidNormals>(component)) return is_alike_about_z(component);
     if (const auto* const area = std::get_if<EllipsoidNormals>(&component)) {
       return area->semi_axes.x == area->semi_axes.y;
     }
@@ -133,16 +134,24 @@ Integral integral_over(const NormalMeasure& measure, const MeanHeight& mean_heig
       sum.error += mass * one.error;
       continue;
     }
-    // With v = sin^2 t roots of the sine of the polar angle, which zones have at the poles, are smooth in t.
+    // With v = sin^2 t roots of the sine of the polar angle, which zones have at the poles, are smooth in t; so are
+    // those at the ends of the quarters that a superellipsoid has.
     double largest_inner = 0.0;
-    const Integral outer = integral_of(
-        [&](double t) {
-          const WeightedNormal node = at(std::pow(std::sin(t), 2));
-          const Integral inner = mean_height(node.unit_normal);
-          largest_inner = std::max(largest_inner, node.weight * inner.error);
-          return node.weight * inner.value * std::sin(2.0 * t);
-        },
-        0.0, 0.5 * pi, kMostOuterHalvings, kOuterTolerance);
+    const int n_pieces = std::holds_alternative<SuperellipsoidNormals>(component) ? 4 : 1;
+    const double piece = 1.0 / n_pieces;
+    Integral outer;
+    for (int k = 0; k < n_pieces; ++k) {
+      const Integral of_piece = integral_of(
+          [&](double t) {
+            const WeightedNormal node = at(piece * (k + std::pow(std::sin(t), 2)));
+            const Integral inner = mean_height(node.unit_normal);
+            largest_inner = std::max(largest_inner, node.weight * inner.error);
+            return piece * node.weight * inner.value * std::sin(2.0 * t);
+          },
+          0.0, 0.5 * pi, kMostOuterHalvings, kOuterTolerance);
+      outer.value += of_piece.value;
+      outer.error += of_piece.error;
+    }
     sum.value += outer.value;
     sum.error += outer.error + largest_inner;
   }

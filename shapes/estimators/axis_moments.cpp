@@ -74,23 +74,24 @@ AxisMoments cone_moments(double polar_rad) {
   return moments;
 }
 
-/// A density like exp(a cos^2(theta)), by Gauss and Legendre's nodes on 0 < cos < 1, as many as the highest degree and
-/// the density ask for. Tail: in the ellipse with the foci +-1 and half axes (r +- 1/r) / 2 the density is at most M,
-/// and then
+/// A density like exp(a cos^2(theta)), by Gauss and Legendre's nodes on 0 < theta < pi/2, in which P_l waves evenly, as
+/// many as the highest degree and the density ask for. Tail: in the ellipse with the foci +-1 and half axes (r +- 1/r)
+/// / 2 the density is at most M, and then
 /// |<P_l>| <= 4 M (r + 1 / r) / (r^(l+1) (1 - r^-2)) (H. Wang, S. Xiang, Math. Comp. 81, 861, 2012), here with r = 2.
 AxisMoments maier_saupe_moments(double strength) {
   using Gauss = boost::math::quadrature::gauss<double, 30>;
   const double a = 1.5 * strength;
   const std::size_t n_panels = kMaxDegree / 20 + static_cast<std::size_t>(std::fabs(a) / 8.0) + 1;
-  const double half_width = 0.5 / static_cast<double>(n_panels);
+  const double half_width = 0.25 * pi / static_cast<double>(n_panels);
   AxisMoments moments;
   moments.by_degree.assign(kMaxDegree + 1, 0.0);
   for (std::size_t panel = 0; panel < n_panels; ++panel) {
     const double middle = (2.0 * static_cast<double>(panel) + 1.0) * half_width;
     for (std::size_t i = 0; i < Gauss::abscissa().size(); ++i) {
       for (const double side : {-1.0, 1.0}) {
-        const double x = middle + side * half_width * Gauss::abscissa()[i];
-        const double density = std::exp(a > 0.0 ? -a * ((1.0 - x) * (1.0 + x)) : a * (x * x));
+        const double theta = middle + side * half_width * Gauss::abscissa()[i];
+        const double x = std::cos(theta), sine = std::sin(theta);
+        const double density = sine * std::exp(a > 0.0 ? -a * (sine * sine) : a * (x * x));
         if (density > 1e-20) add_polynomials(half_width * Gauss::weights()[i] * density, x, &moments.by_degree);
       }
     }

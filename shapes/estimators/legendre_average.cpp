@@ -41,35 +41,37 @@ std::optional<SeriesAverage> legendre_average(const Body& a, const Body& b, cons
                          b.measures.surface_area * a.measures.integrated_mean_curvature;
   LegendreSeries both = std::move(moments_a->by_degree);
   for (std::size_t l = 0; l < both.size(); ++l) both[l] *= moments_b->by_degree[l];
-  // No more degrees than matter: what is left out goes to the error.
-  std::size_t degree = kMaxDegreeOfMoments;
-  double left_out = tail_of(law, *moments_a, *moments_b);
-  // A density's edge makes the sum long.
-  const double negligible = is_smooth(law.of_body(0)) || is_smooth(law.of_body(1)) ? 1e-14 : 1e-8;
-  while (degree > 2) {
-    const double here = std::fabs(both[degree]) / static_cast<double>(degree);
-    if (left_out + here > negligible) break;
-    left_out += here;
-    --degree;
-  }
-  left_out += moments_a->rounding + moments_b->rounding;
   // V_ex is at most V_A + V_B + S_A R_B + S_B R_A with the circumradii.
   const double at_most = a.measures.volume + b.measures.volume + a.measures.surface_area * b.body.circumradius() +
                          b.measures.surface_area * a.body.circumradius();
-  if (!(0.5 * largest * left_out <= kLargestError * at_most)) return std::nullopt;
-  if (!are_affordable({&*of_a, &*of_b}, degree)) return std::nullopt;
-  const LegendreSeries s_a = legendre_series(of_a->area, degree, axis_a);
-  const LegendreSeries s_b = legendre_series(of_b->area, degree, axis_b);
-  const LegendreSeries h_a = legendre_series(of_a->mean_curvature, degree, axis_a);
-  const LegendreSeries h_b = legendre_series(of_b->mean_curvature, degree, axis_b);
+  // No more degrees than matter: what is left out goes to the error. A density's edge makes the sum long; where that
+  // takes too long, more may be left out.
+  const bool is_smooth_law = is_smooth(law.of_body(0)) || is_smooth(law.of_body(1));
+  std::size_t degree = kMaxDegreeOfMoments;
+  double left_out = tail_of(law, *moments_a, *moments_b);
+  const double rounding = moments_a->rounding + moments_b->rounding;
+  std::optional<PairSeries> series;
+  for (double negligible = is_smooth_law ? 1e-14 : 1e-8; !series; negligible *= 10.0) {
+    while (degree > 2) {
+      const double here = std::fabs(both[degree]) / static_cast<double>(degree);
+      if (left_out + here > negligible) break;
+      left_out += here;
+      --degree;
+    }
+    if (!(0.5 * largest * (left_out + rounding) <= kLargestError * at_most)) return std::nullopt;
+    if (are_affordable({&*of_a, &*of_b}, degree)) {
+      series = series_of_pair(*of_a, &a == &b ? *of_a : *of_b, degree, axis_a, axis_b);
+    }
+    if (!series && (is_smooth_law || degree == 2)) return std::nullopt;
+  }
   double sum = 0.0;
   for (std::size_t l = degree; l != 1; l = l == 2 ? 0 : l - 1) {  // of degree 1 no body has a part
     const double factor = l % 2 == 0 ? coefficient_of_degree(l) : -coefficient_of_degree(l);
-    sum += both[l] * factor * (s_a[l] * h_b[l] + s_b[l] * h_a[l]);
+    sum += both[l] * factor * series->of_degree(l);
     if (l == 0) break;
   }
   const double value = a.measures.volume + b.measures.volume + sum;
-  return SeriesAverage{value, 0.5 * largest * left_out + kRoundingError * value};
+  return SeriesAverage{value, 0.5 * largest * (left_out + rounding) + kRoundingError * value};
 }
 
 }  // namespace vex

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "engine/numeric/errors.h"
+#include "shapes/estimators/superellipsoid_series.h"
 #include "shapes/rounded.h"
 
 namespace vex {
@@ -168,7 +169,8 @@ bool have_series_about(const AxialMeasures& body, const Vec3d& unit_axis) {
 
 // What is alike about z has, about an axis at the angle t to it, P_l(cos t) times its integrals about z: the mean of
 // P_l(n . axis) over all turns about z is P_l(n_z) P_l(cos t), by the addition theorem.
-LegendreSeries legendre_series(const NormalMeasure& measure, std::size_t max_degree, const Vec3d& unit_axis) {
+std::optional<LegendreSeries> legendre_series(const NormalMeasure& measure, std::size_t max_degree,
+                                              const Vec3d& unit_axis) {
   const bool is_about_z = unit_axis.z == 1.0;
   Series all(max_degree + 1, 0.0), alike_about_z(is_about_z ? 0 : max_degree + 1, 0.0);
   for (const NormalMeasure::Component& component : measure.components()) {
@@ -196,6 +198,10 @@ LegendreSeries legendre_series(const NormalMeasure& measure, std::size_t max_deg
     } else if (const auto* const half = std::get_if<HalfSpheroidNormals>(&component)) {
       const double ratio = aspect_ratio({half->across, half->across, half->along});
       add_mean(0.5 * pi, static_cast<std::size_t>(2.0 * ratio), at, axis, &sum);
+    } else if (const auto* const part = std::get_if<SuperellipsoidNormals>(&component)) {
+      const std::optional<Series> series = superellipsoid_series(*part, max_degree, axis);
+      if (!series) return std::nullopt;
+      for (std::size_t l = 0; l <= max_degree; ++l) sum[l] += (*series)[l];
     } else if (std::holds_alternative<NormalAtom>(component) || std::holds_alternative<NormalRing>(component)) {
       add_polynomials(mass_of(component), along(at(0.5).unit_normal, axis), &sum);
     } else if (const auto* const area = std::get_if<EllipsoidNormals>(&component)) {
@@ -239,17 +245,30 @@ double coefficient_of_degree(std::size_t degree) {
   return (2.0 * n + 1.0) / (2.0 * pi * (2.0 - n * (n + 1.0)));
 }
 
+std::optional<PairSeries> series_of_pair(const AxialMeasures& a, const AxialMeasures& b, std::size_t max_degree,
+                                         const Vec3d& unit_axis_a, const Vec3d& unit_axis_b) {
+  const bool are_one =
+      &a == &b && unit_axis_a.x == unit_axis_b.x && unit_axis_a.y == unit_axis_b.y && unit_axis_a.z == unit_axis_b.z;
+  std::optional<Series> area_a = legendre_series(a.area, max_degree, unit_axis_a),
+                        curvature_a = legendre_series(a.mean_curvature, max_degree, unit_axis_a);
+  std::optional<Series> area_b = are_one ? area_a : legendre_series(b.area, max_degree, unit_axis_b),
+                        curvature_b =
+                            are_one ? curvature_a : legendre_series(b.mean_curvature, max_degree, unit_axis_b);
+  if (!area_a || !area_b || !curvature_a || !curvature_b) return std::nullopt;
+  return PairSeries{*std::move(area_a), *std::move(area_b), *std::move(curvature_a), *std::move(curvature_b)};
+}
+
 std::optional<LegendreSeries> excluded_volume_series(const Body& a, const Body& b, std::size_t max_degree) {
   const std::optional<AxialMeasures> of_a = axial_measures(a), of_b = axial_measures(b);
   if (!of_a || !of_b || !are_affordable({&*of_a, &*of_b}, max_degree)) return std::nullopt;
-  const Series s_a = legendre_series(of_a->area, max_degree), s_b = legendre_series(of_b->area, max_degree);
-  const Series h_a = legendre_series(of_a->mean_curvature, max_degree),
-               h_b = legendre_series(of_b->mean_curvature, max_degree);
+  const AxialMeasures& other = &a == &b ? *of_a : *of_b;
+  const std::optional<PairSeries> found = series_of_pair(*of_a, other, max_degree, {0.0, 0.0, 1.0}, {0.0, 0.0, 1.0});
+  if (!found) return std::nullopt;
   Series sum(max_degree + 1, 0.0);
   for (std::size_t l = 0; l <= max_degree; ++l) {
     if (l == 1) continue;  // the integral of the normal over a closed surface is 0
     const double sign = l % 2 == 0 ? 1.0 : -1.0;
-    sum[l] = sign * coefficient_of_degree(l) * (s_a[l] * h_b[l] + s_b[l] * h_a[l]);
+    sum[l] = sign * coefficient_of_degree(l) * found->of_degree(l);
   }
   sum[0] += a.measures.volume + b.measures.volume;
   return sum;

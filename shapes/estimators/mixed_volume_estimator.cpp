@@ -195,10 +195,12 @@ double MixedVolumeEstimator::relative_rounding() const {
 double MixedVolumeEstimator::cost() const {
   constexpr double kCostOfCoordinate = 25.0, kCostOfNormal = 40.0, kCostOfEllipsoids = 1000.0;
   constexpr double kCostOfMeshsNormal = 150.0;  // bodies of many faces have many vertices
+  constexpr double kCostOfPowers = 300.0;
   const bool has_mesh = plan_->nodes_a.picks() || plan_->nodes_b.picks();
+  const bool has_powers = plan_->nodes_a.has_powers() || plan_->nodes_b.has_powers();
+  const double cost_of_normal = has_powers ? kCostOfPowers : has_mesh ? kCostOfMeshsNormal : kCostOfNormal;
   const auto n_normals = static_cast<double>(normals_a_.size() + normals_b_.size());
-  return kCostOfCoordinate * dimension() +
-         (plan_->ellipsoids ? kCostOfEllipsoids : (has_mesh ? kCostOfMeshsNormal : kCostOfNormal) * n_normals);
+  return kCostOfCoordinate * dimension() + (plan_->ellipsoids ? kCostOfEllipsoids : cost_of_normal * n_normals);
 }
 
 namespace {

@@ -24,7 +24,7 @@ EvenPart even_part_of(const Body& a, const Body& b) {
   const std::optional<LegendreSeries> series = excluded_volume_series(a, b, kHighestDegree);
   if (!series) {
     throw InputError("V_ex(gamma) would take too long (" + names +
-                     ") - give a body of fewer vertices, or an ellipsoid that is less thin");
+                     ") - give a body of fewer vertices, or a less thin one");
   }
   const double mean = series->front();
   if (!(mean > 0.0)) {

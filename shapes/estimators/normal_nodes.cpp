@@ -56,7 +56,8 @@ bool is_even(const NormalMeasure::Component& component) {
   if (const auto* const ring = std::get_if<NormalRing>(&component)) return ring->cos_polar == 0.0;
   if (const auto* const zone = std::get_if<NormalZone>(&component)) return zone->cos_from == -zone->cos_to;
   return std::holds_alternative<NormalBelt>(component) || std::holds_alternative<EllipsoidNormals>(component) ||
-         std::holds_alternative<EllipsoidCurvature>(component);
+         std::holds_alternative<EllipsoidCurvature>(component) ||
+         std::holds_alternative<SuperellipsoidNormals>(component);
 }
 
 /// Exactly opposite vectors are equal once the first coordinate that is not 0 is made positive.
@@ -186,6 +187,12 @@ double NormalNodes::take_out_faces(const std::function<double(const Vec3d&)>& f)
   face_pairs_.clear();
   single_faces_.clear();
   return total.value();
+}
+
+bool NormalNodes::has_powers() const {
+  return std::ranges::any_of(even_, [](const NormalMeasure::Component& component) {
+    return std::holds_alternative<SuperellipsoidNormals>(component);
+  });
 }
 
 std::size_t NormalNodes::n_components() const {

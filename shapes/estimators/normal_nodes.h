@@ -56,6 +56,8 @@ class NormalNodes {
   /// Of all the rest.
   double mass() const { return mass_; }
   bool picks() const { return faces_.picks() || edges_.picks(); }
+  /// Whether its normals take powers, as those of superellipsoids.
+  bool has_powers() const;
   CoordinatesUsed coordinates() const { return coordinates_; }
   std::size_t n_components() const;
 

@@ -59,6 +59,8 @@ TEST_F(NematicProgram, FollowsMixturesFromOneBodyToTheOther) {
       EXPECT_NEAR(row[phase]["volume_fraction"], pure[phase]["volume_fraction"], 1e-8);
     }
   }
+  EXPECT_NE(run({"capsule:1000,0.5", "capsule:1500,0.5", "--composition", "0:0:1"}).out.find("stand for a trace"),
+            std::string::npos);
   // The longer rods order first.
   EXPECT_GT(mixture["mixture"][1]["nematic"]["composition"], 0.55);
   EXPECT_LT(mixture["mixture"][1]["residual"], 1e-9);

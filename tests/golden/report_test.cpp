@@ -104,6 +104,19 @@ TEST_F(Report, OfScansVirialsAndPercolationHaveTheNumbersOfTheirDocuments) {
   }
 }
 
+/// The column said the contrary of each.
+TEST_F(Report, SaysWhichEstimatorsUseTheFormulasGeometry) {
+  ASSERT_EQ(run({"capsule:2,0.5", "--report", "page.html", "--quiet", "--trials", "4096"}).exit_code, 0);
+  const std::string page = read_file("page.html");
+  for (const auto& [estimator, answer] :
+       {std::pair{"radial (this run)", "no"}, {"hit-or-miss", "no"}, {"mixed-volume", "yes"}, {"mean-width", "yes"}}) {
+    const std::size_t begin = page.find(std::string(">") + estimator + ": ");
+    ASSERT_NE(begin, std::string::npos) << estimator;
+    const std::string row = page.substr(begin, page.find("</tr>", begin) - begin);
+    EXPECT_NE(row.find(std::string(">") + answer + "<"), std::string::npos) << row;
+  }
+}
+
 TEST_F(Report, EscapesNamesOfFilesAndTheCommand) {
   const std::string name = "<script>alert(1)<script>\"'&amp; x.off";
   write_file(name, "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");

@@ -47,9 +47,6 @@ inline constexpr std::array kFormlessBodies = {
     "cut-sphere:0.8,0.3,0.6",
     "spindle:1.8,0.5",
     "egg:0.6,0.5,1.1",
-};
-/// Without measures on normals besides.
-inline constexpr std::array kBodiesWithoutNormals = {
     "superball:0.7,0.8",
     "superball:4,0.6",
     "superellipsoid:0.5,0.7,0.9,1.5,0.75",
@@ -72,19 +69,12 @@ inline constexpr std::array kUnpairedBodies = {
     "snub-dodecahedron:0.4",
 };
 
-/// Of these lists, but for the bodies without measures on normals.
-inline std::vector<const char*> bodies_with_normals() {
+/// Of all these lists.
+inline std::vector<const char*> every_test_body() {
   std::vector<const char*> all(kTestBodies.begin(), kTestBodies.end());
   all.insert(all.end(), kFurtherBodies.begin(), kFurtherBodies.end());
   all.insert(all.end(), kUnpairedBodies.begin(), kUnpairedBodies.end());
   all.insert(all.end(), kFormlessBodies.begin(), kFormlessBodies.end());
-  return all;
-}
-
-/// Of all these lists.
-inline std::vector<const char*> every_test_body() {
-  std::vector<const char*> all = bodies_with_normals();
-  all.insert(all.end(), kBodiesWithoutNormals.begin(), kBodiesWithoutNormals.end());
   return all;
 }
 
@@ -118,11 +108,7 @@ std::vector<BodyPair> pairs_without_form(const Bodies& bodies) {
   }
   return pairs;
 }
-inline std::vector<BodyPair> formless_pairs() {
-  std::vector<BodyPair> pairs = pairs_without_form(kFormlessBodies);
-  for (const BodyPair& pair : pairs_without_form(kBodiesWithoutNormals)) pairs.push_back(pair);
-  return pairs;
-}
+inline std::vector<BodyPair> formless_pairs() { return pairs_without_form(kFormlessBodies); }
 
 /// Every pair of `kTestBodies` in both orders, but those that exclude no volume; and the further ones.
 inline std::vector<BodyPair> ordered_pairs() {

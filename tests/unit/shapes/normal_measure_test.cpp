@@ -70,7 +70,7 @@ TEST_P(NormalsOfBodies, GiveTheSurfaceByMinkowskisFormula) {
               quadrature_error() * scale);
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, NormalsOfBodies, testing::ValuesIn(bodies_with_normals()), [](const auto& body) {
+INSTANTIATE_TEST_SUITE_P(Bodies, NormalsOfBodies, testing::ValuesIn(every_test_body()), [](const auto& body) {
   return test_name({body.param, ""});
 });
 INSTANTIATE_TEST_SUITE_P(RoundedOnes, NormalsOfBodies,

@@ -33,8 +33,7 @@ TEST_P(MeanWidthEstimatorOfPairs, AgreesWithTheFormula) {
   EXPECT_LE(estimator.scale(), 4.0 * truth);
 }
 
-INSTANTIATE_TEST_SUITE_P(FormlessPairs, MeanWidthEstimatorOfPairs,
-                         testing::ValuesIn(pairs_without_form(kFormlessBodies)),
+INSTANTIATE_TEST_SUITE_P(FormlessPairs, MeanWidthEstimatorOfPairs, testing::ValuesIn(formless_pairs()),
                          [](const auto& pair) { return test_name(pair.param); });
 INSTANTIATE_TEST_SUITE_P(Pairs, MeanWidthEstimatorOfPairs, testing::ValuesIn(unordered_pairs()),
                          [](const auto& pair) { return test_name(pair.param); });

@@ -63,8 +63,7 @@ TEST_P(MixedVolumeEstimatorOfPairs, AgreesWithTheFormula) {
   EXPECT_LE(found.largest, 2.0 * estimator.scale());
 }
 
-INSTANTIATE_TEST_SUITE_P(FormlessPairs, MixedVolumeEstimatorOfPairs,
-                         testing::ValuesIn(pairs_without_form(kFormlessBodies)),
+INSTANTIATE_TEST_SUITE_P(FormlessPairs, MixedVolumeEstimatorOfPairs, testing::ValuesIn(formless_pairs()),
                          [](const auto& pair) { return test_name(pair.param); });
 INSTANTIATE_TEST_SUITE_P(Pairs, MixedVolumeEstimatorOfPairs, testing::ValuesIn(unordered_pairs()),
                          [](const auto& pair) { return test_name(pair.param); });
