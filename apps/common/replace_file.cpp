@@ -29,8 +29,9 @@ int opened(int number) {
   return number;
 }
 
-// A signal that ended the program now would leave the other file behind; so would a limit on the size of files, whose
-// signal is ignored, so that writing fails instead.
+// A signal that ended the program now would leave the other file behind. A limit on the size of files would end a
+// program without a handler by its signal: there it is ignored, so that writing fails instead. A program's own handler
+// passes over what a write of its own caused (interrupt.h), and must get what somebody else sends meanwhile.
 class SignalsHeldBack {
  public:
   SignalsHeldBack() {
@@ -38,13 +39,15 @@ class SignalsHeldBack {
     sigfillset(&held);
     for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL}) sigdelset(&held, fault);
     pthread_sigmask(SIG_BLOCK, &held, &mask_);
+    sigaction(SIGXFSZ, nullptr, &at_limit_);
+    if (at_limit_.sa_handler != SIG_DFL) return;
     struct sigaction ignore = {};
     ignore.sa_handler = SIG_IGN;
     sigemptyset(&ignore.sa_mask);
-    sigaction(SIGXFSZ, &ignore, &at_limit_);
+    sigaction(SIGXFSZ, &ignore, nullptr);
   }
   ~SignalsHeldBack() {
-    sigaction(SIGXFSZ, &at_limit_, nullptr);
+    if (at_limit_.sa_handler == SIG_DFL) sigaction(SIGXFSZ, &at_limit_, nullptr);
     pthread_sigmask(SIG_SETMASK, &mask_, nullptr);
   }
   SignalsHeldBack(const SignalsHeldBack&) = delete;

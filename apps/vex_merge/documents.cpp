@@ -1,6 +1,7 @@
 #include "apps/vex_merge/documents.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -22,9 +23,8 @@ std::string content_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string text;
   // A piece at a time: of a file without an end no more than is refused is read.
-  for (std::string piece(1 << 20, '\0');
-       file.read(piece.data(), static_cast<std::streamsize>(piece.size())) || file.gcount() > 0;) {
-    text.append(piece, 0, static_cast<std::size_t>(file.gcount()));
+  for (std::array<char, 1 << 16> piece; file.read(piece.data(), piece.size()) || file.gcount() > 0;) {
+    text.append(piece.data(), static_cast<std::size_t>(file.gcount()));
     if (text.size() > kMost) refuse_document("a file is too large for a document", path, kDocumentAdvice);
   }
   if (!file.is_open() || file.bad() || text.empty()) {

@@ -5,6 +5,7 @@
 
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
+#include "apps/common/long_run.h"
 #include "apps/common/numbers.h"
 #include "apps/common/results.h"
 #include "apps/common/run_program.h"
@@ -73,9 +74,11 @@ int run_vex_percolate(const PercolateCommandLine& words, const std::string& comm
   catch_interrupts();
 
   StatusLine status(!options.quiet);
+  LongRun outlook(std::string(kProgram) + ": the run", !options.quiet, options.n_threads, options.checkpoint);
   percolate(
       run, [&] { status.show(kProgram, [&] { return status_of(run); }); },
       [&] {
+        outlook.look(run.seconds_before + run.seconds, share_done(run), [&status] { status.erase(); });
         if (!outputs.checkpoint || !outputs.checkpoint->is_due()) return;
         outputs.checkpoint->save(realisations_text(run), [&status] { status.erase(); });
       },

@@ -166,6 +166,10 @@ std::uint64_t end_of_round(std::uint64_t fewest) {
   return end;
 }
 
+// Of the error that was asked for: where the scatter of realisations is no more than this share of it and the
+// extrapolation alone exceeds it, more realisations are of no use.
+constexpr double kEnoughScatter = 0.25;
+
 // Whether the error that was asked for is reached, or cannot be.
 bool is_exact_enough(PercolateRun& run) {
   constexpr std::size_t kFewest = 200;
@@ -178,7 +182,7 @@ bool is_exact_enough(PercolateRun& run) {
   const double unit = run.eta_unit();
   if (threshold.std_error * unit <= goal) return true;
   const double rest = std::hypot(threshold.offset_error, threshold.universal_error) * unit;
-  if (rest < goal || threshold.scatter_error * unit > 0.25 * goal) return false;
+  if (rest < goal || threshold.scatter_error * unit > kEnoughScatter * goal) return false;
   run.stopped_because = "the extrapolation alone is uncertain by " + short_number(rest, 2) +
                         ": larger sizes are needed for --std-error " + short_number(goal, 3);
   return true;
@@ -211,6 +215,29 @@ void find_thresholds(PercolateRun& run) {
     }
   }
   run.threshold = extrapolate(run.thresholds);
+}
+
+double share_done(const PercolateRun& run) {
+  const PercolateOptions& options = run.options;
+  double share = options.seconds ? (run.seconds_before + run.seconds) / *options.seconds : 0.0;
+  if (options.realisations) {
+    // A realisation costs what its bodies cost.
+    double done = 0.0, all = 0.0;
+    for (const SizeRun& size : run.sizes) {
+      done += static_cast<double>(size.found.size()) * size.volume();
+      all += static_cast<double>(*options.realisations) * size.volume();
+    }
+    share = std::fmax(share, done / all);
+  }
+  if (options.std_error) {
+    if (!run.threshold) return 0.0;
+    // What the scatter of realisations may be, which falls with their square root: is_exact_enough.
+    const double unit = run.eta_unit(), goal = *options.std_error,
+                 rest = std::hypot(run.threshold->offset_error, run.threshold->universal_error) * unit,
+                 scatter = rest < goal ? std::sqrt(goal * goal - rest * rest) : kEnoughScatter * goal;
+    share = std::fmax(share, std::pow(scatter / (run.threshold->scatter_error * unit), 2.0));
+  }
+  return std::fmin(share, 1.0);
 }
 
 PercolationCounts PercolateRun::counts() const {

@@ -69,6 +69,10 @@ PercolateRun prepare(const PercolateOptions& options, const std::string& command
 /// What follows from the realisations: thresholds, once there are enough.
 void find_thresholds(PercolateRun& run);
 
+/// How much of the run is done, 0 to 1, in the realisations and the time so far: the largest share over its stop rules.
+/// 0 where it is to reach an error that is not known yet.
+double share_done(const PercolateRun& run);
+
 /// Finds the mean excluded volume, then makes realisations until a stop rule or an interrupt ends the run. `on_round`
 /// is called after each round, with the thresholds known so far; `on_realisations` after each realisation, by any
 /// thread, one at a time: the realisations and the time are those so far. With

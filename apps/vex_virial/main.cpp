@@ -5,6 +5,7 @@
 
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
+#include "apps/common/long_run.h"
 #include "apps/common/progress_bar.h"
 #include "apps/common/results.h"
 #include "apps/common/run_program.h"
@@ -20,14 +21,19 @@ constexpr const char* kProgram = "vex_virial";
 void measure(VirialRun& run, Checkpoint* checkpoint) {
   VirialSettings& settings = run.options.settings;
   settings.interrupt = &interrupting_signal();
+  const VirialOptions& options = run.options;
   std::optional<ProgressBar> bar;
+  std::optional<LongRun> outlook;
   int n_shown = 0;
   settings.on_progress = [&](int n, const Progress& progress) {
     if (n != n_shown) {
       bar.reset();
-      bar.emplace(!run.options.quiet, "B" + std::to_string(n));
+      const std::string name = "B" + std::to_string(n);
+      bar.emplace(!options.quiet, name);
+      outlook.emplace(std::string(kProgram) + ": " + name, !options.quiet, options.n_threads, options.checkpoint);
       n_shown = n;
     }
+    outlook->look(progress.seconds, fraction_done(progress), [&bar] { bar->erase(); });
     bar->show(progress);
   };
   if (checkpoint != nullptr) {

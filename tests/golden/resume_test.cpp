@@ -312,6 +312,26 @@ TEST_F(Resume, ALongRunIsAnnouncedAndAdvised) {
   EXPECT_EQ(run({"box:1,1,1", "--trials", "1e4"}).err, "");
 }
 
+// No pilot foresees them: it is said once they have gone on for two seconds.
+TEST_F(Resume, ALongRunOfOtherProgramsIsAnnouncedAndAdvised) {
+  const std::string until_told =
+      " --threads 1 2> told & program=$!; for k in $(seq 1200); do [ -s told ] && break; sleep 0.05; done; "
+      "kill -TERM $program; wait $program; cat told >&2";
+  for (const auto& [words, told] :
+       {std::pair{"\"$VIRIAL\" box:1,1,1 --rel-error 1e-7", "vex_virial: B3 will take about "},
+        std::pair{"\"$PERCOLATE\" box:1,1,1 --sizes 3,12 --realisations 6e7",
+                  "vex_percolate: the run will take about "},
+        std::pair{"\"$PERCOLATE\" box:1,1,1 --sizes 3,4 --std-error 1e-7",
+                  "vex_percolate: the run will take about "}}) {
+    for (const bool is_saved : {false, true}) {
+      const std::string said = shell(words + std::string(is_saved ? " --checkpoint c.state" : "") + until_told).err;
+      EXPECT_TRUE(said.starts_with(told)) << said;
+      EXPECT_EQ(said.find("--checkpoint FILE saves what is done") != std::string::npos, !is_saved) << said;
+      std::filesystem::remove(path("c.state"));
+    }
+  }
+}
+
 // Of equal V, S, M and radii, and without an exact form: they were taken for each other, and the mean was of both.
 TEST_F(Resume, BodiesThatOnlyTurnOrMirrorMakeAnotherRun) {
   const std::string rest = " box:0.2,3,0.2 --orientations aligned --estimator hit-or-miss --quiet ";
