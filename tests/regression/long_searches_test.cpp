@@ -10,6 +10,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <tuple>
 
 #include "engine/query/contact_certificate.h"
 #include "engine/query/overlap.h"
@@ -103,6 +104,19 @@ TEST(LongSearches, OfBodiesThatSlideAlongEachOtherAreGivenUp) {
     const CertificateCheck check =
         check_certificate(a, b, pose, motion, found, certify(a, b, pose, motion, found, until), until);
     EXPECT_TRUE(check.is_proven) << check.fault;
+  }
+
+  // A contact that is found is narrowed down, whatever that takes: these begin to touch at 1/4 and at 3/4.
+  for (const auto& [b_text, height, first] : {std::tuple{"sphere:1", -1.0, 0.25}, std::tuple{"sphere:1", -1.5, 0.75},
+                                              std::tuple{"capsule:1,1", -1.5, 0.25}}) {
+    const ConvexBody box = parse_shape("box:2,1,1.5").body, b = parse_shape(b_text).body;
+    Transformd beside;
+    beside.translation = {2.0, 0.0, height};
+    const FirstContact tangent = linear_cast(box, b, beside, {0.0, 0.0, 1.0}, 10.0);
+    EXPECT_EQ(tangent.verdict.outcome, Outcome::overlap) << b_text << height;
+    EXPECT_LE(tangent.lower, first);
+    EXPECT_GE(tangent.upper, first);
+    EXPECT_LT(tangent.upper - tangent.lower, 1e-12) << b_text << height;
   }
 
   const ConvexBody needle = parse_shape("needle:2").body;

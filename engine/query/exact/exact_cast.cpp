@@ -15,8 +15,9 @@ namespace {
 constexpr std::array kTimeDigits = {44, 32, 20, 8};
 // Times between the bounds, each half as far from the lower one as that before.
 constexpr int kMostTimes = 16;
-// Bodies that slide along each other may be as near at every time that is tried, and each answer is exact.
-constexpr int kMostSupportCalls = 1 << 10;
+// Bodies that slide along each other may be as near at every time that is tried, and each answer is exact: after so
+// many calls no other time is tried. Where one of contact is found the first one is looked for, whatever that takes.
+constexpr int kMostCallsOfTrials = 1 << 10;
 
 /// x + t d without any rounding: none where that is not a double.
 std::optional<double> exactly_moved(double x, double t, double d) {
@@ -38,9 +39,8 @@ class ExactMotion {
               std::vector<Vec3d> vertices_b)
       : a_(a), b_(b), start_(start), motion_(motion), vertices_b_(std::move(vertices_b)) {}
 
-  /// None where a coordinate is rounded, where nothing is proven, or where too much has been asked.
+  /// None where a coordinate is rounded, or where nothing is proven.
   std::optional<bool> meets_at(double time) {
-    if (n_support_calls_ > kMostSupportCalls) return std::nullopt;
     const std::optional<Vec3d> translation = exactly_moved(start_.translation, time, motion_);
     if (!translation) return std::nullopt;
     Transformd pose = start_;
@@ -81,14 +81,16 @@ ExactCast cast_exactly(const ConvexBody& a, const ConvexBody& b, const Transform
   latest = std::fmin(latest, until);
   if (!(latest > 0.0 && std::isfinite(latest))) return result;
   ExactMotion exact(a, b, a_from_b, motion, forms->b.points);
+  const auto may_try = [&exact] { return exact.n_support_calls() <= kMostCallsOfTrials; };
   for (const int digits : kTimeDigits) {
+    if (!may_try()) break;
     const double unit = std::ldexp(1.0, std::ilogb(latest) - digits);
     // The nearest such time, which may be the only one of contact; and others, up to the last.
     double together = std::round(lower / unit) * unit;
     if (together > latest) continue;
     std::optional<bool> meets = exact.meets_at(together);
     if (!meets) continue;
-    for (int k = 0; k < kMostTimes && meets && !*meets; ++k) {
+    for (int k = 0; k < kMostTimes && meets && !*meets && may_try(); ++k) {
       together = std::round((lower + std::ldexp(latest - lower, -k)) / unit) * unit;
       if (together > latest) break;
       meets = exact.meets_at(together);

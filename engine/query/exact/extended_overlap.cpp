@@ -103,7 +103,7 @@ constexpr int kMostPointsOfHull = 96;
 
 bool hull_overlaps(const ExtendedDifference& difference, int max_support_calls, Findings& findings) {
   const PointsOfDifference points(difference);
-  PolytopeStore<Extended, PointOfDifference> store;
+  thread_local PolytopeStore<Extended, PointOfDifference> store;
   const int most = std::min(max_support_calls, kMostPointsOfHull);
   Hull hull(points, kError, most, store);
   const bool overlaps = goes_around_origin(hull);
