@@ -1,4 +1,4 @@
-// Virial coefficients against what is known: spheres to B8, aligned cubes to B6, and B_AAB of random pairs of bodies
+// Virial coefficients against what is known: spheres to B8, aligned cubes to B7, and B_AAB of random pairs of bodies
 // against brute force. A table, with how many standard errors each is off; ends with 1 where one is off by more than
 // 4.5.
 //   vex_virial_truth [SECONDS]
@@ -92,12 +92,15 @@ int main(int argc, char** argv) {
               {0.03888198, 9.1e-7},
               {0.01302354, 9.1e-7},
               {0.0041832, 1.1e-6}});
-  // W. G. Hoover and A. G. De Rocco, J. Chem. Phys. 36, 3141 (1962): 4, 9, 34/3; 3.160 and -18.88 from memory.
+  // W. G. Hoover and A. G. De Rocco, J. Chem. Phys. 36, 3141 (1962): 9, 34/3, 455/144, -2039/108, -169149119/3888000.
+  // The sums over all biconnected graphs of the cubes of rods' integrals, which are whole numbers over (n - 1)!, are
+  // the same.
   vex::judge("box:1,1,1", OrientationLaw::aligned(), seconds / 4.0,
              {{9.0 / 16.0, 1e-12},
               {34.0 / 3.0 / 64.0, 1e-12},
-              {3.160 / 256.0, 0.0005 / 256.0},
-              {-18.88 / 1024.0, 0.005 / 1024.0}});
+              {455.0 / 144.0 / 256.0, 1e-12},
+              {-2039.0 / 108.0 / 1024.0, 1e-12},
+              {-169149119.0 / 3888000.0 / 4096.0, 1e-12}});
   vex::judge_pairs(seconds / 4.0);
   return vex::n_wrong == 0 ? 0 : 1;
 }
