@@ -36,8 +36,11 @@ std::string checkpoint_advice(double seconds, const CheckpointOptions& options) 
 LongRun::LongRun(std::string what, bool wanted, int n_threads, const CheckpointOptions& options)
     : what_(std::move(what)), is_open_(wanted), n_threads_(n_threads), options_(options) {}
 
-void LongRun::look(double seconds, double share, const std::function<void()>& before_message) {
-  if (!is_open_ || seconds < kLongEnoughToTell || !(share > 0.0)) return;
+void LongRun::look(double seconds, const std::function<double()>& share_done,
+                   const std::function<void()>& before_message) {
+  if (!is_open_ || seconds < kLongEnoughToTell) return;
+  const double share = share_done();
+  if (!(share > 0.0)) return;
   is_open_ = false;
   const double whole = seconds / share;
   if (whole <= kHour) return;

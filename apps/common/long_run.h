@@ -21,8 +21,8 @@ class LongRun {
   /// `what` will take so long, of this program.
   LongRun(std::string what, bool wanted, int n_threads, const CheckpointOptions& options);
 
-  /// `share` of the run was done in so many seconds; 0 where that is not known yet.
-  void look(double seconds, double share, const std::function<void()>& before_message);
+  /// `share_done` of the run in so many seconds, 0 where that is not known yet; asked only as long as it matters.
+  void look(double seconds, const std::function<double()>& share_done, const std::function<void()>& before_message);
 
  private:
   std::string what_;

@@ -78,7 +78,8 @@ int run_vex_percolate(const PercolateCommandLine& words, const std::string& comm
   percolate(
       run, [&] { status.show(kProgram, [&] { return status_of(run); }); },
       [&] {
-        outlook.look(run.seconds_before + run.seconds, share_done(run), [&status] { status.erase(); });
+        outlook.look(
+            run.seconds_before + run.seconds, [&run] { return share_done(run); }, [&status] { status.erase(); });
         if (!outputs.checkpoint || !outputs.checkpoint->is_due()) return;
         outputs.checkpoint->save(realisations_text(run), [&status] { status.erase(); });
       },

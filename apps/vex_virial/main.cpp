@@ -33,7 +33,8 @@ void measure(VirialRun& run, Checkpoint* checkpoint) {
       outlook.emplace(std::string(kProgram) + ": " + name, !options.quiet, options.n_threads, options.checkpoint);
       n_shown = n;
     }
-    outlook->look(progress.seconds, fraction_done(progress), [&bar] { bar->erase(); });
+    outlook->look(
+        progress.seconds, [&progress] { return fraction_done(progress); }, [&bar] { bar->erase(); });
     bar->show(progress);
   };
   if (checkpoint != nullptr) {

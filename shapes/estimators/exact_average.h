@@ -37,7 +37,8 @@ struct ExactAverageSettings {
 
 /// The mean of V_ex(R) over the law.
 ///
-/// For the laws of axes and most bodies it is a series (legendre_average.h), its error a bound. For the law angle and two bodies of revolution it is a quadrature (axial_average.h), its error what that says of itself.
+/// For the laws of axes and most bodies it is a series (legendre_average.h), its error a bound. For the law angle and
+/// two bodies of revolution it is a quadrature (axial_average.h), its error what that says of itself.
 /// Otherwise: randomised quasi-Monte Carlo, scrambled Sobol' points (engine/sampling/points/sobol.h), of the estimator
 /// that sums mixed volumes (shapes/estimators/mixed_volume_estimator.h). The error is the standard error of the mean
 /// over the independent randomisations, and a bound on rounding. Where nothing is random (one orientation; flat faces

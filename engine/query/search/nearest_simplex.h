@@ -50,10 +50,9 @@ class NearestSimplex {
       return true;
     }
     if (!has_nearest_triangle(best, a, n)) {
-      // Where an edge has a nearest point inside, its ends are no nearer.
-      bool is_inside = best.is_any;
-      for (std::size_t i = 0; i < n; ++i) is_inside = offer_edge(best, a, i) || is_inside;
-      if (!is_inside) take(best, vertex(a));
+      for (std::size_t i = 0; i < n; ++i) offer_edge(best, a, i);
+      // Where an edge or a triangle has a nearest point inside, its corners are no nearer.
+      if (!best.is_any) take(best, vertex(a));
     }
     if (!best.is_any) return false;
     keep(best, newest);
@@ -121,32 +120,32 @@ class NearestSimplex {
       return offer_triangle(best, a, i, j) && spans_plane(points_.point(i).w - a, points_.point(j).w - a, best.normal);
     };
     if (n == 2) return is_offered(0, 1);
-    for (std::size_t k = 0; k < n && n == 3; ++k) {
+    for (std::size_t k = 0; n == 3 && k < 3; ++k) {
       const std::size_t i = k == 0 ? 1 : 0, j = k == 2 ? 1 : 2;
       if (is_offered(i, j) && dot(best.normal, points_.point(k).w - a) > L(0.0)) return true;
     }
     return false;
   }
 
-  // Each tells whether its nearest point is inside, and nearer than the best one.
   // Both weights are products that do not cancel together.
-  bool offer_edge(Candidate& best, const Vec3<L>& a, std::size_t i) const {
+  void offer_edge(Candidate& best, const Vec3<L>& a, std::size_t i) const {
     const Vec3<L>& b = points_.point(i).w;
     const Vec3<L> e = b - a;
     const L of_b = -dot(a, e), of_a = dot(b, e);
-    if (!(of_a > L(0.0) && of_b > L(0.0))) return false;
+    if (!(of_a > L(0.0) && of_b > L(0.0))) return;
     const L inverse = L(1.0) / (of_a + of_b);
     const L weight_a = of_a * inverse, weight_b = of_b * inverse;
     const Vec3<L> at = weight_a * a + weight_b * b;
     const L square = dot(at, at);
-    if (!(square < best.square)) return false;
+    if (!(square < best.square)) return;
     best.square = square;
     best.at = best.normal = at;
     best.old = {i, kNone, kNone};
     best.weight = {weight_b, L(0.0), L(0.0), weight_a};
-    return best.is_any = true;
+    best.is_any = true;
   }
 
+  // Whether its nearest point is inside, and nearer than the best one.
   bool offer_triangle(Candidate& best, const Vec3<L>& a, std::size_t i, std::size_t j) const {
     const Vec3<L>&b = points_.point(i).w, &c = points_.point(j).w;
     const Vec3<L> normal = cross(b - a, c - a);

@@ -40,6 +40,7 @@ void set_points(ZonotopeSeparation& result, const DifferenceZonotope& k, const F
   }
 }
 
+// The compiler makes branches of std::clamp, and two instructions of this.
 double clamped(double s) {
   const double above = s > -1.0 ? s : -1.0;
   return above < 1.0 ? above : 1.0;
