@@ -5,6 +5,8 @@
 // brought to one exponent, after which nothing needs scaling any more.
 #pragma once
 
+#include <algorithm>
+
 // gcc 12 takes the limbs behind a number's length for uninitialised ones that are read.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
@@ -79,6 +81,15 @@ DyadicVector direction_to_b(const Transformd& a_from_b, const DyadicVector& dir)
 /// The exponent of the lowest bit that is set; a large number for 0, which has none.
 int lowest_exponent(double value);
 int lowest_exponent(const Dyadic& value);
+/// The lowest one of `exponent` and of those of the coordinates. Of most vertices of a body none is below those before.
+inline int lowest_exponent(int exponent, const Vec3d& v) {
+  for (const double value : {v.x, v.y, v.z}) {
+    const int biased = static_cast<int>((bits_of(value) >> 52) & 0x7ff);
+    // A double has no bit below the one that its own exponent leaves.
+    if (std::max(biased, 1) - 1075 < exponent) exponent = std::min(exponent, lowest_exponent(value));
+  }
+  return exponent;
+}
 /// value / 2^exponent, which must be whole.
 Integer in_units(double value, int exponent);
 Integer in_units(const Dyadic& value, int exponent);

@@ -54,7 +54,7 @@ TEST(LongSearches, OfImpactsTakeNoMoreThanTheyMay) {
       const QueryScene scene = stratum.scene(random, k);
       const RigidMotion of_b{scene.motion.velocity + scene.motion_a.velocity, scene.motion.angular_velocity};
       const FirstContact found = time_of_impact(scene.a, scene.b, scene.pose, scene.motion_a, of_b, scene.until);
-      EXPECT_LT(found.n_support_calls, 6144 + 512) << scene.text();
+      EXPECT_LT(found.n_support_calls, 5760 + 512) << scene.text();
       // The 198th of those displaced was given up after 8194 calls.
       if (k == 197 && stratum.name == "displaced") {
         EXPECT_EQ(found.verdict.outcome, Outcome::disjoint);

@@ -35,73 +35,82 @@ struct SimplexPoint {
   std::size_t a, b;
 };
 
-// The point of the simplex' hull that is nearest to the origin, as (sum of weight_i point_i) / (sum of weight_i); keeps
-// the points that carry it. Johnson's determinants: of a set X and a point j outside of it
+// The point of a simplex' hull that is nearest to the origin, as (sum of weight_i point_i) / (sum of weight_i), and the
+// points that carry it. Johnson's determinants: of a set X and a point j outside of it
 //   D_j(X + j) = sum over i in X of D_i(X) (y_i . y_k - y_i . y_j), any k in X, and D_i({i}) = 1.
-// X carries the nearest point where D_i(X) > 0 for every i of X and D_j(X + j) <= 0 for every other j. The newest point
-// is always among the carriers, for without it nothing was nearer before.
-class Carrier {
+// X carries the nearest point where D_i(X) > 0 for every i of X and D_j(X + j) <= 0 for every other j: one set does,
+// and the newest point is in it, for without it nothing was nearer before. Only determinants that are asked for are
+// worked out.
+class Simplex {
  public:
-  explicit Carrier(std::vector<SimplexPoint>& simplex) : simplex_(simplex) {
-    const std::size_t n = simplex.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j <= i; ++j) inner_[i][j] = inner_[j][i] = whole::dot(simplex[i].at, simplex[j].at);
+  explicit Simplex(SimplexPoint first) { add(std::move(first)); }
+
+  /// Of points that carry the nearest one, with one that is nearer: they are affinely independent.
+  void add(SimplexPoint point) {
+    points_.push_back(std::move(point));
+    const std::size_t newest = points_.size() - 1;
+    for (std::size_t i = 0; i <= newest; ++i) {
+      inner_[i][newest] = inner_[newest][i] = whole::dot(points_[i].at, points_[newest].at);
     }
-    for (unsigned set = 1; set < (1u << n); ++set) {
-      for (std::size_t j = 0; j < n; ++j) {
-        if (((set >> j) & 1u) == 0) continue;
-        const unsigned rest = set & ~(1u << j);
-        if (rest == 0) {
-          determinant_[set][j] = 1;
-          continue;
-        }
-        const std::size_t k = static_cast<std::size_t>(std::countr_zero(rest));
-        Integer sum = 0;
-        for (std::size_t i = 0; i < n; ++i) {
-          if ((rest >> i) & 1u) sum += determinant_[rest][i] * (inner_[i][k] - inner_[i][j]);
-        }
-        determinant_[set][j] = sum;
-      }
+    known_.fill(0);
+    for (unsigned set = 1u << newest; set < (2u << newest); ++set) {
+      if (!carries(set)) continue;
+      keep(set);
+      return;
     }
-    const unsigned newest = 1u << (n - 1);
-    for (unsigned set = 1; set < (1u << n); ++set) {
-      if ((set & newest) != 0 && carries(set, n)) {
-        keep(set);
-        return;
-      }
-    }
-    VEX_EXPECT(false);  // the points are affinely independent, so one set does
+    VEX_EXPECT(false);
   }
 
+  const std::vector<SimplexPoint>& carriers() const { return points_; }
   const Vector& numerator() const { return numerator_; }
   const Integer& denominator() const { return denominator_; }
 
  private:
-  bool carries(unsigned set, std::size_t n) const {
-    for (std::size_t j = 0; j < n; ++j) {
+  const Integer& determinant(unsigned set, std::size_t j) {
+    Integer& value = determinant_[set][j];
+    const unsigned bit = 1u << j;
+    if ((known_[set] & bit) != 0) return value;
+    known_[set] |= bit;
+    const unsigned rest = set & ~bit;
+    value = rest == 0 ? 1 : 0;
+    for (std::size_t i = 0, k = static_cast<std::size_t>(std::countr_zero(rest)); i < points_.size(); ++i) {
+      if ((rest >> i) & 1u) value += determinant(rest, i) * (inner_[i][k] - inner_[i][j]);
+    }
+    return value;
+  }
+
+  bool carries(unsigned set) {
+    for (std::size_t j = 0; j < points_.size(); ++j) {
       const bool is_in = ((set >> j) & 1u) != 0;
-      const int sign = whole::sign(determinant_[set | (1u << j)][j]);
+      const int sign = whole::sign(determinant(set | (1u << j), j));
       if (is_in ? sign <= 0 : sign > 0) return false;
     }
     return true;
   }
 
   void keep(unsigned set) {
-    std::vector<SimplexPoint> kept;
+    std::vector<std::size_t> kept;
     denominator_ = 0;
     numerator_ = {};
-    for (std::size_t i = 0; i < simplex_.size(); ++i) {
+    for (std::size_t i = 0; i < points_.size(); ++i) {
       if (((set >> i) & 1u) == 0) continue;
-      numerator_ = numerator_ + determinant_[set][i] * simplex_[i].at;
-      denominator_ += determinant_[set][i];
-      kept.push_back(std::move(simplex_[i]));
+      numerator_ = numerator_ + determinant(set, i) * points_[i].at;
+      denominator_ += determinant(set, i);
+      kept.push_back(i);
     }
-    simplex_ = std::move(kept);
+    // To lower places, in their order.
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      if (kept[i] == i) continue;
+      points_[i] = std::move(points_[kept[i]]);
+      for (std::size_t j = 0; j <= i; ++j) inner_[i][j] = inner_[j][i] = inner_[kept[i]][kept[j]];
+    }
+    points_.resize(kept.size());
   }
 
-  std::vector<SimplexPoint>& simplex_;
+  std::vector<SimplexPoint> points_;
   std::array<std::array<Integer, 4>, 4> inner_;
   std::array<std::array<Integer, 4>, 16> determinant_;
+  std::array<unsigned, 16> known_{};  // of the determinants: by bits
   Vector numerator_;
   Integer denominator_;
 };
@@ -118,12 +127,11 @@ ExactOverlap descend(const PlacedForms& forms, Vector* nearest) {
   const Integer radii_sq = radii * radii;
 
   ExactOverlap result;
-  std::vector<SimplexPoint> simplex = {{points.a(0) - points.b(0), 0, 0}};
+  Simplex simplex({points.a(0) - points.b(0), 0, 0});
   while (true) {
     // The nearest point is p = v / denominator.
-    const Carrier carrier(simplex);
-    const Vector& v = carrier.numerator();
-    const Integer& denominator = carrier.denominator();
+    const Vector& v = simplex.numerator();
+    const Integer& denominator = simplex.denominator();
     const Integer v_sq = whole::dot(v, v);
     if (v_sq <= radii_sq * denominator * denominator) {
       result.overlap = true;
@@ -139,9 +147,9 @@ ExactOverlap descend(const PlacedForms& forms, Vector* nearest) {
     if (nearest != nullptr) *nearest = -v;
     if (nearest == nullptr && whole::sign(along) > 0 && along * along > radii_sq * v_sq) break;
     if (along * denominator >= v_sq) break;
-    simplex.push_back({w, a, b});
+    simplex.add({w, a, b});
   }
-  for (const SimplexPoint& point : simplex) {
+  for (const SimplexPoint& point : simplex.carriers()) {
     result.carriers_a[static_cast<std::size_t>(result.n_carriers)] = point.a;
     result.carriers_b[static_cast<std::size_t>(result.n_carriers)] = point.b;
     ++result.n_carriers;

@@ -107,8 +107,7 @@ double quotient(const Integer& numerator, const Integer& denominator, int expone
 class Programme {
  public:
   Programme(const PlacedForms& forms, const Vec3d& motion) : forms_(forms), points_(forms) {
-    exponent_of_motion_ = std::min(
-        {whole::lowest_exponent(motion.x), whole::lowest_exponent(motion.y), whole::lowest_exponent(motion.z)});
+    exponent_of_motion_ = whole::lowest_exponent(whole::lowest_exponent(0.0), motion);
     const Vector m = whole::in_units(motion, exponent_of_motion_);
     time_ = {-m.x, -m.y, -m.z, 0};
     for (std::size_t k = 0; k < 4; ++k) basis_[k].column[k] = 1;

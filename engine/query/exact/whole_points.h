@@ -16,17 +16,16 @@ namespace vex {
 class WholePoints {
  public:
   explicit WholePoints(const PlacedForms& forms) : forms_(forms), is_placed_exactly_(!forms.is_b_rounded) {
-    for (const Vec3d& p : forms.a.points) lower_unit(p);
+    for (const Vec3d& p : forms.a.points) unit_ = whole::lowest_exponent(unit_, p);
     if (is_placed_exactly_) {
       // Every product r * x and the sum with t is a multiple of the product of their units.
       int unit_r = whole::lowest_exponent(0.0), unit_x = unit_r;
       const Transformd& pose = forms.a_from_b;
-      for (const Vec3d& row : {pose.row_x, pose.row_y, pose.row_z}) lower(unit_r, row);
-      for (const Vec3d& p : forms.b.points) lower(unit_x, p);
-      unit_ = std::min(unit_, unit_r + unit_x);
-      lower_unit(pose.translation);
+      for (const Vec3d& row : {pose.row_x, pose.row_y, pose.row_z}) unit_r = whole::lowest_exponent(unit_r, row);
+      for (const Vec3d& p : forms.b.points) unit_x = whole::lowest_exponent(unit_x, p);
+      unit_ = whole::lowest_exponent(std::min(unit_, unit_r + unit_x), pose.translation);
     } else {
-      for (const Vec3d& p : forms.placed_b) lower_unit(p);
+      for (const Vec3d& p : forms.placed_b) unit_ = whole::lowest_exponent(unit_, p);
     }
     unit_ = std::min({unit_, whole::lowest_exponent(forms.a.ball_radius), whole::lowest_exponent(forms.b.ball_radius)});
   }
@@ -57,10 +56,6 @@ class WholePoints {
  private:
   static void narrow(const std::vector<Vec3d>& vertices, const whole::DyadicVector& exact_dir,
                      std::vector<std::size_t>& open);
-  static void lower(int& unit, const Vec3d& v) {
-    unit = std::min({unit, whole::lowest_exponent(v.x), whole::lowest_exponent(v.y), whole::lowest_exponent(v.z)});
-  }
-  void lower_unit(const Vec3d& v) { lower(unit_, v); }
 
   const PlacedForms& forms_;
   bool is_placed_exactly_;

@@ -17,10 +17,10 @@ namespace {
 
 // A motion that needs more is given up and said to be, with the time until which nothing touches: one of some hundred
 // turns on the way, or along a gap that is a billionth of the bodies.
-constexpr int kMostSupportCalls = 3 << 11;
+constexpr int kMostSupportCalls = 45 << 7;
 // Of them for a proof of contact where bodies touch to within rounding, as those that slide on each other may for as
 // long as they move.
-constexpr int kMostCallsOfTouch = 1 << 11;
+constexpr int kMostCallsOfTouch = 3 << 9;
 // Of the circumradii: an advance in which the bodies may come nearer by no more than this; and how many of them in a
 // row.
 constexpr double kShortAdvance = 0x1p-20;

@@ -99,6 +99,10 @@ TEST(Whole, UnitsAreWhereTheLowestBitIs) {
   EXPECT_EQ(lowest_exponent(0.0), lowest_exponent(Dyadic()));
   EXPECT_EQ(lowest_exponent(Dyadic(Integer(24), -7)), -4);
   EXPECT_EQ(lowest_exponent(Dyadic(Integer(-24), 7)), 10);
+  EXPECT_EQ(lowest_exponent(5, Vec3d{0.0, 1.0, -0.375}), -3);
+  EXPECT_EQ(lowest_exponent(-4, Vec3d{0.0, 1.0, -0.375}), -4);
+  EXPECT_EQ(lowest_exponent(lowest_exponent(0.0), Vec3d{-0.0, 0x1p-1074, 0x1p1023}), -1074);
+  EXPECT_EQ(lowest_exponent(lowest_exponent(0.0), Vec3d{}), lowest_exponent(0.0));
   std::mt19937_64 random(4);
   for (int k = 0; k < 2000; ++k) {
     const double x = any_double(random);
