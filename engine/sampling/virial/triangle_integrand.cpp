@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
 #include "engine/query/packets/packet_pair.h"
 #include "engine/sampling/radial/radial_function.h"
@@ -32,14 +33,16 @@ TriangleIntegrand::TriangleIntegrand(const ConvexBody& body, const OrientationLa
       n_sides_(static_cast<std::size_t>(n_sides)),
       make_triangles_(triangle_maker(set)),
       packets_(make_packet_rays(ray_kernel(set), body, body, map_.points())) {
-  require_factorising_law(law);
+  if (!chains_factorise(law)) {
+    throw UsageError("no triangles for orientations " + law.name() + " - use isotropic or aligned");
+  }
   VEX_EXPECT(n_sides_ >= 1 && n_sides_ <= 3);
 }
 
 bool TriangleIntegrand::is_for(const ConvexBody& body, const OrientationLaw& law, double excluded_volume,
                                double relative_error) {
   constexpr double kMostError = 1e-9;
-  if (!(excluded_volume > 0.0 && relative_error < kMostError)) return false;
+  if (!chains_factorise(law) || !(excluded_volume > 0.0 && relative_error < kMostError)) return false;
   // Rays one by one take a hundred times as long as in packets, which a body without an exact form has none of.
   if (PacketPair::make(body, body) == nullptr || !is_usual_size(body)) return false;
   return TriangleMap(body, law).is_usable();
