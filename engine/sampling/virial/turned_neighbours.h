@@ -36,13 +36,13 @@ class TurnedNeighbours {
   /// kPlaces for each. Undecided places are taken for `undecided`, and counted.
   void draw(std::uint64_t seed, std::uint64_t first, Outcome undecided, std::span<Transformd> poses,
             std::span<double> factors, PairQuestions& questions);
-  static constexpr std::size_t kPlaces = 8;
+  static constexpr std::size_t kPlaces = 4;
 
   /// No factor of this orientation's is larger than the largest set's volume in units of <V_ex>.
   double largest_factor() const { return fitted_.largest_volume() / excluded_volume_; }
 
  private:
-  static constexpr std::size_t kPoses = 16, kCandidates = kPoses * kPlaces, kStride = kCandidates + 32;
+  static constexpr std::size_t kPoses = 32, kCandidates = kPoses * kPlaces, kStride = kCandidates + 32;
 
   void draw_some(std::uint64_t seed, std::uint64_t first, Outcome undecided, std::span<Transformd> poses,
                  std::span<double> factors, PairQuestions& questions);
