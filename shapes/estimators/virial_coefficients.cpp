@@ -221,22 +221,23 @@ double VirialCoefficients::compressibility_factor(double volume_fraction) const 
 void VirialCoefficient::conclude(double b2_per_volume, double b2_relative_error) {
   const ReducedVirial found = reduced_virial(record.tally);
   reduced = found.value;
-  std_error = found.std_error;
+  // <V_ex> is in the values of triangles and of bodies that are turned by a law, and then its error is in the mean.
+  std_error = std::hypot(found.std_error, (n - 1) * reduced * b2_relative_error);
   samples = n_samples(record.tally, n);
   pairs = VirialPairs::of(record.tally);
   const double power = std::pow(b2_per_volume, n - 1);
   per_volume = reduced * power;
-  per_volume_std_error = std::hypot(std_error * power, (n - 1) * per_volume * b2_relative_error);
+  per_volume_std_error = std_error * power;
 }
 
 void MixedVirial::conclude() {
   const ReducedVirial found = reduced_virial(record.tally);
   reduced = found.value;
-  reduced_std_error = found.std_error;
+  reduced_std_error = std::hypot(found.std_error, reduced * b2_relative_error);
   samples = n_samples(record.tally, 3);
   pairs = VirialPairs::of(record.tally);
   value = reduced * b2_product;
-  std_error = std::hypot(reduced_std_error * b2_product, value * b2_relative_error);
+  std_error = reduced_std_error * b2_product;
 }
 
 VirialCoefficients virial_coefficients(const Body& body, const VirialSettings& settings) {
@@ -289,7 +290,7 @@ std::array<MixedVirial, 4> third_virials_of_mixture(const Body& a, const Body& b
     require_overlaps(first, *bodies[0], settings.law);
     require_overlaps(second, *bodies[1], settings.law);
     mixed.b2_product = first.value * second.value;
-    mixed.b2_relative_error = std::hypot(first.error / first.value, second.error / second.value);
+    mixed.b2_relative_error = first.error / first.value + second.error / second.value;
     const auto weights = std::make_shared<const ClusterWeights>(3);
     const std::array<KnownExcludedVolume, 2> known = {excluded_volume_of(first), excluded_volume_of(second)};
     const auto make = [&] {
