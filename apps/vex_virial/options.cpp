@@ -123,9 +123,8 @@ void declare_options(OptionParser& options, VirialCommandLine& words) {
       .group("Output");
   options.footer(
       named_bodies_help() +
-      "\n\nB2 is the formula's, or exact; B3 to B8 are by Monte Carlo, in units of powers of B2, which the run does "
-      "not "
-      "need to know. Exit codes: 0 success, 2 wrong usage, 3 input refused, 130 or 143 interrupted (what is known is "
+      "\n\nB2 is the formula's, or the exact mean over the law; B3 to B8 are by Monte Carlo, in units of powers of B2. "
+      "Exit codes: 0 success, 2 wrong usage, 3 input refused, 130 or 143 interrupted (what is known is "
       "written all the same, with \"complete\": false).");
 }
 
