@@ -38,7 +38,7 @@ class TurnedNeighbours {
             std::span<double> factors, PairQuestions& questions);
   static constexpr std::size_t kPlaces = 4;
 
-  /// No factor of this orientation's is larger than the largest set's volume in units of <V_ex>.
+  /// No factor is larger: the largest set's volume in units of <V_ex>.
   double largest_factor() const { return fitted_.largest_volume() / excluded_volume_; }
 
  private:
