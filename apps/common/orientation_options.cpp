@@ -21,6 +21,14 @@ OrientationLaw law_without_axes(const OrientationWords& words) {
 
 }  // namespace
 
+void declare_axis(OptionParser& options, std::string& word, const std::string& group) {
+  options
+      .add_option("--axis", word,
+                  "The axis of a body that its law is about, in its own frame: x, y, z (default) or a direction X,Y,Z")
+      .type_name("AXIS")
+      .group(group);
+}
+
 void declare_orientations(OptionParser& options, OrientationWords& words, const std::string& group) {
   options
       .add_option(
@@ -39,11 +47,7 @@ void declare_orientations(OptionParser& options, OrientationWords& words, const 
   options.add_option("--orientations-b", words.orientations_b, "The law of B's axis alone")
       .type_name("LAW")
       .group(group);
-  options
-      .add_option("--axis", words.axis,
-                  "The axis of a body that its law is about, in its own frame: x, y, z (default) or a direction X,Y,Z")
-      .type_name("AXIS")
-      .group(group);
+  declare_axis(options, words.axis, group);
   options.add_option("--axis-a", words.axis_a, "The axis of A alone").type_name("AXIS").group(group);
   options.add_option("--axis-b", words.axis_b, "The axis of B alone").type_name("AXIS").group(group);
 }
@@ -56,6 +60,21 @@ OrientationLaw interpret_orientations(const OrientationWords& words) {
     return words.axis.empty() ? Vec3d{0.0, 0.0, 1.0} : parse_axis(words.axis, "--axis");
   };
   return law.about(axis(words.axis_a, "--axis-a"), axis(words.axis_b, "--axis-b"));
+}
+
+OrientationLaw law_of_bodies(const std::string& word, const std::string& axis, const std::string& also) {
+  const std::string name = word.substr(0, word.find(':'));
+  if (name != "isotropic" && name != "aligned" && name != "fixed" && name != "angle" && name != "cone" &&
+      name != "onsager" && name != "maier-saupe" && name != "table" && !name.empty()) {
+    throw UsageError("not a choice (\"" + word +
+                     "\" for --orientations) - there are isotropic, aligned, cone:DEG, onsager:ALPHA, maier-saupe:A, "
+                     "table:FILE" +
+                     (also.empty() ? "" : ", " + also));
+  }
+  const OrientationLaw law = word.empty() ? OrientationLaw() : parse_orientation_law(word, "--orientations");
+  if (axis.empty()) return law;
+  const Vec3d own = parse_axis(axis, "--axis");
+  return law.about(own, own);
 }
 
 std::vector<std::string> files_of_laws(const OrientationWords& words) {

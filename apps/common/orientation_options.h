@@ -23,6 +23,13 @@ OrientationLaw interpret_orientations(const OrientationWords& words);
 /// The files that the laws are read from.
 std::vector<std::string> files_of_laws(const OrientationWords& words);
 
+/// --axis.
+void declare_axis(OptionParser& options, std::string& word, const std::string& group);
+
+/// The law of each of many bodies, as --orientations and --axis say it; isotropic where nothing is said. `also` is
+/// named as a choice where it is none: what the program takes itself. Throws UsageError, and InputError.
+OrientationLaw law_of_bodies(const std::string& word, const std::string& axis, const std::string& also = "");
+
 /// What --help says of the laws of one axis.
 inline constexpr const char* kAxisLawsHelp =
     "cone:DEG, within this angle of +-z; onsager:ALPHA, by the density cosh(ALPHA cos theta); maier-saupe:A, by "

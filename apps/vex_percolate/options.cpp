@@ -64,21 +64,6 @@ std::vector<BodyFraction> bodies_of(const std::vector<std::string>& words) {
   return bodies;
 }
 
-// Of single bodies; and the choices of this program where the word is none.
-OrientationLaw law_of_bodies(const std::string& word, const std::string& axis) {
-  const std::string name = word.substr(0, word.find(':'));
-  if (name != "isotropic" && name != "aligned" && name != "fixed" && name != "angle" && name != "cone" &&
-      name != "onsager" && name != "maier-saupe" && name != "table") {
-    throw UsageError("not a choice (\"" + word +
-                     "\" for --orientations) - there are isotropic, aligned, cone:DEG, onsager:ALPHA, maier-saupe:A, "
-                     "table:FILE, uniform-angle");
-  }
-  const OrientationLaw law = parse_orientation_law(word, "--orientations");
-  if (axis.empty()) return law;
-  const Vec3d own = parse_axis(axis, "--axis");
-  return law.about(own, own);
-}
-
 void declare_stop_rules(OptionParser& options, PercolateCommandLine& words) {
   const std::string stop = "When to stop (whichever comes first; without any, --realisations 2000)";
   options
@@ -111,11 +96,7 @@ void declare_system(OptionParser& options, PercolateCommandLine& words) {
                       "; or uniform-angle, theta itself uniform, which is not isotropic and has been taken for it")
       .type_name("LAW")
       .group(system);
-  options
-      .add_option("--axis", words.axis,
-                  "The axis of a body that its law is about, in its own frame: x, y, z (default) or a direction X,Y,Z")
-      .type_name("AXIS")
-      .group(system);
+  declare_axis(options, words.axis, system);
   options
       .add_option("--shell", words.shell,
                   "Bodies are connected where their gap is at most this: each has a soft shell of half of it")
@@ -245,7 +226,7 @@ PercolateOptions interpret(const PercolateCommandLine& words) {
     options.orientations.uniform_polar_angle = true;
     if (!words.axis.empty()) throw UsageError("uniform-angle is about z (--axis " + words.axis + ") - name no axis");
   } else {
-    options.orientations.law = law_of_bodies(options.law, words.axis);
+    options.orientations.law = law_of_bodies(options.law, words.axis, kUniformAngle);
     if (const std::optional<std::string> file = file_of_law(options.law)) options.law_files = {*file};
     options.law = options.orientations.law.name();
   }

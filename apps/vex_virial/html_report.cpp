@@ -43,7 +43,7 @@ void add_headline(HtmlPage& page, const VirialRun& run) {
     }
   } else if (const VirialCoefficient* const last = last_settled(run)) {
     page.headline(PageNumber{
-        in_units_of(last->n, "B₂"), "/coefficients/" + std::to_string(last->n - 3) + "/reduced",
+        in_units_of(last->n, "B₂"), "/coefficients/" + std::to_string(last - run.found.higher.data()) + "/reduced",
         shown(last->reduced, last->std_error),
         "the virial coefficient of order " + std::to_string(last->n) + " of hard bodies, in units of the second one"});
   } else {
@@ -101,7 +101,7 @@ void add_numbers(HtmlPage& page, const VirialRun& run) {
 }
 
 void add_compressibility(HtmlPage& page, const VirialRun& run) {
-  if (run.options.is_mixture() || !std::isfinite(run.found.b2_per_volume)) return;
+  if (run.options.is_mixture() || !std::isfinite(run.found.b2_per_volume) || !run.found.is_series()) return;
   constexpr int kPoints = 80;
   constexpr double kMostPhi = 0.45, kMostZ = 20.0;
   Plot plot;

@@ -66,6 +66,7 @@ int run_vex_virial(const VirialCommandLine& words, const std::string& command, P
   std::vector<std::string> texts = {options.a};
   if (options.is_mixture()) texts.push_back(options.b);
   std::vector<std::string> inputs = files_of_bodies(texts, options.body_options);
+  if (!options.law_file.empty()) inputs.push_back(options.law_file);
   const CheckpointOptions& parts = options.checkpoint;
   if (!parts.resume.empty() && !parts.is_own_file()) inputs.push_back(parts.resume);
   CommandFiles files(std::move(inputs));

@@ -2,24 +2,43 @@
 
 #include "apps/common/instruction_sets.h"
 #include "apps/common/numbers.h"
+#include "apps/common/orientation_options.h"
 #include "engine/numeric/errors.h"
+#include "engine/sampling/poses/orientation_law_text.h"
+#include "engine/sampling/virial/cluster_drawer.h"
 
 namespace vex {
 namespace {
 
-// What the library asks as well: said before a body is read.
-OrientationLaw law_of(const std::string& word) {
-  if (word.empty() || word == "isotropic") return OrientationLaw::isotropic();
-  if (word == "aligned") return OrientationLaw::aligned();
-  throw UsageError("not a choice (\"" + word +
-                   "\" for --orientations) - there are isotropic and aligned: of other laws a chain of bodies is no "
-                   "power of B2");
+int order_of(const std::string& word, const char* option) {
+  const std::uint64_t order = parse_count(word, option);
+  if (order < 3 || order > 8) throw UsageError("out of range (" + word + " for " + option + ") - give 3 to 8");
+  return static_cast<int>(order);
 }
 
-int order_of(const std::string& word) {
-  const std::uint64_t order = parse_count(word, "--order");
-  if (order < 3 || order > 8) throw UsageError("out of range (" + word + " for --order) - give 3 to 8");
-  return static_cast<int>(order);
+// 3 of a mixture; of one body those up to --order, or --only one.
+void interpret_orders(const VirialCommandLine& words, bool is_mixture, VirialSettings& settings) {
+  if (!words.order.empty()) settings.order = order_of(words.order, "--order");
+  if (!words.only.empty()) {
+    if (!words.order.empty()) {
+      throw UsageError("one coefficient, and all up to one (--only " + words.only + " --order " + words.order +
+                       ") - leave out one of them");
+    }
+    settings.order = settings.first_order = order_of(words.only, "--only");
+    if (!words.plot.empty()) {
+      throw UsageError("one coefficient has no series to draw (--plot " + words.plot + ") - give --order, not --only");
+    }
+  }
+  if (!is_mixture) return;
+  const bool asks_for_others = settings.order != 3 && !(words.order.empty() && words.only.empty());
+  if (asks_for_others) {
+    throw UsageError("a mixture's coefficients of this order are not built (" + words.order + words.only +
+                     (words.only.empty() ? " for --order" : " for --only") + ") - leave it out, or give one body");
+  }
+  if (!words.plot.empty()) {
+    throw UsageError("a mixture has no series to draw (--plot " + words.plot + ") - give one body");
+  }
+  settings.order = 3;
 }
 
 void declare_run(OptionParser& options, VirialCommandLine& words) {
@@ -52,10 +71,19 @@ void declare_run(OptionParser& options, VirialCommandLine& words) {
       .type_name("N")
       .group(system);
   options
+      .add_option("--only", words.only,
+                  "This coefficient alone, 3 to 8, in place of all up to --order: it has the whole time, and there is "
+                  "no series")
+      .type_name("N")
+      .group(system);
+  options
       .add_option("--orientations", words.orientations,
-                  "How each body is turned: isotropic (default) or aligned, all alike")
+                  std::string("How each body is turned: isotropic (default); aligned, all alike; or on its own, its "
+                              "axis by ") +
+                      kAxisLawsHelp)
       .type_name("LAW")
       .group(system);
+  declare_axis(options, words.axis, system);
   declare_instruction_set(options, words.isa, system);
   declare_seed_and_threads(options, words, system);
 }
@@ -95,9 +123,8 @@ void declare_options(OptionParser& options, VirialCommandLine& words) {
       .group("Output");
   options.footer(
       named_bodies_help() +
-      "\n\nB2 is the formula's, or exact; B3 to B8 are by Monte Carlo, in units of powers of B2, which the run does "
-      "not "
-      "need to know. Exit codes: 0 success, 2 wrong usage, 3 input refused, 130 or 143 interrupted (what is known is "
+      "\n\nB2 is the formula's, or the exact mean over the law; B3 to B8 are by Monte Carlo, in units of powers of B2. "
+      "Exit codes: 0 success, 2 wrong usage, 3 input refused, 130 or 143 interrupted (what is known is "
       "written all the same, with \"complete\": false).");
 }
 
@@ -110,17 +137,7 @@ VirialOptions interpret(const VirialCommandLine& words) {
   if (options.is_mixture()) texts.push_back(options.b);
   options.body_options = interpret_bodies(words, texts);
   VirialSettings& settings = options.settings;
-  if (!words.order.empty()) settings.order = order_of(words.order);
-  if (options.is_mixture()) {
-    if (!words.order.empty() && settings.order != 3) {
-      throw UsageError("a mixture's coefficients of this order are not built (" + words.order +
-                       " for --order) - leave it out, or give one body");
-    }
-    if (!words.plot.empty()) {
-      throw UsageError("a mixture has no series to draw (--plot " + words.plot + ") - give one body");
-    }
-    settings.order = 3;
-  }
+  interpret_orders(words, options.is_mixture(), settings);
   if (!words.rel_error.empty()) settings.rel_error = parse_positive_number(words.rel_error, "--rel-error");
   if (!words.seconds.empty()) settings.seconds = parse_positive_number(words.seconds, "--seconds");
   if (!words.samples.empty()) settings.samples = parse_positive_count(words.samples, "--samples");
@@ -132,7 +149,9 @@ VirialOptions interpret(const VirialCommandLine& words) {
   }
   options.checkpoint = interpret_checkpoint(words);
   settings.seconds_between_states = options.checkpoint.seconds_between;
-  settings.law = law_of(words.orientations);
+  settings.law = law_of_bodies(words.orientations, words.axis);
+  require_law_of_one_body(settings.law);
+  options.law_file = file_of_law(words.orientations).value_or("");
   settings.seed = options.seed;
   settings.threads = options.n_threads;
   settings.instruction_set = instruction_set_named(words.isa);

@@ -13,7 +13,7 @@ namespace vex {
 /// The words of the command line, as they stand.
 struct VirialCommandLine : CommonWords, BodyWords, CheckpointWords {
   std::string a, b;
-  std::string order, rel_error, seconds, samples, trials, first_trial, orientations, isa, plot, report;
+  std::string order, only, rel_error, seconds, samples, trials, first_trial, orientations, axis, isa, plot, report;
 };
 
 /// Declares the options; parsing fills `words`, which must outlive `options`.
@@ -24,6 +24,7 @@ struct VirialOptions : CommonOptions {
   std::string a, b;  // b is empty where there is one body
   BodyOptions body_options;
   VirialSettings settings;
+  std::string law_file;  // that the law is a table of, or empty
   bool dump_vertices = false;
   std::string plot, report;
   CheckpointOptions checkpoint;

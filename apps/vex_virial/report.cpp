@@ -16,6 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+const std::string kNoSeries = "no series of Z: the coefficients below are left out (--only)";
+
 double non_sphericity_of(const VirialRun& run) { return non_sphericity(run.bodies[0].shape.measures); }
 
 std::string with_error_or_dash(double value, double error) {
@@ -62,6 +64,7 @@ std::string pairs_text(const VirialRun& run) {
 
 std::string series_text(const VirialRun& run) {
   if (std::isnan(run.found.b2_per_volume)) return "";
+  if (!run.found.is_series()) return kNoSeries + ".\n";
   const std::vector<EquationOfState> others = equations_of_state(run);
   std::vector<std::vector<std::string>> lines = {{"phi", "Z to B" + std::to_string(run.found.higher.size() + 2)}};
   for (const EquationOfState& other : others) lines[0].push_back(other.name);
@@ -136,7 +139,7 @@ namespace {
 
 Json compressibility_json(const VirialRun& run) {
   Json rows = Json::array();
-  if (std::isnan(run.found.b2_per_volume)) return rows;
+  if (std::isnan(run.found.b2_per_volume) || !run.found.is_series()) return rows;
   for (int k = 1; k <= 8; ++k) {
     const double phi = 0.05 * k;
     Json row = {{"phi", phi}, {"series", number_or_null(run.found.compressibility_factor(phi))}};
@@ -203,6 +206,7 @@ std::string report_json(const VirialRun& run) {
   json["coefficients"] = Json::array();
   for (const VirialCoefficient& found : run.found.higher) json["coefficients"].push_back(coefficient_json(found, of));
   json["compressibility"] = compressibility_json(run);
+  if (!run.found.is_series()) json["compressibility_reason"] = kNoSeries;
   return document_text(json);
 }
 

@@ -26,7 +26,8 @@ std::vector<std::string> trials_identity(const VirialRun& run) {
     lines.push_back((k == 0 ? "A: " : "B: ") + body_identity(run.bodies[k].shape));
   }
   lines.push_back(std::string("coefficients: ") +
-                  (run.options.is_mixture() ? "third ones of a mixture" : "of one body, B3 of packets by triangles"));
+                  (run.options.is_mixture() ? "third ones of a mixture" : "of one body, B3 by triangles"));
+  if (settings.first_order > 3) lines.push_back("first coefficient: B" + std::to_string(settings.first_order));
   lines.push_back("orientations: " + settings.law.name());
   lines.push_back("seed: " + std::to_string(settings.seed));
   return lines;

@@ -23,10 +23,11 @@ py::dict dict_of(const VirialCoefficient& found) {
 }
 
 /// B2, B2 / V, the higher ones, whether all runs were complete, seconds. Signals end the run and are raised.
-py::tuple virial_coefficients_of(const PyBody& body, int order, std::optional<double> rel_error,
+py::tuple virial_coefficients_of(const PyBody& body, int first_order, int order, std::optional<double> rel_error,
                                  std::optional<double> seconds, std::optional<std::uint64_t> samples,
                                  const OrientationLaw& law, std::uint64_t seed, int threads) {
   VirialSettings settings;
+  settings.first_order = first_order;
   settings.order = order;
   settings.rel_error = rel_error;
   settings.seconds = seconds;
@@ -54,8 +55,9 @@ py::tuple virial_coefficients_of(const PyBody& body, int order, std::optional<do
 }  // namespace
 
 void bind_virial(py::module_& module) {
-  module.def("virial_coefficients", &virial_coefficients_of, py::arg("body"), py::arg("order"), py::arg("rel_error"),
-             py::arg("seconds"), py::arg("samples"), py::arg("law"), py::arg("seed"), py::arg("threads"));
+  module.def("virial_coefficients", &virial_coefficients_of, py::arg("body"), py::arg("first_order"), py::arg("order"),
+             py::arg("rel_error"), py::arg("seconds"), py::arg("samples"), py::arg("law"), py::arg("seed"),
+             py::arg("threads"));
 }
 
 }  // namespace vex::python

@@ -35,7 +35,7 @@ class VirialCoefficients:
 
     b2: float  #: length^3; NaN where it is not known
     b2_per_volume: float
-    higher: Tuple[VirialCoefficient, ...]  #: n = 3 ... order
+    higher: Tuple[VirialCoefficient, ...]  #: n = 3 ... order, or one alone
     complete: bool
     seconds: float
 
@@ -43,7 +43,7 @@ class VirialCoefficients:
         return ", ".join(str(one) for one in self.higher)
 
 
-def virial_coefficients(body: BodyLike, *, order: int = 4, rel_error: Optional[float] = None,
+def virial_coefficients(body: BodyLike, *, order: int = 4, only: Optional[int] = None, rel_error: Optional[float] = None,
                         seconds: Optional[float] = None, samples: Optional[int] = None,
                         law: Union[str, "_vex.OrientationLaw"] = "isotropic", seed: int = 1,
                         threads: Optional[int] = None) -> VirialCoefficients:
@@ -53,16 +53,20 @@ def virial_coefficients(body: BodyLike, *, order: int = 4, rel_error: Optional[f
     ----------
     order
         The last coefficient, 3 to 8.
+    only
+        This coefficient alone, in place of all up to ``order``: it has the whole time.
     rel_error, seconds, samples
         The run of each coefficient ends at this ratio of its standard error to its size, or after so many clusters; all
         of them after this time; whichever comes first. 1e-3 and 60 s where none is given.
     law
-        ``"isotropic"`` or ``"aligned"``.
+        How each body is turned, on its own: ``"isotropic"``, ``"aligned"``, ``"cone:DEG"``, ``"onsager:ALPHA"``,
+        ``"maier-saupe:A"``, ``"table:FILE"``.
     seed, threads
         The result is that of `vex_virial`, the same bits for any number of threads (but for runs that end by the clock).
     """
     b2, b2_per_volume, higher, complete, taken = _vex.virial_coefficients(
-        as_body(body)._core, _whole(order, "order"), None if rel_error is None else as_number(rel_error, "rel_error"),
+        as_body(body)._core, 3 if only is None else _whole(only, "only"),
+        _whole(order, "order") if only is None else _whole(only, "only"), None if rel_error is None else as_number(rel_error, "rel_error"),
         None if seconds is None else as_number(seconds, "seconds"),
         None if samples is None else _whole(samples, "samples"),
         law_of(law), _whole(seed, "seed"), threads_of(threads))

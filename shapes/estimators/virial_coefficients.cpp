@@ -37,6 +37,11 @@ B2 known_b2(const Body& a, const Body& b, const OrientationLaw& law) {
   return {second_virial_coefficient(average.excluded_volume), second_virial_coefficient(average.error), ""};
 }
 
+// What runs may take of it. Rounding of the formula, too, is an error.
+KnownExcludedVolume excluded_volume_of(const B2& b2) {
+  return {2.0 * b2.value, (b2.value > 0.0 ? b2.error / b2.value : 0.0) + 0x1p-40};
+}
+
 void require_overlaps(const B2& b2, const Body& a, const OrientationLaw& law) {
   const double reach = a.body.circumradius();
   constexpr double kNothing = 1e-12;
@@ -177,20 +182,21 @@ ReducedVirial reduced_virial(const Tally& tally) {
   return {estimate.excluded_volume, estimate.std_error};
 }
 
-Integration integration_of(int n, const ConvexBody& body, const VirialSettings& settings, double excluded_volume,
-                           double relative_error) {
+Integration integration_of(int n, const ConvexBody& body, const VirialSettings& settings,
+                           const KnownExcludedVolume& known) {
   const OrientationLaw law = settings.law;
   const InstructionSet set = settings.instruction_set;
-  const double error = relative_error + 0x1p-40;
-  if (n == 3 && TriangleIntegrand::is_for(body, law, excluded_volume, error)) {
-    return {[=] { return std::make_unique<TriangleIntegrand>(body, law, excluded_volume, error, set); }, true};
+  if (n == 3 && TriangleIntegrand::is_for(body, law, known.value, known.relative_error)) {
+    return {[=] { return std::make_unique<TriangleIntegrand>(body, law, known.value, known.relative_error, set); },
+            true};
   }
   const auto weights = std::make_shared<const ClusterWeights>(n);
   // Of larger clusters next to nothing hangs on the distance of single neighbours.
   constexpr int kLastControlled = 6;
-  const auto control =
-      n > kLastControlled ? nullptr : VirialIntegrand::control_of(body, law, weights, excluded_volume, error, set);
-  return {[=] { return std::make_unique<VirialIntegrand>(body, law, weights, set, control); }};
+  const auto control = n > kLastControlled && chains_factorise(law)
+                           ? nullptr
+                           : VirialIntegrand::control_of(body, law, weights, known, set);
+  return {[=] { return std::make_unique<VirialIntegrand>(body, law, weights, set, control, known); }};
 }
 
 }  // namespace
@@ -200,7 +206,10 @@ bool VirialCoefficient::sign_is_settled() const {
   return std::fabs(reduced) > kSure * std_error;
 }
 
+bool VirialCoefficients::is_series() const { return higher.empty() || higher.front().n == ClusterWeights::kLeastOrder; }
+
 double VirialCoefficients::compressibility_factor(double volume_fraction) const {
+  if (!is_series()) return kUnknown;
   double sum = 1.0 + b2_per_volume * volume_fraction, power = volume_fraction;
   for (const VirialCoefficient& coefficient : higher) {
     power *= volume_fraction;
@@ -212,31 +221,36 @@ double VirialCoefficients::compressibility_factor(double volume_fraction) const 
 void VirialCoefficient::conclude(double b2_per_volume, double b2_relative_error) {
   const ReducedVirial found = reduced_virial(record.tally);
   reduced = found.value;
-  std_error = found.std_error;
+  // <V_ex> is in the values of triangles and of bodies that are turned by a law, and then its error is in the mean.
+  std_error = std::hypot(found.std_error, (n - 1) * reduced * b2_relative_error);
   samples = n_samples(record.tally, n);
   pairs = VirialPairs::of(record.tally);
   const double power = std::pow(b2_per_volume, n - 1);
   per_volume = reduced * power;
-  per_volume_std_error = std::hypot(std_error * power, (n - 1) * per_volume * b2_relative_error);
+  per_volume_std_error = std_error * power;
 }
 
 void MixedVirial::conclude() {
   const ReducedVirial found = reduced_virial(record.tally);
   reduced = found.value;
-  reduced_std_error = found.std_error;
+  reduced_std_error = std::hypot(found.std_error, reduced * b2_relative_error);
   samples = n_samples(record.tally, 3);
   pairs = VirialPairs::of(record.tally);
   value = reduced * b2_product;
-  std_error = std::hypot(reduced_std_error * b2_product, value * b2_relative_error);
+  std_error = reduced_std_error * b2_product;
 }
 
 VirialCoefficients virial_coefficients(const Body& body, const VirialSettings& settings) {
-  if (settings.order < ClusterWeights::kLeastOrder || settings.order > ClusterWeights::kMostOrder) {
-    throw UsageError("no virial coefficients to this order (" + std::to_string(settings.order) + ") - give one from " +
+  for (const int order : {settings.first_order, settings.order}) {
+    if (order >= std::max(ClusterWeights::kLeastOrder, settings.first_order) && order <= ClusterWeights::kMostOrder) {
+      continue;
+    }
+    throw UsageError("no virial coefficients from order " + std::to_string(settings.first_order) + " to " +
+                     std::to_string(settings.order) + " - give orders from " +
                      std::to_string(ClusterWeights::kLeastOrder) + " to " + std::to_string(ClusterWeights::kMostOrder));
   }
-  VirialRuns runs(settings, static_cast<std::size_t>(settings.order - ClusterWeights::kLeastOrder + 1));
-  require_factorising_law(settings.law);
+  VirialRuns runs(settings, static_cast<std::size_t>(settings.order - settings.first_order + 1));
+  require_law_of_one_body(settings.law);
   VirialCoefficients result;
   const B2 b2 = known_b2(body, body, settings.law);
   require_overlaps(b2, body, settings.law);
@@ -245,11 +259,10 @@ VirialCoefficients virial_coefficients(const Body& body, const VirialSettings& s
   result.b2_reason = b2.reason;
   const double volume = body.measures.volume;
   result.b2_per_volume = volume > 0.0 ? b2.value / volume : kUnknown;
-  for (int n = ClusterWeights::kLeastOrder; n <= settings.order; ++n) {
+  for (int n = settings.first_order; n <= settings.order; ++n) {
     VirialCoefficient found;
     found.n = n;
-    found.record = runs.next(n, body.body, body.body,
-                             integration_of(n, body.body, settings, 2.0 * b2.value, result.b2_relative_error()));
+    found.record = runs.next(n, body.body, body.body, integration_of(n, body.body, settings, excluded_volume_of(b2)));
     found.conclude(result.b2_per_volume, result.b2_relative_error());
     result.complete = result.complete && found.record.complete;
     const bool is_interrupted = found.record.stopped_by == StopReason::interrupted;
@@ -263,7 +276,7 @@ VirialCoefficients virial_coefficients(const Body& body, const VirialSettings& s
 std::array<MixedVirial, 4> third_virials_of_mixture(const Body& a, const Body& b, const VirialSettings& settings) {
   std::array<MixedVirial, 4> result;
   VirialRuns runs(settings, result.size());
-  require_factorising_law(settings.law);
+  require_law_of_one_body(settings.law);
   for (std::size_t k = 0; k < result.size(); ++k) {
     MixedVirial& mixed = result[k];
     std::array<const Body*, 3> bodies{};
@@ -277,12 +290,13 @@ std::array<MixedVirial, 4> third_virials_of_mixture(const Body& a, const Body& b
     require_overlaps(first, *bodies[0], settings.law);
     require_overlaps(second, *bodies[1], settings.law);
     mixed.b2_product = first.value * second.value;
-    mixed.b2_relative_error = std::hypot(first.error / first.value, second.error / second.value);
+    mixed.b2_relative_error = first.error / first.value + second.error / second.value;
     const auto weights = std::make_shared<const ClusterWeights>(3);
+    const std::array<KnownExcludedVolume, 2> known = {excluded_volume_of(first), excluded_volume_of(second)};
     const auto make = [&] {
       return std::make_unique<VirialIntegrand>(
           std::array<ConvexBody, 3>{bodies[0]->body, bodies[1]->body, bodies[2]->body}, settings.law, weights,
-          settings.instruction_set);
+          settings.instruction_set, known);
     };
     mixed.record = runs.next(3, bodies[0]->body, bodies[2]->body, {make});
     mixed.conclude();

@@ -20,7 +20,8 @@ namespace vex {
 
 /// All of it has a default.
 struct VirialSettings {
-  int order = 4;  // the last coefficient, 3 to 8
+  int order = 4;        // the last coefficient, 3 to 8
+  int first_order = 3;  // the first one: the same as `order` for one coefficient alone, of which there is no series
 
   // When the run of each coefficient ends: whichever comes first; without any at `rel_error` = 1e-3 or `seconds` = 60.
   std::optional<double> rel_error{};       // std_error / |B_n|
@@ -29,7 +30,9 @@ struct VirialSettings {
   std::optional<std::uint64_t> trials{};   // the same in bunches of clusters, or of as many triangles
   std::uint64_t max_trials = StopRule{}.max_trials;  // bunches
 
-  OrientationLaw law{};  // isotropic or aligned: of others a chain of bodies is no power of B2
+  /// Of each body on its own: not `fixed`, `angle` and `each`, which are about two bodies. One that is neither
+  /// isotropic nor aligned needs B2, and so the bodies' measures on normals.
+  OrientationLaw law{};
   std::uint64_t seed = 1;
   int threads = 0;  // 0: one for each core. The result is the same for any number, unless `seconds` ends the run.
 
@@ -75,18 +78,20 @@ struct VirialCoefficients {
   double b2_std_error = 0.0;
   double b2_per_volume = 0.0;             // NaN where the body is flat
   std::string b2_reason;                  // why it is not known
-  std::vector<VirialCoefficient> higher;  // n = 3 ... order
+  std::vector<VirialCoefficient> higher;  // n = first_order ... order
   bool complete = true;                   // whether stop rules ended all runs
   double seconds = 0.0;
 
   double b2_relative_error() const { return b2 > 0.0 ? b2_std_error / b2 : 0.0; }
 
+  /// Whether none is left out from B3 on.
+  bool is_series() const;
   /// Z = p / (n k T) by the volume fraction, of the series to the last coefficient: no equation of state, but its
-  /// beginning. NaN where per_volume is.
+  /// beginning. NaN where per_volume is, or where there is no series.
   double compressibility_factor(double volume_fraction) const;
 };
 
-/// B2 by the formula, or the exact mean of aligned bodies; B3 ... by a run of the driver each.
+/// B2 by the formula, or the exact mean over the law; B3 ... by a run of the driver each.
 ///
 /// The same seed, body and settings give the same bits on any machine and for any number of threads (`seconds`
 /// excepted). Throws UsageError where the settings are none, InputError for a body that never overlaps itself (a
@@ -110,8 +115,8 @@ struct MixedVirial {
   void conclude();
 };
 
-/// B_ijk of two bodies, in random orientation, with the B_ij of the formula. The `order` of the settings is not looked
-/// at: it is 3.
+/// B_ijk of two bodies, all by one law, with the B_ij known for it. The orders of the settings are not looked at: it is
+/// 3.
 std::array<MixedVirial, 4> third_virials_of_mixture(const Body& a, const Body& b, const VirialSettings& settings = {});
 
 }  // namespace vex

@@ -68,6 +68,7 @@ const std::vector<Parted> kParted = {
     {kVirial + "ellipsoid:1,1,1.00001 --order 4", "--first-trial", "--trials"},
     {kVirial + "sphere:0.5 box:1,1,1", "--first-trial", "--trials"},
     {kVirial + "disc:1 --order 3", "--first-trial", "--trials"},
+    {kVirial + "cylinder:3,0.5 --orientations onsager:4 --only 4", "--first-trial", "--trials"},
     {kVirial + "box:1,1,1 --orientations aligned", "--first-trial", "--trials"},
     {kPercolate + "box:1,1,1 --sizes 3,4", "--first-realisation", "--realisations"},
     {kPercolate + "disc:1 box:1,1,1 --sizes 3,4 --orientations onsager:2", "--first-realisation", "--realisations"}};

@@ -126,10 +126,67 @@ TEST_F(Virial, AnInterruptedRunTellsWhatItHas) {
   EXPECT_GT(found["coefficients"][0]["samples"], 0);
 }
 
+TEST_F(Virial, OneCoefficientAloneIsThatOfTheSeries) {
+  const json series = json_of({"box:1,1,1", "--order", "5", "--samples", "1e5"});
+  const json alone = json_of(
+      {"box:1,1,1", "--only", "5", "--samples", "1e5", "--report", path("b5.html"), "--checkpoint", path("b5")});
+  ASSERT_EQ(alone["coefficients"].size(), 1u);
+  for (const char* key : {"n", "reduced", "std_error", "per_volume", "samples", "pairs"}) {
+    EXPECT_EQ(alone["coefficients"][0][key], series["coefficients"][2][key]) << key;
+  }
+  EXPECT_TRUE(alone["compressibility"].empty());
+  EXPECT_NE(alone["compressibility_reason"].get<std::string>().find("--only"), std::string::npos);
+  EXPECT_FALSE(series.contains("compressibility_reason"));
+  EXPECT_NE(read_file("b5.html").find("/coefficients/0/reduced"), std::string::npos);
+  EXPECT_EQ(read_file("b5.html").find("The equation of state"), std::string::npos);
+  const Finished finished = run({"box:1,1,1", "--only", "5", "--samples", "1e5"});
+  EXPECT_NE(finished.out.find("no series of Z"), std::string::npos) << finished.out;
+  // It is no part of another run.
+  expect_refused({"box:1,1,1", "--only", "6", "--samples", "2e5", "--resume", path("b5")}, 3, "B5");
+  expect_refused({"box:1,1,1", "--order", "5", "--samples", "2e5", "--resume", path("b5")}, 3, "B5");
+  const json resumed = json_of({"box:1,1,1", "--only", "5", "--samples", "2e5", "--resume", path("b5")});
+  const json whole = json_of({"box:1,1,1", "--only", "5", "--samples", "2e5"});
+  EXPECT_EQ(resumed["coefficients"][0]["reduced"], whole["coefficients"][0]["reduced"]);
+}
+
+TEST_F(Virial, BodiesMayBeTurnedByALawOfOneBody) {
+  const auto b3_of = [](const json& found) { return found["coefficients"][0]["reduced"].get<double>(); };
+  const auto error_of = [](const json& found) { return found["coefficients"][0]["std_error"].get<double>(); };
+  const json along_z = json_of({"box:1,1,4", "--orientations", "onsager:6", "--order", "3", "--samples", "3e5"});
+  const json along_x =
+      json_of({"box:4,1,1", "--axis", "x", "--orientations", "onsager:6", "--order", "3", "--samples", "3e5"});
+  EXPECT_EQ(along_z["orientations"], "onsager:6");
+  EXPECT_EQ(along_x["orientations"], "onsager:6 about 1,0,0");
+  EXPECT_NEAR(along_z["b2"], along_x["b2"], 1e-7);
+  EXPECT_NEAR(b3_of(along_z), b3_of(along_x), 4.5 * std::hypot(error_of(along_z), error_of(along_x)));
+  EXPECT_LT(error_of(along_z), 3e-3);
+  // Neither that of random nor that of parallel boxes.
+  const json isotropic = json_of({"box:1,1,4", "--order", "3", "--samples", "3e5"});
+  EXPECT_GT(isotropic["b2"], along_z["b2"].get<double>() * 1.05);
+  EXPECT_GT(along_z["b2"], 4.0 * 4.0 * 1.1);
+  EXPECT_GT(std::fabs(b3_of(along_z) - b3_of(isotropic)), 8.0 * error_of(along_z));
+
+  // A table that is flat is isotropic.
+  write_file("flat.csv", "-1 1\n1 1\n");
+  const std::string table = "table:" + path("flat.csv");
+  const json flat = json_of({"box:1,1,4", "--orientations", table.c_str(), "--order", "3", "--samples", "3e5"});
+  EXPECT_NEAR(flat["b2"], isotropic["b2"], 1e-7);
+  EXPECT_NEAR(b3_of(flat), b3_of(isotropic), 4.5 * error_of(flat));
+  const json mixture = json_of({"sphere:0.5", "box:1,1,2", "--orientations", "maier-saupe:3", "--samples", "2e5"});
+  EXPECT_NEAR(mixture["mixture"][0]["reduced"], 0.625, 4.5 * mixture["mixture"][0]["reduced_std_error"].get<double>());
+}
+
 TEST_F(Virial, RefusesWhatItCannotDo) {
   expect_refused({"box:1,1,1", "--order", "9"}, 2, "out of range (9 for --order)");
   expect_refused({"box:1,1,1", "--order", "2"}, 2, "out of range (2 for --order)");
-  expect_refused({"box:1,1,1", "--orientations", "cone:20"}, 2, "not a choice");
+  expect_refused({"box:1,1,1", "--orientations", "uniform-angle"}, 2, "not a choice");
+  expect_refused({"box:1,1,1", "--orientations", "fixed:1,0,0,0"}, 2, "how two bodies are turned to each other");
+  expect_refused({"box:1,1,1", "--orientations", "angle:20"}, 2, "how two bodies are turned to each other");
+  expect_refused({"box:1,1,1", "--orientations", "table:none.csv"}, 3, "none.csv");
+  expect_refused({"box:1,1,1", "--only", "9"}, 2, "out of range (9 for --only)");
+  expect_refused({"box:1,1,1", "--only", "4", "--order", "4"}, 2, "leave out one of them");
+  expect_refused({"box:1,1,1", "--only", "4", "--plot", path("b4.svg")}, 2, "no series to draw");
+  expect_refused({"box:1,1,1", "sphere:1", "--only", "4"}, 2, "a mixture's coefficients of this order");
   expect_refused({"box:1,1,1", "sphere:1", "--order", "4"}, 2, "a mixture's coefficients of this order");
   expect_refused({"box:1,1,1", "--samples", "0"}, 2, "--samples");
   expect_refused({"box:1,1,1", "--rel-error", "-1"}, 2, "--rel-error");

@@ -2,12 +2,15 @@
 // against brute force. A table, with how many standard errors each is off; ends with 1 where one is off by more than
 // 4.5.
 //   vex_virial_truth [SECONDS]
-// SECONDS (default 600) of all threads for the spheres, a quarter of it for the cubes, as much for the pairs.
+//   vex_virial_truth pairs
+// SECONDS (default 600) of all threads for the spheres, a quarter of it for the cubes, as much for the pairs. `pairs`
+// are these alone, with numbers of trials that take some seconds, half of them turned by a law of one body.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -61,20 +64,30 @@ std::string random_body(std::mt19937_64& random) {
   }
 }
 
-void judge_pairs(double seconds) {
+// Every other one turned by Onsager's trial function. `seconds`: of all pairs, or none for as many clusters.
+void judge_pairs(std::optional<double> seconds, std::uint64_t n_trials) {
   constexpr int kPairs = 20;
-  constexpr std::uint64_t kTrials = 1'000'000;
+  constexpr double kAlpha = 4.0;
   std::mt19937_64 random(26);
   for (int k = 0; k < kPairs; ++k) {
     const std::string text_a = random_body(random), text_b = random_body(random);
     const Body a = parse_shape(text_a), b = parse_shape(text_b);
     VirialSettings settings;
-    settings.seconds = seconds / kPairs;
+    if (seconds) {
+      settings.seconds = *seconds / kPairs;
+    } else {
+      settings.samples = 100'000;
+      settings.threads = 1;
+    }
+    const bool is_turned = k % 2 == 1;
+    if (is_turned) settings.law = OrientationLaw::onsager(kAlpha);
     const MixedVirial found = third_virials_of_mixture(a, b, settings)[1];
     const VolumeEstimate direct =
-        third_virial_by_brute_force({a.body, a.body, b.body}, kTrials, static_cast<std::uint64_t>(100 + 2 * k));
+        third_virial_by_brute_force({a.body, a.body, b.body}, n_trials, static_cast<std::uint64_t>(100 + 2 * k),
+                                    is_turned ? onsager_turn(kAlpha) : uniform_turn);
     const double unit = direct.excluded_volume;
-    show(text_a + " " + text_b, found.value / unit, found.std_error / unit, 1.0, direct.std_error / unit);
+    show(text_a + " " + text_b + " " + settings.law.name(), found.value / unit, found.std_error / unit, 1.0,
+         direct.std_error / unit);
   }
 }
 
@@ -82,6 +95,10 @@ void judge_pairs(double seconds) {
 }  // namespace vex
 
 int main(int argc, char** argv) {
+  if (argc > 1 && std::string(argv[1]) == "pairs") {
+    vex::judge_pairs(std::nullopt, 300'000);
+    return vex::n_wrong == 0 ? 0 : 1;
+  }
   const double seconds = argc > 1 ? std::atof(argv[1]) : 600.0;
   using vex::OrientationLaw;
   // N. Clisby and B. M. McCoy, J. Stat. Phys. 122, 15 (2006).
@@ -101,6 +118,6 @@ int main(int argc, char** argv) {
               {455.0 / 144.0 / 256.0, 1e-12},
               {-2039.0 / 108.0 / 1024.0, 1e-12},
               {-169149119.0 / 3888000.0 / 4096.0, 1e-12}});
-  vex::judge_pairs(seconds / 4.0);
+  vex::judge_pairs(seconds / 4.0, 1'000'000);
   return vex::n_wrong == 0 ? 0 : 1;
 }

@@ -15,11 +15,12 @@ inline constexpr int kStreamVersion = 1;
 
 enum class Stream : std::uint32_t {
   pose = 0,
-  scrambling = 1,    // of quasi-random points (sobol.h); index is that of the scrambling, block the coordinate
-  pilot = 2,         // of choices that must not depend on what a run draws
-  scene = 3,         // of the bodies of a random scene (apps/vex_scene); index is the body
-  percolation = 4,   // of bodies placed one after another (placements.h)
-  virial_trees = 5,  // of the trees that bodies of a cluster make (virial_integrand.h); index is the cluster
+  scrambling = 1,           // of quasi-random points (sobol.h); index is that of the scrambling, block the coordinate
+  pilot = 2,                // of choices that must not depend on what a run draws
+  scene = 3,                // of the bodies of a random scene (apps/vex_scene); index is the body
+  percolation = 4,          // of bodies placed one after another (placements.h)
+  virial_trees = 5,         // of the trees that bodies of a cluster make (virial_integrand.h); index is the cluster
+  virial_orientations = 6,  // of bodies of clusters, where each is turned by a law (virial_integrand.h)
 };
 
 /// A block of 128 bits: a function of (seed, stream, index, block).

@@ -103,16 +103,16 @@ class Bisection {
  public:
   Bisection(const ConvexBody& a, const ConvexBody& b, const BodyPoints& points, const Transformd& rotation,
             const Vec3d& dir)
-      : a_(a), b_(b), dir_(dir), pose_(rotation) {
-    pose_.translation = {};
-    together_ = points.of_a - pose_(points.of_b);
+      : a_(a), b_(b), points_(points), rotation_(rotation), dir_(dir) {
+    rotation_.translation = {};
     inner_radius_ = (a.inradius() - norm(points.of_a - a.centre())) + (b.inradius() - norm(points.of_b - b.centre()));
   }
 
   void close_in(double wanted, RadialBounds& bounds) {
     // The bodies as placed are off by some u of their reach, in any direction. A part in a thousand of that is as near
     // as is worth while, where r is next to 0: else it is halved for ever.
-    const double shift = 8.0 * kUnitRoundoff * ((a_.reach() + 2.0 * b_.reach()) + norm(together_)) / norm(dir_);
+    const double shift = 8.0 * kUnitRoundoff *
+                         ((a_.reach() + 2.0 * b_.reach()) + norm(points_.of_a - rotation_(points_.of_b))) / norm(dir_);
     const auto is_wide = [&](double from, double to) {
       return to - from > std::fmax(wanted * bounds.upper, 0x1p-10 * shift);
     };
@@ -149,20 +149,25 @@ class Bisection {
     const double middle = from + 0.5 * (to - from);
     return middle > from && middle < to ? std::optional(middle) : std::nullopt;
   }
-  Outcome outcome_at(double r) {
-    pose_.translation = together_ + r * dir_;
-    return overlap(a_, b_, Pose::unchecked(pose_)).outcome;
-  }
+  Outcome outcome_at(double r) { return outcome_along(a_, b_, points_, rotation_, dir_, r); }
 
   const ConvexBody& a_;
   const ConvexBody& b_;
+  BodyPoints points_;
+  Transformd rotation_;
   Vec3d dir_;
-  Transformd pose_;
-  Vec3d together_;
   double inner_radius_;  // of a ball about the origin of K; below zero where none is known
 };
 
 }  // namespace
+
+Outcome outcome_along(const ConvexBody& a, const ConvexBody& b, const BodyPoints& points, const Transformd& rotation,
+                      const Vec3d& dir, double r) {
+  Transformd pose = rotation;
+  pose.translation = {};
+  pose.translation = (points.of_a - pose(points.of_b)) + r * dir;
+  return overlap(a, b, Pose::unchecked(pose)).outcome;
+}
 
 RadialBounds radial_function(const ConvexBody& a, const ConvexBody& b, const BodyPoints& points, const Pose& pose,
                              const Vec3d& dir, double relative_gap) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/numeric/pose.h"
+#include "engine/query/verdict.h"
 #include "engine/support/convex_body.h"
 
 namespace vex {
@@ -32,5 +33,9 @@ struct RadialBounds {
 /// Throws InputError where the direction is zero, or it or a point is not finite.
 RadialBounds radial_function(const ConvexBody& a, const ConvexBody& b, const BodyPoints& points, const Pose& rotation,
                              const Vec3d& dir, double relative_gap = 0.0);
+
+/// Whether the ray reaches r `dir`: the proven verdict on the bodies placed there.
+Outcome outcome_along(const ConvexBody& a, const ConvexBody& b, const BodyPoints& points, const Transformd& rotation,
+                      const Vec3d& dir, double r);
 
 }  // namespace vex

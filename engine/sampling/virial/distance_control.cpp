@@ -6,8 +6,10 @@
 namespace vex {
 
 DistanceControl::DistanceControl(const ConvexBody& a, const ConvexBody& b, double excluded_volume,
-                                 double relative_error) {
+                                 double relative_error, bool has_factors)
+    : has_factors_(has_factors) {
   constexpr double kLeastShare = 0.02, kMostError = 1e-9, kShareOfAll = 1.0 + 1e-6;
+  rounding_ = has_factors ? relative_error : 0.0;
   // Places of poses are off by less than 2^-40 of the reach: the ball that is used is smaller by far more.
   const double inner = a.inradius() + b.inradius() - 0x1p-30 * (a.reach() + b.reach());
   const double share = 4.0 / 3.0 * std::numbers::pi * (inner * inner * inner) / excluded_volume;
@@ -15,15 +17,18 @@ DistanceControl::DistanceControl(const ConvexBody& a, const ConvexBody& b, doubl
   inner_sq_ = inner * inner;
   share_ = share;
   // Besides <V_ex>: who is on which side of R is wrong where r is as near to it as its rounding, 2^-40 of the reach.
-  rounding_ = share * relative_error + 0x1p-36 * (a.reach() + b.reach()) / inner;
+  rounding_ += share * relative_error + 0x1p-36 * (a.reach() + b.reach()) / inner;
 }
 
-void DistanceControl::add(const Vec3d& from_a_to_b, Values& sums) const {
+void DistanceControl::add(const Vec3d& from_a_to_b, Values& sums, double factor) const {
+  constexpr std::size_t kOfDistance = kN - 1;
+  sums[kOfDistance] += factor - 1.0;
+  if (!(share_ > 0.0)) return;
   // The integral of (1 - y^2)^k 3 y^2 from 0 to 1.
-  constexpr Values kMeans = {1.0, 2.0 / 5.0, 8.0 / 35.0};
+  constexpr std::array<double, kOfDistance> kMeans = {1.0, 2.0 / 5.0, 8.0 / 35.0};
   const double left = 1.0 - dot(from_a_to_b, from_a_to_b) / inner_sq_;
-  double power = left > 0.0 ? 1.0 : 0.0;
-  for (std::size_t k = 0; k < kN; ++k, power *= left) sums[k] += power - share_ * kMeans[k];
+  double power = left > 0.0 ? factor : 0.0;
+  for (std::size_t k = 0; k < kOfDistance; ++k, power *= left) sums[k] += power - share_ * kMeans[k];
 }
 
 void VirialControl::fit(std::vector<double> values, std::span<const DistanceControl::Values> means) {

@@ -5,8 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
-#include "engine/query/packets/packet_pair.h"
+#include "engine/numeric/rounding.h"
 #include "engine/sampling/radial/radial_function.h"
 #include "engine/sampling/virial/virial_integrand.h"
 
@@ -15,10 +16,20 @@ namespace {
 
 double cubed(double x) { return x * x * x; }
 
+// Of rays that no packets find: each step on costs a support point of two bodies, and a number that is drawn between
+// bounds as near as these is a hundredth of what triangles vary by. A verdict tells on which side of it the ray ends.
+constexpr double kGapOfLoneRays = 0x1p-6;
+
 // Of others packets leave rays open, for the powers of lengths that they take.
 bool is_usual_size(const ConvexBody& body) {
   constexpr double kLargest = 0x1p40;
   return body.circumradius() < kLargest && body.circumradius() > 1.0 / kLargest;
+}
+
+// Of powers, as superellipsoids are made of, a support point takes microseconds, and lone rays tens of them each:
+// triangles are no better than clusters then. What a mapping rounds by tells how many operations it takes.
+bool has_long_mapping(const ConvexBody& body) {
+  return body.support_error() > 100.0 * kUnitRoundoff * body.circumradius();
 }
 
 }  // namespace
@@ -32,16 +43,17 @@ TriangleIntegrand::TriangleIntegrand(const ConvexBody& body, const OrientationLa
       n_sides_(static_cast<std::size_t>(n_sides)),
       make_triangles_(triangle_maker(set)),
       packets_(make_packet_rays(ray_kernel(set), body, body, map_.points())) {
-  require_factorising_law(law);
+  if (!chains_factorise(law)) {
+    throw UsageError("no triangles for orientations " + law.name() + " - use isotropic or aligned");
+  }
   VEX_EXPECT(n_sides_ >= 1 && n_sides_ <= 3);
 }
 
 bool TriangleIntegrand::is_for(const ConvexBody& body, const OrientationLaw& law, double excluded_volume,
                                double relative_error) {
   constexpr double kMostError = 1e-9;
-  if (!(excluded_volume > 0.0 && relative_error < kMostError)) return false;
-  // Rays one by one take a hundred times as long as in packets, which a body without an exact form has none of.
-  if (PacketPair::make(body, body) == nullptr || !is_usual_size(body)) return false;
+  if (!chains_factorise(law) || !(excluded_volume > 0.0 && relative_error < kMostError)) return false;
+  if (!is_usual_size(body) || has_long_mapping(body)) return false;
   return TriangleMap(body, law).is_usable();
 }
 
@@ -51,13 +63,19 @@ double TriangleIntegrand::cost() const {
 }
 
 // By portals one by one, and by proven verdicts.
-TriangleIntegrand::Bounds TriangleIntegrand::by_itself(std::size_t row) const {
+TriangleIntegrand::Bounds TriangleIntegrand::by_itself(std::size_t row, double relative_gap) const {
   const RayTable rays{columns_.rays[0], TriangleColumns::kStride, 0};
   const RadialBounds found =
-      radial_function(body_, body_, map_.points(), Pose::unchecked(rays.rotation(row)), rays.dir(row));
+      radial_function(body_, body_, map_.points(), Pose::unchecked(rays.rotation(row)), rays.dir(row), relative_gap);
   const double lower = cubed(found.lower), upper = cubed(found.upper), middle = 0.5 * (lower + upper);
+  if (relative_gap > 0.0) return {lower, upper};
   const bool is_apart = upper - lower > 16.0 * kRadialRounding * upper;
   return {middle, middle, is_apart ? 0.5 * (upper - lower) : 0.0};
+}
+
+Outcome TriangleIntegrand::outcome_at(std::size_t row, double cube) const {
+  const RayTable rays{columns_.rays[0], TriangleColumns::kStride, 0};
+  return outcome_along(body_, body_, map_.points(), rays.rotation(row), rays.dir(row), std::cbrt(cube));
 }
 
 // Of every triangle the least of its sides, between bounds; and of those that are near, but have not met, what is to be
@@ -73,7 +91,7 @@ void TriangleIntegrand::ask(std::size_t n) {
       } else if (answers_.outer[row] > 0.0) {
         bounds = {answers_.inner[row], answers_.outer[row]};
       } else {
-        bounds = by_itself(row);
+        bounds = by_itself(row, packets_ == nullptr ? kGapOfLoneRays : 0.0);
       }
       least.lower = std::fmin(least.lower, bounds.lower);
       least.upper = std::fmin(least.upper, bounds.upper);
@@ -89,6 +107,10 @@ bool TriangleIntegrand::reaches(std::size_t row, Bounds& bounds) const {
   const double asked = answers_.asked[row];
   if (bounds.lower >= asked) return true;
   if (bounds.upper < asked) return false;
+  if (packets_ == nullptr) {
+    const Outcome outcome = outcome_at(row, asked);
+    if (outcome != Outcome::undecided) return outcome == Outcome::overlap;
+  }
   if (std::isnan(answers_.cube[row])) {
     bounds = by_itself(row);
     return bounds.lower >= asked;

@@ -24,8 +24,8 @@ class TriangleIntegrand final : public Integrand {
   TriangleIntegrand(const ConvexBody& body, const OrientationLaw& law, double excluded_volume, double relative_error,
                     InstructionSet set = best_instruction_set(), int n_sides = 3);
 
-  /// Whether it is the better way: where <V_ex> is known, the body has packets, and it is not so long or flat that
-  /// clusters that are hit or missed cost as little, and that values have a tail which a short run does not show.
+  /// Whether it is the better way: where <V_ex> is known, and the body is not so long or flat that clusters that are
+  /// hit or missed cost as little, and that values have a tail which a short run does not show.
   static bool is_for(const ConvexBody& body, const OrientationLaw& law, double excluded_volume, double relative_error);
 
   int dimension() const override { return map_.dimension(); }
@@ -46,7 +46,8 @@ class TriangleIntegrand final : public Integrand {
     double lower, upper;
     double off = 0.0;  // of what bounds that stayed apart leave open: half of it
   };
-  Bounds by_itself(std::size_t row) const;
+  Bounds by_itself(std::size_t row, double relative_gap = 0.0) const;
+  Outcome outcome_at(std::size_t row, double cube) const;
   void ask(std::size_t n);
   bool reaches(std::size_t row, Bounds& bounds) const;
   void find_sides(std::size_t n);

@@ -8,23 +8,10 @@
 #include "engine/numeric/errors.h"
 #include "engine/numeric/expect.h"
 #include "engine/sampling/points/random_stream.h"
+#include "engine/sampling/virial/placed_bodies.h"
 
 namespace vex {
 namespace {
-
-// a_from_b and b_from_c make a_from_c.
-Transformd composed(const Transformd& a_from_b, const Transformd& b_from_c) {
-  const auto row = [&](const Vec3d& r) { return r.x * b_from_c.row_x + r.y * b_from_c.row_y + r.z * b_from_c.row_z; };
-  return {row(a_from_b.row_x), row(a_from_b.row_y), row(a_from_b.row_z), a_from_b(b_from_c.translation)};
-}
-
-// a_from_b of two bodies in one world.
-Transformd relative(const Transformd& world_from_a, const Transformd& world_from_b) {
-  const Transformd &a = world_from_a, &b = world_from_b;
-  const auto row = [&](double x, double y, double z) { return x * b.row_x + y * b.row_y + z * b.row_z; };
-  return {row(a.row_x.x, a.row_y.x, a.row_z.x), row(a.row_x.y, a.row_y.y, a.row_z.y),
-          row(a.row_x.z, a.row_y.z, a.row_z.z), a.direction_to_b(b.translation - a.translation)};
-}
 
 // All 52 bits that a coordinate has.
 std::uint64_t whole_of(double coordinate) { return static_cast<std::uint64_t>(coordinate * 0x1p52); }
@@ -41,120 +28,76 @@ struct VirialIntegrand::Cluster {
   bool is_tree = false, may_count = true;
 };
 
-void require_factorising_law(const OrientationLaw& law) {
-  if (law.kind() == OrientationLaw::Kind::isotropic || law.kind() == OrientationLaw::Kind::aligned) return;
-  throw UsageError("no virial coefficients for orientations " + law.name() +
-                   ": a chain of bodies is no power of B2 then - use isotropic or aligned");
-}
-
 VirialIntegrand::VirialIntegrand(std::vector<ConvexBody> bodies, const OrientationLaw& law,
                                  std::shared_ptr<const ClusterWeights> weights, InstructionSet set,
-                                 std::shared_ptr<const VirialControl> control)
+                                 std::shared_ptr<const VirialControl> control,
+                                 std::span<const KnownExcludedVolume> known)
     : bodies_(std::move(bodies)),
       weights_(std::move(weights)),
       control_(std::move(control)),
       n_pairs_(weights_->pairs().size()),
-      neighbours_(bodies_.front(), bodies_[bodies_.size() / 2], law, set),
+      drawer_(bodies_, law, *weights_, known, set),
       decider_(bodies_.front(), bodies_.back(), set),
-      clusters_(n_clusters(weights_->order())),
-      world_from_bodies_(clusters_.size() * static_cast<std::size_t>(weights_->order())),
-      centres_(world_from_bodies_.size()),
+      clusters_(drawer_.n_drawn()),
+      centres_(drawer_.world_from_bodies().size()),
       asked_(clusters_.size()),
       open_(clusters_.size()),
       outcomes_(clusters_.size()),
       stride_(clusters_.size() + 16),
       verdicts_(clusters_.size()) {
   table_.resize(kPoseColumns * stride_);
-  require_factorising_law(law);
-  if (bodies_.size() > 1) {
-    if (weights_->order() != 3) throw UsageError("a mixture's coefficients of this order are not built - give order 3");
-    second_neighbours_ = std::make_unique<OverlappingPairs>(bodies_[1], bodies_[2], law, set);
+  if (bodies_.size() > 1 && weights_->order() != 3) {
+    throw UsageError("a mixture's coefficients of this order are not built - give order 3");
   }
+  if (!drawer_.has_factors()) return;
+  constexpr std::size_t kBunches = 8;
+  mean_factor_ = 0.0;
+  for (std::size_t k = 0; k < kBunches; ++k) {
+    pilot_bunch(k);
+    for (std::size_t c = 0; c < clusters_.size(); ++c) mean_factor_ += drawer_.factor(c);
+  }
+  mean_factor_ /= static_cast<double>(kBunches * clusters_.size());
+  counts_ = {};
 }
 
 VirialIntegrand::VirialIntegrand(const ConvexBody& body, const OrientationLaw& law,
                                  std::shared_ptr<const ClusterWeights> weights, InstructionSet set,
-                                 std::shared_ptr<const VirialControl> control)
-    : VirialIntegrand(std::vector<ConvexBody>{body}, law, std::move(weights), set, std::move(control)) {}
+                                 std::shared_ptr<const VirialControl> control, const KnownExcludedVolume& known)
+    : VirialIntegrand(std::vector<ConvexBody>{body}, law, std::move(weights), set, std::move(control),
+                      std::span(&known, 1)) {}
 
 VirialIntegrand::VirialIntegrand(const std::array<ConvexBody, 3>& bodies, const OrientationLaw& law,
-                                 std::shared_ptr<const ClusterWeights> weights, InstructionSet set)
-    : VirialIntegrand(std::vector<ConvexBody>(bodies.begin(), bodies.end()), law, std::move(weights), set, nullptr) {}
+                                 std::shared_ptr<const ClusterWeights> weights, InstructionSet set,
+                                 const std::array<KnownExcludedVolume, 2>& known)
+    : VirialIntegrand(std::vector<ConvexBody>(bodies.begin(), bodies.end()), law, std::move(weights), set, nullptr,
+                      known) {}
 
 VirialIntegrand::~VirialIntegrand() = default;
 
+// Where clusters count for a product of factors, a pair is wrong as seldom, but what that costs is more: twice the mean
+// product, as some bunches have it, is far more than what it is on average.
 double VirialIntegrand::absolute_rounding() const {
-  return weights_->largest_weight() * static_cast<double>(n_pairs_) * 0x1p-40 +
+  const double of_clusters = weights_->largest_weight() * static_cast<double>(n_pairs_) * 0x1p-40;
+  return (drawer_.has_factors() ? 2.0 * mean_factor_ * of_clusters : of_clusters) +
          (control_ ? control_->absolute_rounding() : 0.0);
 }
 
+// What no value exceeds.
+double VirialIntegrand::largest_value() const {
+  double largest = weights_->largest_weight() * drawer_.largest_of_cluster();
+  if (control_) {
+    const double of_function = drawer_.has_factors() ? 1.0 + drawer_.largest_of_neighbour() : 1.0;
+    for (const double factor : control_->factors) largest += of_function * std::fabs(factor);
+  }
+  return largest;
+}
+
 double VirialIntegrand::cost() const {
-  constexpr double kOfPose = 100.0, kOfPair = 40.0;
-  return kOfPose * static_cast<double>(kPoses) + kOfPair * static_cast<double>(n_pairs_ * clusters_.size());
-}
-
-void VirialIntegrand::set_chain(std::size_t cluster, std::size_t first, std::size_t step) {
-  clusters_[cluster].is_tree = false;
-  clusters_[cluster].may_count = true;
-  clusters_[cluster].answers = 0;
-  const std::span<Transformd> world_from_body = world_of(cluster);
-  std::size_t pose = first;
-  for (std::size_t k = 1; k < world_from_body.size(); ++k) {
-    const bool is_of_second = k == 2 && second_neighbours_ != nullptr;
-    const Transformd& next = is_of_second ? second_poses_[pose] : poses_[pose];
-    world_from_body[k] = k == 1 ? next : composed(world_from_body[k - 1], next);
-    pose = (pose + step) % kPoses;
-  }
-}
-
-// By Pruefer's code, n - 2 numbers of a body, which each tree has just one of (H. Pruefer, Arch. Math. Phys. 27, 742,
-// 1918).
-void VirialIntegrand::set_tree(std::size_t number, std::size_t first, std::size_t step, std::span<const double> point) {
-  Cluster& cluster = clusters_[number];
-  const std::span<Transformd> world_from_body = world_of(number);
-  const int n = weights_->order();
-  std::array<int, kMostClusterBodies> code{}, n_edges{}, leaf{}, parent{};
-  for (int k = 0; k < n; ++k) n_edges[static_cast<std::size_t>(k)] = 1;
-  for (int k = 0; k + 2 < n; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    code[at] = static_cast<int>(point[at] * n);
-    ++n_edges[static_cast<std::size_t>(code[at])];
-  }
-  cluster.is_tree = true;
-  cluster.may_count = true;
-  cluster.graph = OverlapGraph(n);
-  OverlapGraph tree(n);
-  int n_done = 0;
-  const auto cut = [&](int to) {
-    int k = 0;
-    while (n_edges[static_cast<std::size_t>(k)] != 1 || k == to) ++k;
-    const auto at = static_cast<std::size_t>(n_done++);
-    leaf[at] = k;
-    parent[at] = to;
-    --n_edges[static_cast<std::size_t>(k)];
-    --n_edges[static_cast<std::size_t>(to)];
-    tree.join(k, to);
-  };
-  for (int k = 0; k + 2 < n; ++k) cut(code[static_cast<std::size_t>(k)]);
-  int last = n - 1;
-  while (n_edges[static_cast<std::size_t>(last)] != 1) --last;
-  cut(last);
-  // Parents before their leaves.
-  world_from_body[static_cast<std::size_t>(last)] = {};
-  std::size_t pose = first;
-  for (int k = n_done - 1; k >= 0; --k) {
-    const auto at = static_cast<std::size_t>(k);
-    world_from_body[static_cast<std::size_t>(leaf[at])] =
-        composed(world_from_body[static_cast<std::size_t>(parent[at])], poses_[pose]);
-    pose = (pose + step) % kPoses;
-  }
-  std::size_t n_pairs = 0;
-  for (int i = 0; i < n; ++i) {
-    for (int j = i + 1; j < n; ++j) {
-      cluster.graph.join(i, j);
-      if (!tree.overlaps(i, j)) cluster.pairs[n_pairs++] = {i, j};
-    }
-  }
+  constexpr double kOfPose = 100.0, kOfTurned = 350.0, kOfPair = 40.0;
+  const auto n_clusters = static_cast<double>(clusters_.size());
+  const double of_poses =
+      drawer_.has_factors() ? kOfTurned * n_clusters : kOfPose * static_cast<double>(ClusterDrawer::kPoses);
+  return of_poses + kOfPair * static_cast<double>(n_pairs_) * n_clusters;
 }
 
 void VirialIntegrand::take(Cluster& cluster, std::size_t k, Outcome outcome) const {
@@ -195,7 +138,7 @@ void VirialIntegrand::ask(Outcome undecided, PairQuestions& questions) {
     for (std::size_t row = 0; row < n_open; ++row) {
       const std::size_t c = asked_[open_[row]];
       const BodyPair pair = pair_of(c, k);
-      const Transformd* const world = &world_from_bodies_[c * n];
+      const Transformd* const world = &drawer_.world_from_bodies()[c * n];
       const Transformd &a = world[pair.i], &b = world[pair.j];
       const bool is_in_world = pair.i == 0 && !clusters_[c].is_tree;
       set_pose(table_.data(), stride_, row, is_in_world ? b : relative(a, b));
@@ -215,42 +158,47 @@ void VirialIntegrand::ask(Outcome undecided, PairQuestions& questions) {
   }
 }
 
-void VirialIntegrand::draw_clusters(std::uint64_t seed, std::uint64_t first) {
-  const auto n_trees = kPoses * static_cast<std::size_t>(weights_->n_rounds_of_trees());
+// What is known of the clusters that were drawn: nothing but their neighbours.
+void VirialIntegrand::begin_clusters() {
+  const auto n = static_cast<std::size_t>(weights_->order());
   for (std::size_t c = 0; c < clusters_.size(); ++c) {
-    const std::size_t step = c / kPoses + 1;
-    if (c >= n_trees) {
-      set_chain(c, c % kPoses, step);
-      continue;
+    Cluster& cluster = clusters_[c];
+    cluster.answers = 0;
+    cluster.is_tree = c < drawer_.n_trees();
+    cluster.may_count = drawer_.factor(c) > 0.0;
+    if (!cluster.is_tree) continue;
+    cluster.graph = OverlapGraph(weights_->order());
+    std::size_t n_pairs = 0;
+    for (int i = 0; i < weights_->order(); ++i) {
+      for (int j = i + 1; j < weights_->order(); ++j) {
+        cluster.graph.join(i, j);
+        if (!drawer_.tree(c).graph().overlaps(i, j)) cluster.pairs[n_pairs++] = {i, j};
+      }
     }
-    std::array<double, kMostClusterBodies> point;
-    const auto n_numbers = static_cast<std::size_t>(weights_->order() - 2);
-    draw_unit_cube(seed + 1, Stream::virial_trees, first + c, std::span(point).first(n_numbers));
-    set_tree(c, c % kPoses, step, point);
   }
   // Of a mixture only the first and the last body of a chain are asked.
   const Vec3d centre_a = bodies_.front().centre(), centre_b = bodies_.back().centre();
-  const auto n = static_cast<std::size_t>(weights_->order());
+  const std::span<const Transformd> world_from_bodies = drawer_.world_from_bodies();
   for (std::size_t at = 0; at < centres_.size(); at += n) {
-    centres_[at] = world_from_bodies_[at](centre_a);
-    for (std::size_t k = 1; k < n; ++k) centres_[at + k] = world_from_bodies_[at + k](centre_b);
+    centres_[at] = world_from_bodies[at](centre_a);
+    for (std::size_t k = 1; k < n; ++k) centres_[at + k] = world_from_bodies[at + k](centre_b);
   }
 }
 
-double VirialIntegrand::weight(const Cluster& cluster) const {
+double VirialIntegrand::weight(std::size_t c) const {
+  const Cluster& cluster = clusters_[c];
   if (!cluster.may_count) return 0.0;
-  return cluster.is_tree ? weights_->weight_by_chain(cluster.graph) : weights_->weight_of_chain(cluster.answers);
+  return drawer_.factor(c) *
+         (cluster.is_tree ? weights_->weight_by_chain(cluster.graph) : weights_->weight_of_chain(cluster.answers));
 }
 
 double VirialIntegrand::bunch(std::uint64_t seed, std::uint64_t first, Outcome undecided, std::uint64_t& n_undecided) {
   PairQuestions of_neighbours, of_pairs;
-  neighbours_.draw(seed, first, undecided, poses_, of_neighbours);
-  // Another stream for the second pair of a mixture: the seeds of all points are even.
-  if (second_neighbours_ != nullptr) second_neighbours_->draw(seed + 1, first, undecided, second_poses_, of_neighbours);
-  draw_clusters(seed, first);
+  drawer_.draw(seed, first, undecided, control_ ? &control_->functions : nullptr, of_neighbours);
+  begin_clusters();
   ask(undecided, of_pairs);
   double sum = 0.0;
-  for (const Cluster& cluster : clusters_) sum += weight(cluster);
+  for (std::size_t c = 0; c < clusters_.size(); ++c) sum += weight(c);
   n_undecided = of_neighbours.n_undecided + of_pairs.n_undecided;
   counts_.n_all += n_pairs_ * clusters_.size();
   counts_.n_by_balls += of_pairs.n_by_balls;
@@ -259,41 +207,35 @@ double VirialIntegrand::bunch(std::uint64_t seed, std::uint64_t first, Outcome u
   counts_.n_candidates += of_neighbours.n_by_balls + of_neighbours.n_searched;
   double value = sum / static_cast<double>(clusters_.size());
   if (control_) {
-    const DistanceControl::Values means = means_of(control_->functions);
-    for (std::size_t k = 0; k < means.size(); ++k) value -= control_->factors[k] * means[k];
+    for (std::size_t k = 0; k < DistanceControl::kN; ++k) value -= control_->factors[k] * drawer_.means()[k];
   }
   return value;
 }
 
-// Over the poses that the bunch has now.
-DistanceControl::Values VirialIntegrand::means_of(const DistanceControl& functions) const {
-  DistanceControl::Values sums{};
-  const Vec3d centre = bodies_.front().centre();
-  for (const Transformd& pose : poses_) functions.add(pose(centre) - centre, sums);
-  for (double& sum : sums) sum /= static_cast<double>(kPoses);
-  return sums;
+// One of those that are no part of any run.
+double VirialIntegrand::pilot_bunch(std::size_t k) {
+  std::array<double, 2> point;
+  draw_unit_cube(0, Stream::pilot, 1 + k, point);
+  std::uint64_t n_undecided = 0;
+  return bunch(whole_of(point[0]) << 1, whole_of(point[1]) << kRoomForCandidates, Outcome::disjoint, n_undecided);
 }
 
 std::shared_ptr<const VirialControl> VirialIntegrand::control_of(const ConvexBody& body, const OrientationLaw& law,
                                                                  const std::shared_ptr<const ClusterWeights>& weights,
-                                                                 double excluded_volume, double relative_error,
-                                                                 InstructionSet set) {
-  auto control =
-      std::make_shared<VirialControl>(VirialControl{DistanceControl(body, body, excluded_volume, relative_error)});
-  if (!control->functions.is_usable()) return nullptr;
+                                                                 const KnownExcludedVolume& known, InstructionSet set) {
+  const DistanceControl functions(body, body, known.value, known.relative_error, !chains_factorise(law));
+  if (!functions.is_usable()) return nullptr;
+  const auto none = std::make_shared<const VirialControl>(VirialControl{functions});
   // As many that what the factors lack of the best ones makes the variance larger by some hundredth.
   constexpr std::size_t kBunches = 256;
-  VirialIntegrand integrand(body, law, weights, set);
+  VirialIntegrand integrand(body, law, weights, set, none, known);
   std::vector<double> values;
   std::vector<DistanceControl::Values> means;
   for (std::size_t bunch = 0; bunch < kBunches; ++bunch) {
-    std::array<double, 2> point;
-    draw_unit_cube(0, Stream::pilot, 1 + bunch, point);
-    std::uint64_t n_undecided = 0;
-    values.push_back(integrand.bunch(whole_of(point[0]) << 1, whole_of(point[1]) << kRoomForCandidates,
-                                     Outcome::disjoint, n_undecided));
-    means.push_back(integrand.means_of(control->functions));
+    values.push_back(integrand.pilot_bunch(bunch));
+    means.push_back(integrand.drawer_.means());
   }
+  auto control = std::make_shared<VirialControl>(*none);
   control->fit(std::move(values), means);
   return control;
 }
@@ -318,12 +260,8 @@ Doubts VirialIntegrand::evaluate(std::span<const double> points, std::span<doubl
       doubts.push_back({k, 0.5 * std::fabs(other - values[k])});
       values[k] = 0.5 * (values[k] + other);
     } else {
-      double largest = weights_->largest_weight();
-      if (control_) {
-        for (const double factor : control_->factors) largest += std::fabs(factor);
-      }
       values[k] = 0.0;
-      doubts.push_back({k, largest});
+      doubts.push_back({k, largest_value()});
     }
   }
   return doubts;

@@ -57,7 +57,8 @@ const OrientationLaw kAligned = OrientationLaw::aligned();
 constexpr double kB3OfSpheres = 5.0 / 8.0, kB3OfAlignedCubes = 9.0 / 16.0;
 
 TEST(TriangleIntegrand, OfSpheresAndAlignedBoxesTheCoefficientIsTheKnownOne) {
-  for (const char* const text : {"sphere:0.5", "ellipsoid:1,1,100", "ellipsoid:0.2,1,7"}) {
+  // A lens as thick as it is wide is a ball, of which no packets find the rays.
+  for (const char* const text : {"sphere:0.5", "ellipsoid:1,1,100", "ellipsoid:0.2,1,7", "lens:1,2"}) {
     const VolumeEstimate found = third(text, kAligned, 1u << 16);
     EXPECT_LT(std::fabs(errors_off(found, kB3OfSpheres)), 4.0) << text;
     EXPECT_LT(found.std_error, 5e-5) << text;
@@ -88,8 +89,9 @@ TEST(TriangleIntegrand, ErrorsAreHonest) {
 }
 
 TEST(TriangleIntegrand, AgreesWithClustersThatAreHitOrMissed) {
-  for (const char* const text : {"box:1,1,1", "box:3,2,1", "cylinder:2,0.5", "cone:1,0.6", "tetrahedron:1",
-                                 "capsule:3,0.2", "ellipsoid:1,0.5,2", "hemisphere:1", "disc:1"}) {
+  for (const char* const text :
+       {"box:1,1,1", "box:3,2,1", "cylinder:2,0.5", "cone:1,0.6", "tetrahedron:1", "capsule:3,0.2", "ellipsoid:1,0.5,2",
+        "hemisphere:1", "disc:1", "lens:1,0.5", "egg:1,0.5,0.3", "spindle:2,0.5", "rounded:0.2,lens:1,0.5"}) {
     const Body body = parse_shape(text);
     const VolumeEstimate found = third(text, {}, 1u << 15);
     MonteCarloSettings settings;
@@ -114,7 +116,7 @@ TEST(TriangleIntegrand, WrongOnesAreFoundOut) {
 }
 
 TEST(TriangleIntegrand, ThreadsAndInstructionSetsChangeNoBit) {
-  for (const char* const text : {"box:1,0.8,2", "tetrahedron:1", "ellipsoid:1,1,3", "cylinder:3,0.5"}) {
+  for (const char* const text : {"box:1,0.8,2", "tetrahedron:1", "ellipsoid:1,1,3", "cylinder:3,0.5", "lens:1,0.5"}) {
     for (const OrientationLaw& law : {OrientationLaw{}, kAligned}) {
       const VolumeEstimate one = third(text, law, 2048);
       for (const InstructionSet set : {InstructionSet::scalar, InstructionSet::sse2, best_instruction_set()}) {
@@ -153,7 +155,9 @@ TEST(TriangleIntegrand, IsForBodiesThatAreKnownAndNotTooLong) {
   EXPECT_FALSE(TriangleIntegrand::is_for(slab, kAligned, 1.0, 0x1p-40));
   EXPECT_TRUE(TriangleIntegrand::is_for(slab, {}, 1.0, 0x1p-40));
   EXPECT_TRUE(TriangleIntegrand::is_for(Box(100.0, 1.0, 1.0), kAligned, 800.0, 0x1p-40));
-  EXPECT_FALSE(TriangleIntegrand::is_for(parse_shape("egg:1,0.3,3").body, {}, 1.0, 0x1p-40)) << "no packets";
+  EXPECT_TRUE(TriangleIntegrand::is_for(parse_shape("egg:1,0.3,3").body, {}, 1.0, 0x1p-40)) << "no packets";
+  EXPECT_FALSE(TriangleIntegrand::is_for(parse_shape("superball:2,1").body, {}, 1.0, 0x1p-40)) << "long mappings";
+  EXPECT_FALSE(TriangleIntegrand::is_for(cube, OrientationLaw::onsager(3.0), 11.0, 0x1p-40));
   EXPECT_FALSE(TriangleIntegrand::is_for(Box(1e-14, 1e-14, 1e-14), {}, 1e-41, 0x1p-40)) << "rays that stay open";
   EXPECT_THROW(TriangleIntegrand(cube, OrientationLaw::onsager(3.0), 11.0, 0x1p-40), UsageError);
 }
