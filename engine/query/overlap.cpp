@@ -7,19 +7,21 @@
 #include "engine/query/exact/extended_overlap.h"
 #include "engine/query/exact/placed_forms.h"
 #include "engine/query/search/overlap_filter.h"
+#include "engine/query/separation_with_verdict.h"
 
 namespace vex {
 namespace {
 
 // What the filter leaves open goes to the exact forms. `witnesses`: null, or what receives those of an overlap, of one
-// that the filter has proven too.
+// that the filter has proven too. `placed`: the forms where they are there already, or null.
 OverlapAnswer decide(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, int max_support_calls,
-                     const FilterResult& filtered, OverlapCertificate* witnesses) {
+                     const FilterResult& filtered, OverlapCertificate* witnesses, const PlacedForms* placed = nullptr) {
   OverlapAnswer answer{filtered.verdict, filtered.n_support_calls, filtered.separating_dir};
   const bool is_open = answer.verdict.outcome == Outcome::undecided;
   if (!is_open && !(answer.verdict.outcome == Outcome::overlap && witnesses != nullptr)) return answer;
-  const std::optional<PlacedForms> forms = placed_forms(a, b, a_from_b);
-  if (!forms) return answer;
+  const std::optional<PlacedForms> made = placed == nullptr ? placed_forms(a, b, a_from_b) : std::nullopt;
+  const PlacedForms* const forms = made ? &*made : placed;
+  if (forms == nullptr) return answer;
   if (forms->are_rounded_polytopes()) {
     const ExactOverlap exact = exact_overlap(*forms);
     if (is_open) {
@@ -68,6 +70,11 @@ Verdict overlap(const ConvexBody& a, const ConvexBody& b, const Pose& pose, Over
 OverlapAnswer overlap_answer(const ConvexBody& a, const ConvexBody& b, const Pose& pose, int max_support_calls) {
   const FilterResult filtered = filter_overlap(a, b, pose.a_from_b(), max_support_calls);
   return decide(a, b, pose.a_from_b(), max_support_calls, filtered, nullptr);
+}
+
+OverlapAnswer overlap_answer(const ConvexBody& a, const ConvexBody& b, const PlacedForms& placed) {
+  const FilterResult filtered = filter_overlap(a, b, placed.a_from_b, kMaxSupportCalls);
+  return decide(a, b, placed.a_from_b, kMaxSupportCalls, filtered, nullptr, &placed);
 }
 
 CertificateCheck prove_again(const ConvexBody& a, const ConvexBody& b, const Pose& pose, Outcome claimed) {

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "engine/query/exact/placed_forms.h"
 #include "engine/query/overlap.h"
 #include "engine/query/separation.h"
 
@@ -17,5 +18,8 @@ Separation distance(const ConvexBody& a, const ConvexBody& b, const Pose& pose, 
                     WarmStart* warm_start, std::optional<OverlapAnswer>& overlap);
 Separation penetration_depth(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
                              std::optional<OverlapAnswer>& overlap);
+
+/// What `overlap_answer` says of the bodies as their forms are placed.
+OverlapAnswer overlap_answer(const ConvexBody& a, const ConvexBody& b, const PlacedForms& placed);
 
 }  // namespace vex

@@ -53,22 +53,33 @@ VertexSet::VertexSet(const std::vector<Vec3d>& offsets) {
 }
 
 const std::vector<std::size_t>& VertexSet::farthest(const Vec3d& dir) const {
-  const std::size_t n = x_.size();
+  constexpr std::size_t kBlock = 16, kChains = 4;
+  const std::size_t n = x_.size(), n_blocks = (n + kBlock - 1) / kBlock;
   found_.clear();
   values_.resize(n);
+  most_of_block_.resize(n_blocks);
   double* const values = values_.data();
+  double largest = -HUGE_VAL;
   for (std::size_t i = 0; i < n; ++i) values[i] = dot(Vec3d{x_[i], y_[i], z_[i]}, dir);
-  // Several maxima side by side: each waits for its last comparison.
-  std::array<double, 4> most;
-  most.fill(-HUGE_VAL);
-  std::size_t i = 0;
-  for (; i + most.size() <= n; i += most.size()) {
-    for (std::size_t k = 0; k < most.size(); ++k) most[k] = larger(values[i + k], most[k]);
+  for (std::size_t block = 0; block < n_blocks; ++block) {
+    // Several maxima side by side: each waits for its last comparison.
+    std::array<double, kChains> most;
+    most.fill(-HUGE_VAL);
+    const std::size_t end = std::min(n, (block + 1) * kBlock);
+    std::size_t i = block * kBlock;
+    for (; i + kChains <= end; i += kChains) {
+      for (std::size_t k = 0; k < kChains; ++k) most[k] = larger(values[i + k], most[k]);
+    }
+    for (; i < end; ++i) most[0] = larger(values[i], most[0]);
+    most_of_block_[block] = larger(larger(most[0], most[1]), larger(most[2], most[3]));
+    largest = larger(most_of_block_[block], largest);
   }
-  for (; i < n; ++i) most[0] = larger(values[i], most[0]);
-  const double least = larger(larger(most[0], most[1]), larger(most[2], most[3])) - 0x1p-45;
-  for (std::size_t k = 0; k < n; ++k) {
-    if (values[k] >= least) found_.push_back(k);
+  const double least = largest - 0x1p-45;
+  for (std::size_t block = 0; block < n_blocks; ++block) {
+    if (!(most_of_block_[block] >= least)) continue;
+    for (std::size_t i = block * kBlock, end = std::min(n, i + kBlock); i < end; ++i) {
+      if (values[i] >= least) found_.push_back(i);
+    }
   }
   return found_;
 }

@@ -25,7 +25,7 @@ class VertexSet {
  private:
   std::vector<double> x_, y_, z_;  // of the offsets
   mutable std::vector<std::size_t> found_;
-  mutable std::vector<double> values_;
+  mutable std::vector<double> values_, most_of_block_;
 };
 
 /// A's and B's exact forms with B's pose. One instance serves one query.
