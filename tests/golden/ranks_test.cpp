@@ -56,6 +56,14 @@ TEST_F(RanksTest, AnyNumberOfThemSaysWhatOneProcessSays) {
                                 VEX_SOURCE_DIR "/meshes/data/icosahedron.gltf --estimator hit-or-miss --trials 1e5"});
 }
 
+TEST_F(RanksTest, WithoutItsPartAProgramSaysSo) {
+  ASSERT_EQ(shell("mkdir bin && cp \"$VEX\" bin/vex_mesh").exit_code, 0);
+  const Finished finished = shell("OMPI_COMM_WORLD_SIZE=2 bin/vex_mesh box:1,1,1 --rel-error 1e-3");
+  EXPECT_EQ(finished.exit_code, 3);
+  EXPECT_EQ(finished.err.rfind("vex_mesh: a part of the program cannot be loaded", 0), 0u) << finished.err;
+  EXPECT_EQ(shell("bin/vex_mesh box:1,1,1 --trials 100").exit_code, 0) << "one process needs no such part";
+}
+
 class VirialRanks : public RanksTest {
  protected:
   VirialRanks() : RanksTest(VEX_VIRIAL_PROGRAM) {}

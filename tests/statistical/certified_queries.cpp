@@ -4,7 +4,7 @@
 //   vex_certified_queries [--scenes N] [--threads N] [--seed N] [STRATUM...] [QUERY...]
 // Each stratum has N impacts and N manifolds, 5 N casts, as many rays, 4 N signed distances, and 3 N distances and
 // depths each. Without options 9100 scenes: a million casts and rays, a million distances and depths, 100 100 impacts
-// and as many manifolds. An hour and more on two cores.
+// and as many manifolds. Some 50 minutes of one thread.
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
@@ -24,6 +24,12 @@ struct Settings {
   int n_scenes = 9100, n_threads = 2, seed = 1;
   std::vector<std::string> names;  // of strata and queries: all strata, or all queries, where none is named
 };
+
+// Of a stratum or of a query.
+bool is_name(std::string_view text) {
+  return std::ranges::any_of(query_strata(), [&](const QueryStratum& stratum) { return stratum.name == text; }) ||
+         std::ranges::any_of(kCertifiedQueries, [&](CertifiedQuery query) { return name_of(query) == text; });
+}
 
 int scenes_of(CertifiedQuery query, int n) {
   switch (query) {
@@ -149,12 +155,15 @@ int main(int argc, char** argv) {
     const std::pair<const char*, int*> options[] = {
         {"--scenes", &settings.n_scenes}, {"--threads", &settings.n_threads}, {"--seed", &settings.seed}};
     const auto* const option = std::ranges::find_if(options, [&](const auto& one) { return text == one.first; });
-    if (option == std::end(options)) {
-      settings.names.push_back(text);
-    } else if (++k < argc) {
-      *option->second = std::atoi(argv[k]);
-    } else {
+    const bool is_name = vex::is_name(text);
+    if (!is_name && (option == std::end(options) || ++k == argc)) {
+      std::fprintf(stderr, "usage: %s [--scenes N] [--threads N] [--seed N] [STRATUM...] [QUERY...]\n", argv[0]);
       return 2;
+    }
+    if (is_name) {
+      settings.names.push_back(text);
+    } else {
+      *option->second = std::atoi(argv[k]);
     }
   }
   return vex::run(settings) ? 0 : 1;

@@ -20,7 +20,9 @@ namespace {
 constexpr int kMostSupportCalls = 45 << 7;
 // Of them for a proof of contact where bodies touch to within rounding, as those that slide on each other may for as
 // long as they move.
-constexpr int kMostCallsOfTouch = 3 << 9;
+constexpr int kMostCallsOfTouch = 1 << 11;
+// As many of these as an answer in twice the precision or in whole numbers costs beside its own.
+constexpr int kCallsOfFineAnswer = 6;
 // Of the circumradii: an advance in which the bodies may come nearer by no more than this; and how many of them in a
 // row.
 constexpr double kShortAdvance = 0x1p-20;
@@ -138,6 +140,7 @@ class Advancement {
   }
   Separation counted_and_turned(double time, Separation found) {
     n_support_calls_ += found.n_support_calls;
+    if (touched_ && found.verdict.by != DecidedBy::gjk) price_of_touch_ += kCallsOfFineAnswer;
     for (Vec3d* const v : {&found.normal, &found.point_a, &found.point_b}) *v = sweep_.turned_with_a(time, *v);
     return found;
   }
@@ -267,7 +270,8 @@ class Advancement {
 
   int n_calls() const { return n_support_calls_ + sweep_.n_support_calls(); }
   bool is_spent() const {
-    return n_calls() > kMostSupportCalls || (touched_ && n_calls() - n_calls_before_touch_ > kMostCallsOfTouch);
+    return n_calls() > kMostSupportCalls ||
+           (touched_ && n_calls() - n_calls_before_touch_ + price_of_touch_ > kMostCallsOfTouch);
   }
   FirstContact counted(FirstContact contact) const {
     contact.n_support_calls = n_calls();
@@ -313,7 +317,7 @@ class Advancement {
   // At the start the pose is the one that was asked about: a turn by nothing moves no coordinate.
   std::optional<OverlapAnswer> overlap_;
   double time_of_overlap_ = 0.0;
-  int n_support_calls_ = 0, n_calls_before_touch_ = 0, n_short_advances_ = 0;
+  int n_support_calls_ = 0, n_calls_before_touch_ = 0, price_of_touch_ = 0, n_short_advances_ = 0;
 };
 
 }  // namespace
