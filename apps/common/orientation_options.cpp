@@ -63,9 +63,12 @@ OrientationLaw interpret_orientations(const OrientationWords& words) {
 }
 
 OrientationLaw law_of_bodies(const std::string& word, const std::string& axis, const std::string& also) {
-  const std::string name = word.substr(0, word.find(':'));
-  if (name != "isotropic" && name != "aligned" && name != "fixed" && name != "angle" && name != "cone" &&
-      name != "onsager" && name != "maier-saupe" && name != "table" && !name.empty()) {
+  const std::size_t colon = word.find(':');
+  const std::string name = word.substr(0, colon);
+  const bool has_no_value = name == "isotropic" || name == "aligned";
+  const bool has_value = name == "fixed" || name == "angle" || name == "cone" || name == "onsager" ||
+                         name == "maier-saupe" || name == "table";
+  if (!word.empty() && !(colon == std::string::npos ? has_no_value : has_value)) {
     throw UsageError("not a choice (\"" + word +
                      "\" for --orientations) - there are isotropic, aligned, cone:DEG, onsager:ALPHA, maier-saupe:A, "
                      "table:FILE" +

@@ -156,6 +156,7 @@ TEST(TriangleIntegrand, IsForBodiesThatAreKnownAndNotTooLong) {
   EXPECT_TRUE(TriangleIntegrand::is_for(slab, {}, 1.0, 0x1p-40));
   EXPECT_TRUE(TriangleIntegrand::is_for(Box(100.0, 1.0, 1.0), kAligned, 800.0, 0x1p-40));
   EXPECT_TRUE(TriangleIntegrand::is_for(parse_shape("egg:1,0.3,3").body, {}, 1.0, 0x1p-40)) << "no packets";
+  EXPECT_FALSE(TriangleIntegrand::is_for(parse_shape("lens:1,0.3").body, kAligned, 1.0, 0x1p-40)) << "rays stall";
   EXPECT_FALSE(TriangleIntegrand::is_for(parse_shape("superball:2,1").body, {}, 1.0, 0x1p-40)) << "long mappings";
   EXPECT_FALSE(TriangleIntegrand::is_for(cube, OrientationLaw::onsager(3.0), 11.0, 0x1p-40));
   EXPECT_FALSE(TriangleIntegrand::is_for(Box(1e-14, 1e-14, 1e-14), {}, 1e-41, 0x1p-40)) << "rays that stay open";
