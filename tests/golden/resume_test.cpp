@@ -324,6 +324,8 @@ TEST_F(Resume, ALongRunOfOtherProgramsIsAnnouncedAndAdvised) {
         std::pair{"\"$PERCOLATE\" box:1,1,1 --sizes 3,4 --std-error 1e-7",
                   "vex_percolate: the run will take about "}}) {
     for (const bool is_saved : {false, true}) {
+      // What the run before said must not be taken for what this one says, before it has begun.
+      std::filesystem::remove(path("told"));
       const std::string said = shell(words + std::string(is_saved ? " --checkpoint c.state" : "") + until_told).err;
       EXPECT_TRUE(said.starts_with(told)) << said;
       EXPECT_EQ(said.find("--checkpoint FILE saves what is done") != std::string::npos, !is_saved) << said;
