@@ -63,18 +63,9 @@ OrientationLaw interpret_orientations(const OrientationWords& words) {
 }
 
 OrientationLaw law_of_bodies(const std::string& word, const std::string& axis, const std::string& also) {
-  const std::size_t colon = word.find(':');
-  const std::string name = word.substr(0, colon);
-  const bool has_no_value = name == "isotropic" || name == "aligned";
-  const bool has_value = name == "fixed" || name == "angle" || name == "cone" || name == "onsager" ||
-                         name == "maier-saupe" || name == "table";
-  if (!word.empty() && !(colon == std::string::npos ? has_no_value : has_value)) {
-    throw UsageError("not a choice (\"" + word +
-                     "\" for --orientations) - there are isotropic, aligned, cone:DEG, onsager:ALPHA, maier-saupe:A, "
-                     "table:FILE" +
-                     (also.empty() ? "" : ", " + also));
-  }
-  const OrientationLaw law = word.empty() ? OrientationLaw() : parse_orientation_law(word, "--orientations");
+  const std::string choices =
+      "isotropic, aligned, cone:DEG, onsager:ALPHA, maier-saupe:A, table:FILE" + (also.empty() ? "" : ", " + also);
+  const OrientationLaw law = word.empty() ? OrientationLaw() : parse_orientation_law(word, "--orientations", choices);
   if (axis.empty()) return law;
   const Vec3d own = parse_axis(axis, "--axis");
   return law.about(own, own);

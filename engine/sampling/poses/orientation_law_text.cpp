@@ -17,11 +17,11 @@ namespace {
 struct LawText {
   std::string_view text, option;
 
-  [[noreturn]] void refuse(const char* problem, std::string_view part, const char* advice) const {
+  [[noreturn]] void refuse(const char* problem, std::string_view part, std::string_view advice) const {
     throw UsageError(std::string(problem) + " (\"" + std::string(part) + "\"" +
-                     (option.empty() ? "" : " for " + std::string(option)) + ") - " + advice);
+                     (option.empty() ? "" : " for " + std::string(option)) + ") - " + std::string(advice));
   }
-  [[noreturn]] void refuse(const char* problem, const char* advice) const { refuse(problem, text, advice); }
+  [[noreturn]] void refuse(const char* problem, std::string_view advice) const { refuse(problem, text, advice); }
 
   double number(std::string_view word) const {
     double value = 0.0;
@@ -114,7 +114,7 @@ Vec3d parse_axis(std::string_view text, std::string_view option) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-OrientationLaw parse_orientation_law(std::string_view text, std::string_view option) {
+OrientationLaw parse_orientation_law(std::string_view text, std::string_view option, std::string_view choices) {
   const LawText law{text, option};
   const auto [name, value] = split(text);
   if (value && name == "fixed") {
@@ -134,9 +134,7 @@ OrientationLaw parse_orientation_law(std::string_view text, std::string_view opt
     return OrientationLaw::angle(numbers[0]);
   }
   if (const std::optional<AxisLaw> of_both = axis_law(law)) return OrientationLaw::both_by(*of_both);
-  law.refuse("not a choice",
-             "there are isotropic, aligned, fixed:W,X,Y,Z, angle:DEG, cone:DEG, onsager:ALPHA, maier-saupe:A, "
-             "table:FILE");
+  law.refuse("not a choice", "there are " + std::string(choices));
 }
 
 }  // namespace vex

@@ -10,11 +10,16 @@
 
 namespace vex {
 
+/// What `parse_orientation_law` takes, as messages name it.
+inline constexpr std::string_view kOrientationLaws =
+    "isotropic, aligned, fixed:W,X,Y,Z, angle:DEG, cone:DEG, onsager:ALPHA, maier-saupe:A, table:FILE";
+
 /// isotropic, aligned, fixed:W,X,Y,Z, angle:DEG, cone:DEG, onsager:ALPHA, maier-saupe:A, table:FILE: the inverse of
 /// `OrientationLaw::name`, but for tables, and for laws that differ between the bodies or are about other axes than z.
 /// Throws UsageError, and InputError where a table is not to be used; `option`, where it is not empty, is named in the
-/// message: --orientations.
-OrientationLaw parse_orientation_law(std::string_view text, std::string_view option = {});
+/// message: --orientations; `choices` are those that it names where the text is none.
+OrientationLaw parse_orientation_law(std::string_view text, std::string_view option = {},
+                                     std::string_view choices = kOrientationLaws);
 
 /// The law of one body: those of the above that are about an axis.
 AxisLaw parse_axis_law(std::string_view text, std::string_view option = {});

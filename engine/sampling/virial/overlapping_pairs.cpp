@@ -22,6 +22,19 @@ PairDecider::PairDecider(const ConvexBody& a, const ConvexBody& b, InstructionSe
   inner_sq_ = inner * inner;
 }
 
+std::span<const Outcome> PairDecider::search(const PoseTable& poses, Outcome undecided, PairQuestions& questions) {
+  verdicts_.resize(poses.n);
+  outcomes_.resize(poses.n);
+  backend_->decide_table(poses, verdicts_);
+  questions.n_searched += poses.n;
+  for (std::size_t k = 0; k < poses.n; ++k) {
+    const Outcome outcome = verdicts_[k].outcome;
+    questions.n_undecided += outcome == Outcome::undecided ? 1u : 0u;
+    outcomes_[k] = outcome == Outcome::undecided ? undecided : outcome;
+  }
+  return outcomes_;
+}
+
 OverlappingPairs::OverlappingPairs(const ConvexBody& a, const ConvexBody& b, const OrientationLaw& law,
                                    InstructionSet set)
     : a_(a),
@@ -35,7 +48,6 @@ OverlappingPairs::OverlappingPairs(const ConvexBody& a, const ConvexBody& b, con
       columns_(std::make_unique<PoseColumns>()),
       open_poses_(kPoseColumns * kStride),
       open_(kCandidates),
-      verdicts_(kCandidates),
       overlaps_(kCandidates) {
   // A fitted domain's candidates take about so much longer than those of a ball or a box.
   constexpr double kCostOfFitted = 2.5;
@@ -117,16 +129,8 @@ void OverlappingPairs::decide_candidates(Outcome undecided, PairQuestions& quest
     ++questions.n_by_balls;
     overlaps_[k] = outcome == Outcome::overlap;
   }
-  questions.n_searched += n_open;
-  decider_.search({open_poses_.data(), kStride, n_open}, std::span(verdicts_).first(n_open));
-  for (std::size_t k = 0; k < n_open; ++k) {
-    Outcome outcome = verdicts_[k].outcome;
-    if (outcome == Outcome::undecided) {
-      ++questions.n_undecided;
-      outcome = undecided;
-    }
-    overlaps_[open_[k]] = outcome == Outcome::overlap;
-  }
+  const auto outcomes = decider_.search({open_poses_.data(), kStride, n_open}, undecided, questions);
+  for (std::size_t k = 0; k < n_open; ++k) overlaps_[open_[k]] = outcomes[k] == Outcome::overlap;
 }
 
 void OverlappingPairs::draw(std::uint64_t seed, std::uint64_t first, Outcome undecided, std::span<Transformd> poses,

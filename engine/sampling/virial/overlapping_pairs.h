@@ -37,8 +37,9 @@ class PairDecider {
     constexpr Outcome kOutcomes[] = {Outcome::undecided, Outcome::disjoint, Outcome::overlap};
     return kOutcomes[code];
   }
-  /// The rest, many at once.
-  void search(const PoseTable& poses, std::span<Verdict> verdicts) { backend_->decide_table(poses, verdicts); }
+  /// The rest, many at once: outcomes that stand until the next search. Undecided poses are taken for `undecided`, and
+  /// counted.
+  std::span<const Outcome> search(const PoseTable& poses, Outcome undecided, PairQuestions& questions);
 
  private:
   // Beyond the one and within the other, squared, the answer is certain. Places of a cluster are off by less than 2^-40
@@ -46,6 +47,8 @@ class PairDecider {
   // each one to within 2^-46 (E6).
   double outer_sq_ = 0.0, inner_sq_ = 0.0;
   std::unique_ptr<OverlapBackend> backend_;
+  std::vector<Verdict> verdicts_;
+  std::vector<Outcome> outcomes_;
 };
 
 /// The poses of one pair of bodies. Serves one thread.
@@ -85,7 +88,6 @@ class OverlappingPairs {
   std::unique_ptr<PoseColumns> columns_;
   std::vector<double> open_poses_;
   std::vector<std::size_t> open_;
-  std::vector<Verdict> verdicts_;
   std::vector<bool> overlaps_;
 };
 

@@ -17,8 +17,7 @@ TurnedNeighbours::TurnedNeighbours(const ConvexBody& a, const ConvexBody& b, dou
       open_poses_(kPoseColumns * kStride),
       open_(kCandidates),
       places_(kCandidates),
-      outcomes_(kCandidates),
-      verdicts_(kCandidates) {}
+      outcomes_(kCandidates) {}
 
 void TurnedNeighbours::draw(std::uint64_t seed, std::uint64_t first, Outcome undecided, std::span<Transformd> poses,
                             std::span<double> factors, PairQuestions& questions) {
@@ -48,16 +47,8 @@ void TurnedNeighbours::draw_some(std::uint64_t seed, std::uint64_t first, Outcom
     }
   }
   questions.n_by_balls += poses.size() * kPlaces - n_open;
-  questions.n_searched += n_open;
-  decider_.search({open_poses_.data(), kStride, n_open}, std::span(verdicts_).first(n_open));
-  for (std::size_t row = 0; row < n_open; ++row) {
-    Outcome outcome = verdicts_[row].outcome;
-    if (outcome == Outcome::undecided) {
-      ++questions.n_undecided;
-      outcome = undecided;
-    }
-    outcomes_[open_[row]] = outcome;
-  }
+  const auto outcomes = decider_.search({open_poses_.data(), kStride, n_open}, undecided, questions);
+  for (std::size_t row = 0; row < n_open; ++row) outcomes_[open_[row]] = outcomes[row];
   for (std::size_t at = 0; at < poses.size(); ++at) {
     const auto begin = outcomes_.begin() + static_cast<std::ptrdiff_t>(at * kPlaces);
     const auto end = begin + static_cast<std::ptrdiff_t>(kPlaces);

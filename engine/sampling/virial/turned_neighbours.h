@@ -57,7 +57,6 @@ class TurnedNeighbours {
   std::vector<std::size_t> open_;
   std::vector<Vec3d> places_;
   std::vector<Outcome> outcomes_;
-  std::vector<Verdict> verdicts_;
 };
 
 }  // namespace vex

@@ -43,8 +43,7 @@ VirialIntegrand::VirialIntegrand(std::vector<ConvexBody> bodies, const Orientati
       asked_(clusters_.size()),
       open_(clusters_.size()),
       outcomes_(clusters_.size()),
-      stride_(clusters_.size() + 16),
-      verdicts_(clusters_.size()) {
+      stride_(clusters_.size() + 16) {
   table_.resize(kPoseColumns * stride_);
   if (bodies_.size() > 1 && weights_->order() != 3) {
     throw UsageError("a mixture's coefficients of this order are not built - give order 3");
@@ -143,17 +142,9 @@ void VirialIntegrand::ask(Outcome undecided, PairQuestions& questions) {
       const bool is_in_world = pair.i == 0 && !clusters_[c].is_tree;
       set_pose(table_.data(), stride_, row, is_in_world ? b : relative(a, b));
     }
-    decider_.search({table_.data(), stride_, n_open}, std::span(verdicts_).first(n_open));
     questions.n_by_balls += n_asked - n_open;
-    questions.n_searched += n_open;
-    for (std::size_t row = 0; row < n_open; ++row) {
-      Outcome outcome = verdicts_[row].outcome;
-      if (outcome == Outcome::undecided) {
-        ++questions.n_undecided;
-        outcome = undecided;
-      }
-      outcomes_[open_[row]] = outcome;
-    }
+    const auto outcomes = decider_.search({table_.data(), stride_, n_open}, undecided, questions);
+    for (std::size_t row = 0; row < n_open; ++row) outcomes_[open_[row]] = outcomes[row];
     for (std::size_t at = 0; at < n_asked; ++at) take(clusters_[asked_[at]], k, outcomes_[at]);
   }
 }

@@ -85,7 +85,6 @@ class VirialIntegrand final : public Integrand {
   std::vector<Outcome> outcomes_;
   std::vector<double> table_;
   std::size_t stride_;
-  std::vector<Verdict> verdicts_;
 };
 
 }  // namespace vex
