@@ -34,14 +34,19 @@ void SceneBodies::track() {
   is_tracked_ = false;  // also where memory gives out
   travel_.assign(end(), 0.0);
   travel_before_.assign(end(), 0.0);
-  turned_.assign(end(), 0.0);
+  tracks_.resize(end());
+  for (BodyId body = 0; body < end(); ++body) tracks_[body] = {centres_[body], 0.0};
   has_crossed_.assign(end(), 0);
   crossed_.resize(end());
   is_tracked_ = true;
 }
 
-Vec3d SceneBodies::tracked_centre(BodyId body) const {
-  return has_crossed(body) ? centres_[body] + box_->shift(crossed_[body]) : centres_[body];
+// The body is where it goes to, and what it has crossed is known.
+inline void SceneBodies::add_to_track(BodyId body, double turned, double travel) {
+  Track& track = tracks_[body];
+  track.centre = has_crossed(body) ? centres_[body] + box_->shift(crossed_[body]) : centres_[body];
+  track.turned += turned;
+  travel_[body] = travel;
 }
 
 SceneBodies::Travel SceneBodies::largest_travel() {
@@ -77,8 +82,7 @@ void SceneBodies::set_any_pose(BodyId body, const Transformd& given) {
     crossed_[body] = has_crossed(body) ? image_sum(crossed_[body], by) : by;
     has_crossed_[body] = crossed_[body] != ImageOffset{} ? 1 : 0;
   }
-  turned_[body] += turned;
-  travel_[body] = farther(travel_[body], step, centre_from, centres_[body], turned);
+  add_to_track(body, turned, farther(travel_[body], step, centre_from, centres_[body], turned));
 }
 
 // What most moves need, side by side; the others go one by one.
@@ -97,13 +101,13 @@ void SceneBodies::set_poses(BodyId first, std::span<const Pose> poses) {
       set_any_pose(body, given);
       continue;
     }
+    const Vec3d centre_from = centres_[body];
+    centres_[body] = centre;
     if (is_tracked && (turns || differ(given.translation, before.translation))) {
       const double turned = turns ? most_turned(before, given, bounds.radius) : 0.0;
-      if (turns) turned_[body] += turned;
-      travel_[body] = farther(travel_[body], step, centres_[body], centre, turned);
+      add_to_track(body, turned, farther(travel_[body], step, centre_from, centre, turned));
     }
     write_pose(poses_.data(), body, given);
-    centres_[body] = centre;
     ImageOffset& image = image_[body];
     if ((image[0] | image[1] | image[2]) != 0) image = {};
   }

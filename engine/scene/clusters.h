@@ -26,7 +26,7 @@ class Clusters {
   /// n bodies, each a cluster of its own.
   void reset(std::size_t n);
   /// How many numbers there are, those that are left out among them.
-  std::size_t size() const { return parent_.size(); }
+  std::size_t size() const { return nodes_.size(); }
 
   /// One more body.
   BodyId add();
@@ -76,18 +76,26 @@ class Clusters {
   SceneCounts counts;
 
  private:
-  // The root; flattens the way: offset_ is from the root afterwards.
+  // The root; flattens the way: the offset is from the root afterwards.
   BodyId find(BodyId body) {
-    const BodyId parent = parent_[body];
-    return parent_[parent] == parent ? parent : find_far(body);
+    const BodyId parent = nodes_[body].parent;
+    return nodes_[parent].parent == parent ? parent : find_far(body);
   }
   BodyId find_far(BodyId body);
+  // From where the component of the first one's root has it to the second one's place there, if its copy is connected
+  // with the first; once both are found.
+  ImageOffset between(BodyId a, BodyId b, const ImageOffset& image) const {
+    return image_difference(image_sum(nodes_[a].offset, image), nodes_[b].offset);
+  }
 
-  std::vector<BodyId> parent_;
-  std::vector<ImageOffset> offset_;            // from the parent's copy
-  std::vector<std::uint32_t> size_;            // of roots; 0 of numbers that are left out, each a root of its own
-  std::vector<std::uint8_t> wraps_;            // of roots: a bit for each lattice vector
-  std::vector<BodyId> path_, lowest_, roots_;  // of find; of root_at_lowest
+  struct Node {
+    BodyId parent = 0;
+    ImageOffset offset{};  // from the parent's copy
+  };
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> size_;    // of roots; 0 of numbers that are left out, each a root of its own
+  std::vector<std::uint8_t> wraps_;    // of roots: a bit for each lattice vector
+  std::vector<BodyId> path_, lowest_;  // of find; of root_at_lowest
   std::vector<ImageOffset> offset_of_lowest_;
   std::size_t n_clusters_ = 0;
   bool any_wraps_ = false;

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "engine/numeric/interruption.h"
 #include "engine/numeric/interval.h"
-#include "engine/scene/depth_around_core.h"
 #include "engine/scene/threads.h"
 
 namespace vex {
@@ -18,12 +18,6 @@ constexpr double kLess = 1.0 - 0x1p-18;
 // A pair whose inscribed balls are at least this share of the circumscribed ones is known by them, too; a point of its
 // difference is then taken for one that is nearer to the centres by so much (E26).
 constexpr double kLeastCore = 0x1p-4, kLessOfTip = 1.0 - 0x1p-14;
-
-// A float that is no larger.
-float float_below(double x) {
-  const float nearest = static_cast<float>(x);
-  return static_cast<double>(nearest) > x ? std::nextafter(nearest, -HUGE_VALF) : nearest;
-}
 
 // So many entries of any values, with room for a few more: a list that grows a little stays where it is.
 template <class Vector>
@@ -49,16 +43,24 @@ std::size_t numbers_of(std::size_t first, std::size_t end, std::uint32_t* number
 
 }  // namespace
 
-// Of bodies that have crossed no face it is from where they are.
 inline Vec3d PairMemory::way(const Listed& pair) const {
-  const bool has_crossed = bodies_->has_crossed(pair.a) | bodies_->has_crossed(pair.b);
-  const Vec3d between = has_crossed ? bodies_->tracked_centre(pair.b) - bodies_->tracked_centre(pair.a)
-                                    : bodies_->centre(pair.b) - bodies_->centre(pair.a);
-  return between + shifts_.shift(pair.shift);
+  return bodies_->tracked(pair.b).centre - bodies_->tracked(pair.a).centre + shifts_.shift(pair.shift);
 }
-inline double PairMemory::turned(const Listed& pair) const { return bodies_->turned(pair.a) + bodies_->turned(pair.b); }
-inline Vec3d PairMemory::travels(const Listed& pair) const {
-  return {bodies_->travel(pair.a), bodies_->travel(pair.b), 0.0};
+inline double PairMemory::turned(const Listed& pair) const {
+  return bodies_->tracked(pair.a).turned + bodies_->tracked(pair.b).turned;
+}
+inline std::array<double, 2> PairMemory::travels(const Listed& pair) const {
+  return {bodies_->travel(pair.a), bodies_->travel(pair.b)};
+}
+
+inline PairMemory::Known PairMemory::Known::at_rest(const std::array<double, 2>& travels) {
+  Known known{Kind::at_rest, {}, travels[0]};
+  std::memcpy(known.hull.axis.data(), &travels[1], sizeof(double));
+  return known;
+}
+inline bool PairMemory::Known::has_travels(const std::array<double, 2>& travels) const {
+  return kind == Kind::at_rest && limit == travels[0] &&
+         std::memcmp(hull.axis.data(), &travels[1], sizeof(double)) == 0;
 }
 
 inline ImageOffset PairMemory::image(const Listed& pair) const {
@@ -68,26 +70,15 @@ inline ImageOffset PairMemory::image(const Listed& pair) const {
 }
 
 inline double PairMemory::left(const Known& known, const Listed& pair, const Vec3d& way) const {
-  switch (known.kind) {
-    case Known::Kind::apart: return dot(known.at, way) - turned(pair) - known.limit;
-    case Known::Kind::overlap: return known.limit - (norm(way - known.at) + turned(pair));
-    case Known::Kind::overlap_around_core:
-      return depth_around_core(way, known.at, static_cast<double>(known.core)) - (turned(pair) - known.limit);
-    case Known::Kind::apart_at_rest:
-    case Known::Kind::overlap_at_rest:
-    case Known::Kind::nothing: break;
-  }
-  return 0.0;
+  if (known.kind == Known::Kind::nothing || known.kind == Known::Kind::at_rest) return 0.0;
+  const double most = known.kind == Known::Kind::ball ? norm(way - KnownHull::vector(known.hull.axis))
+                                                      : known.hull.most_of(way, known.kind == Known::Kind::half_space);
+  return (known.limit - turned(pair)) - most;
 }
 
 // What the clock may grow to, at least, while what is above 0 now shrinks by no more than it grows: below it by no less
 // than its rounding, so that the sum's is covered.
 inline double PairMemory::clock_when(double left) const { return (clock_ + left) * (1.0 - 0x1p-52); }
-
-inline bool PairMemory::is_at_rest(const Known& known, const Listed& pair) const {
-  if (known.kind != Known::Kind::apart_at_rest && known.kind != Known::Kind::overlap_at_rest) return false;
-  return known.at.x == bodies_->travel(pair.a) && known.at.y == bodies_->travel(pair.b);
-}
 
 void PairMemory::build(SceneBodies& bodies, const BroadPhases& phases, const SceneKernel& kernel, double skin,
                        int n_threads) {
@@ -192,16 +183,10 @@ void PairMemory::list(bool keeps_old) {
 // leads to; what is known of a pair at rest, and until when a pair need not be looked at, is about one copy. Limits are
 // rounded to the safe side, however often.
 void PairMemory::carry_over(const Listed& pair, bool is_same_copy, Known& known) const {
-  switch (known.kind) {
-    case Known::Kind::apart: known.limit = next_above(known.limit + turned(pair)); break;
-    case Known::Kind::overlap:
-    case Known::Kind::overlap_around_core: known.limit = next_below(known.limit - turned(pair)); break;
-    case Known::Kind::apart_at_rest:
-    case Known::Kind::overlap_at_rest:
-      if (!is_same_copy || !is_at_rest(known, pair)) known.kind = Known::Kind::nothing;
-      known.at = {};
-      break;
-    case Known::Kind::nothing: break;
+  if (known.kind != Known::Kind::at_rest) {
+    known.limit = next_below(known.limit - turned(pair));
+  } else {
+    known = is_same_copy && known.has_travels(travels(pair)) ? Known::at_rest({}) : Known{};
   }
 }
 
@@ -253,7 +238,7 @@ void PairMemory::look(std::size_t block, PairSearch& search) {
     if (still > 0.0) {
       until_[k] = clock_when(still);
       ++unmoved.settled;
-    } else if (is_at_rest(known, pair)) {
+    } else if (known.has_travels(travels(pair))) {
       ++unmoved.settled;
     } else {
       ++balls.seen;
@@ -298,36 +283,44 @@ void PairMemory::keep(std::uint64_t tag, bool overlaps, double left) {
 }
 
 void PairMemory::keep_as_it_stands(std::uint64_t tag, Outcome outcome) {
-  Known& known = known_[tag];
-  known.kind = outcome == Outcome::overlap    ? Known::Kind::overlap_at_rest
-               : outcome == Outcome::disjoint ? Known::Kind::apart_at_rest
-                                              : Known::Kind::nothing;
-  known.at = travels(listed_[tag]);
+  known_[tag] = outcome == Outcome::undecided ? Known{} : Known::at_rest(travels(listed_[tag]));
   keep(tag, outcome == Outcome::overlap, 0.0);
 }
 
+// What is left is taken of what is kept, roundings to floats and all.
+bool PairMemory::keep_if_it_has(std::uint64_t tag, Known::Kind kind, const KnownHull& hull, double limit,
+                                const Vec3d& way, double least) {
+  const Known known{kind, hull, next_below(limit + turned(listed_[tag]))};
+  const double left = this->left(known, listed_[tag], way);
+  if (!(left > std::fmax(least, rounding_))) return false;
+  known_[tag] = known;
+  keep(tag, kind != Known::Kind::half_space, left);
+  return true;
+}
+
 void PairMemory::keep_apart(std::uint64_t tag, const Vec3d& unit_dir, double clearance) {
-  const double left = clearance * kLess - rounding_;
-  if (!(left > rounding_)) {
-    keep_as_it_stands(tag, Outcome::disjoint);
-    return;
-  }
   const Listed& pair = listed_[tag];
-  known_[tag] = {Known::Kind::apart, 0.0f, unit_dir, dot(unit_dir, way(pair)) - turned(pair) - left};
-  keep(tag, false, left);
+  const Vec3d from_a_to_b = way(pair);
+  const KnownHull plane{KnownHull::floats(-unit_dir), 1.0f, 0.0f};
+  // No two points of the bodies are farther from each other than this.
+  const double reach = norm(from_a_to_b) + bodies_->bounds_of(pair.a).radius + bodies_->bounds_of(pair.b).radius;
+  const double of_floats = norm(KnownHull::vector(plane.axis) + unit_dir) * reach;
+  const double left = clearance * kLess - rounding_ - of_floats;
+  const double limit = plane.most_of(from_a_to_b, true) + left;
+  if (!keep_if_it_has(tag, Known::Kind::half_space, plane, limit, from_a_to_b, 0.0)) {
+    keep_as_it_stands(tag, Outcome::disjoint);
+  }
 }
 
 void PairMemory::keep_overlap(std::uint64_t tag, const Vec3d& point, double clearance) {
-  const Listed& pair = listed_[tag];
-  const Vec3d from_a_to_b = way(pair);
+  const Vec3d from_a_to_b = way(listed_[tag]);
   const double left = clearance * kLess - rounding_;
   if (keep_around_core(tag, from_a_to_b, kLessOfTip * (from_a_to_b + point), 0.5 * left)) return;
-  if (!(left > rounding_)) {
+  const KnownHull ball{KnownHull::floats(from_a_to_b), 1.0f, 0.0f};
+  const double of_floats = norm(KnownHull::vector(ball.axis) - from_a_to_b);
+  if (!keep_if_it_has(tag, Known::Kind::ball, ball, left - of_floats, from_a_to_b, 0.0)) {
     keep_as_it_stands(tag, Outcome::overlap);
-    return;
   }
-  known_[tag] = {Known::Kind::overlap, 0.0f, from_a_to_b, left + turned(pair)};
-  keep(tag, true, left);
 }
 
 // Of a pair whose difference has this tip, seen from that of the centres: where that leaves more than `least`.
@@ -337,12 +330,7 @@ bool PairMemory::keep_around_core(std::uint64_t tag, const Vec3d& way, const Vec
   const ShapeBounds& of_b = bodies_->bounds_of(pair.b);
   const double core = of_a.inner_radius + of_b.inner_radius;
   if (!(core > kLeastCore * (of_a.radius + of_b.radius))) return false;
-  Known known{Known::Kind::overlap_around_core, float_below(core), tip, turned(pair) - rounding_};
-  const double left = this->left(known, pair, way);
-  if (!(left > std::fmax(least, rounding_))) return false;
-  known_[tag] = known;
-  keep(tag, true, left);
-  return true;
+  return keep_if_it_has(tag, Known::Kind::hull, KnownHull::around_core(core, tip), core - rounding_, way, least);
 }
 
 }  // namespace vex

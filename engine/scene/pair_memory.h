@@ -8,10 +8,12 @@
 // that.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "engine/scene/broad_phases.h"
+#include "engine/scene/known_hull.h"
 #include "engine/scene/large_vector.h"
 #include "engine/scene/pair_search.h"
 #include "engine/scene/scene_bodies.h"
@@ -42,25 +44,24 @@ class PairMemory final : public PairKeeper {
 
  private:
   static constexpr std::size_t kBlock = 4096;
+  // What is left of a pair's clearance is `limit` less what both have turned, and less how far the way from a to b has
+  // come towards what bounds it.
   struct Known {
     enum class Kind : std::uint32_t {
       nothing,
-      // While the part along `at` of the way from a to b, less what both have turned, is above `limit`.
-      apart,
-      // While the distance of that way from `at`, and what both have turned, are together below `limit`.
-      overlap,
-      // While that way is farther inside of the hull of the ball of radius `core` about 0 and of `at` than what both
-      // have turned, less `limit`.
-      overlap_around_core,
-      // While neither has moved: their travels are those in `at`.
-      apart_at_rest,
-      overlap_at_rest,
+      half_space,  // the plane between the bodies: the way along its axis, which leads from b to a
+      hull,        // of what is known of the difference, about the ball: the most of the way along its normals
+      ball,        // the way's distance from `hull.axis`
+      at_rest,     // none is known: the pair is as it is while neither has moved, by their travels
     };
     Kind kind = Kind::nothing;
-    float core = 0.0f;
-    Vec3d at;
+    KnownHull hull;  // or travels, bit for bit
     double limit = 0.0;
+
+    static Known at_rest(const std::array<double, 2>& travels);
+    bool has_travels(const std::array<double, 2>& travels) const;
   };
+  static_assert(sizeof(Known) == 32);
   // A pair of the list: its place there is that of its bodies' numbers and of the shift's.
   struct Listed {
     BodyId a, b;
@@ -74,17 +75,18 @@ class PairMemory final : public PairKeeper {
   void find_pairs_within_skin(const BroadPhases& phases, const SceneKernel& kernel, int n_threads);
   void list(bool keeps_old);
   void carry_over(const Listed& pair, bool is_same_copy, Known& known) const;
-  bool is_at_rest(const Known& known, const Listed& pair) const;
   // From a's centre to that of b's copy.
   Vec3d way(const Listed& pair) const;
   double turned(const Listed& pair) const;
-  Vec3d travels(const Listed& pair) const;
+  std::array<double, 2> travels(const Listed& pair) const;
   ImageOffset image(const Listed& pair) const;
   // Of the clearance: above 0 while what is known holds.
   double left(const Known& known, const Listed& pair, const Vec3d& way) const;
   double clock_when(double left) const;
   bool keep_what_balls_tell(std::uint64_t tag, const Vec3d& way);
   void keep(std::uint64_t tag, bool overlaps, double left);
+  bool keep_if_it_has(std::uint64_t tag, Known::Kind kind, const KnownHull& hull, double clearance, const Vec3d& way,
+                      double least);
   bool keep_around_core(std::uint64_t tag, const Vec3d& way, const Vec3d& tip, double least);
 
   bool is_there_ = false;

@@ -102,16 +102,16 @@ class SceneBodies {
   /// Since `track`: no point of the body has moved farther than `travel`, which each move makes larger, nor, seen from
   /// the centre, than `turned`; each a sum over the moves.
   double travel(BodyId body) const { return travel_[body]; }
-  double turned(BodyId body) const { return turned_[body]; }
-  /// Where the centre would be, had the body not been moved into the box again: `crossed` lattice vectors from where it
-  /// is, where it is in another box than it was.
-  Vec3d tracked_centre(BodyId body) const;
+  /// `centre` is where the centre would be, had the body not been moved into the box again: `crossed` lattice vectors
+  /// from where it is, where it is in another box than it was.
+  struct Track {
+    Vec3d centre;
+    double turned = 0.0;
+  };
+  const Track& tracked(BodyId body) const { return tracks_[body]; }
   bool has_crossed(BodyId body) const { return has_crossed_[body] != 0; }
   ImageOffset crossed(BodyId body) const { return has_crossed(body) ? crossed_[body] : ImageOffset{}; }
-  void prefetch_track(BodyId body) const {
-    __builtin_prefetch(&centres_[body]);
-    __builtin_prefetch(&turned_[body]);
-  }
+  void prefetch_track(BodyId body) const { __builtin_prefetch(&tracks_[body]); }
   /// No point of any body has moved farther than `since_track`, nor than `since_asked` since this was asked before, or
   /// since `track`; each a sum over the body's moves.
   struct Travel {
@@ -140,6 +140,7 @@ class SceneBodies {
   void place(BodyId body, const Transformd& pose);
   Transformd placed(ShapeId shape, const Transformd& given, ImageOffset* image) const;
   void set_any_pose(BodyId body, const Transformd& given);
+  void add_to_track(BodyId body, double turned, double travel);
 
   std::optional<PeriodicBox> box_;
   std::vector<ConvexBody> shapes_;
@@ -151,7 +152,8 @@ class SceneBodies {
   LargeVector<Vec3d> centres_;
   LargeVector<ImageOffset> image_;
   bool is_tracked_ = false;  // of all bodies there are then:
-  LargeVector<double> travel_, travel_before_, turned_;
+  LargeVector<double> travel_, travel_before_;
+  LargeVector<Track> tracks_;
   LargeVector<std::uint8_t> has_crossed_;
   LargeVector<ImageOffset> crossed_;  // of those that have
   std::vector<BodyId> free_;          // a heap, the lowest first

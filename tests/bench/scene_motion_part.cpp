@@ -17,34 +17,37 @@ struct StepTimes {
   std::size_t n_pairs = 0;
 };
 
-// The same motion for everyone: each body goes straight on.
-std::vector<std::vector<Pose>> motion(const SceneCase& scene) {
+// The same motion for everyone: each body goes straight on, and does not turn.
+std::vector<Vec3d> steps_of(const SceneCase& scene) {
   std::mt19937_64 random(3);
   std::vector<Vec3d> steps;
   for (std::size_t k = 0; k < scene.size(); ++k) {
     const Vec3d dir = random_direction(random);
     steps.push_back((0.01 / norm(dir)) * dir);
   }
-  std::vector<std::vector<Pose>> motion = {scene.poses};
-  for (int k = 0; k < kSteps; ++k) {
-    motion.push_back(motion.back());
-    for (std::size_t body = 0; body < scene.size(); ++body) {
-      Transformd pose = motion.back()[body].a_from_b();
-      pose.translation = pose.translation + steps[body];
-      motion.back()[body] = Pose::unchecked(pose);
-    }
-  }
-  return motion;
+  return steps;
 }
 
-StepTimes move_along(const SceneCase& scene, const std::vector<std::vector<Pose>>& motion, double skin, int n_threads) {
+// Where they are, as a simulation does it: poses that are all read from other memory at each step would be measured
+// with it.
+void move(std::vector<Pose>& poses, const std::vector<Vec3d>& steps) {
+  for (std::size_t body = 0; body < poses.size(); ++body) {
+    Transformd pose = poses[body].a_from_b();
+    pose.translation = pose.translation + steps[body];
+    poses[body] = Pose::unchecked(pose);
+  }
+}
+
+StepTimes move_along(const SceneCase& scene, const std::vector<Vec3d>& steps, double skin, int n_threads) {
   Scene made = scene.scene({.n_threads = n_threads, .skin = skin});
   ScenePairs found;
   made.overlapping_pairs(found);
+  std::vector<Pose> poses = scene.poses;
   StepTimes times;
-  for (std::size_t k = 1; k < motion.size(); ++k) {
+  for (int k = 0; k < kSteps; ++k) {
+    move(poses, steps);
     const double start = processor_ns();
-    made.move_all(motion[k]);
+    made.move_all(poses);
     const double moved = processor_ns();
     made.overlapping_pairs(found);
     times.query_ns.push_back(processor_ns() - moved);
@@ -65,11 +68,11 @@ double sum_ms(const std::vector<double>& ns) {
 
 BenchReport motion_part(const ScenePartSettings& settings) {
   const SceneCase scene = hulls(settings.bodies(1e5));
-  const std::vector<std::vector<Pose>> steps = motion(scene);
+  const std::vector<Vec3d> steps = steps_of(scene);
   std::vector<double> from_nothing;
+  SceneCase now = scene;
   for (std::size_t k = 0; k <= static_cast<std::size_t>(settings.n_rounds); ++k) {
-    SceneCase now = scene;
-    now.poses = steps[k % steps.size()];
+    move(now.poses, steps);
     const double start = processor_ns();
     Scene made = now.scene({.skin = 0.0});
     ScenePairs found;

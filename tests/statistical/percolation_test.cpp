@@ -146,7 +146,7 @@ class OneByOne {
       const BodyId first = scene_.end();
       for (int k = 0; k < 64; ++k) {
         const Placements::Placed placed = system_.placements({system_.size, realisation}, scene_.end(), system_.edge);
-        scene_.add(shape_, Pose::unchecked(placed.world_from_body));
+        scene_.add(shape_, placed.world_from_body);
       }
       scene_.overlaps_of_added(first, pairs_);
       std::ranges::sort(pairs_.pairs, {}, &ScenePair::b);

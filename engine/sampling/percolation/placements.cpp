@@ -1,12 +1,12 @@
 #include "engine/sampling/percolation/placements.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "engine/numeric/errors.h"
 #include "engine/numeric/number_text.h"
 #include "engine/sampling/points/random_stream.h"
+#include "engine/sampling/points/trial_points.h"
 #include "engine/sampling/poses/pose_map.h"
 
 namespace vex {
@@ -40,12 +40,43 @@ Placements::Placements(std::vector<BodyPart> parts, const BodyOrientations& orie
   }
 }
 
+namespace {
+
+std::uint64_t index_of(const RealisationId& id, std::uint32_t k) {
+  return (std::uint64_t{id.size} << 58) | (std::uint64_t{id.realisation} << 32) | std::uint64_t{k};
+}
+
+}  // namespace
+
 Placements::Placed Placements::operator()(const RealisationId& id, std::uint32_t k, double edge) const {
-  // Position, rotation, and of a mixture the part; what is not drawn is not used.
-  std::array<double, kDimension> u{};
-  const std::uint64_t index = (std::uint64_t{id.size} << 58) | (std::uint64_t{id.realisation} << 32) | std::uint64_t{k};
-  draw_unit_cube(seed_, Stream::percolation, index, std::span(u).first(n_drawn_));
-  Placed placed{0, {}};
+  Point u{};
+  draw_unit_cube(seed_, Stream::percolation, index_of(id, k), std::span(u).first(n_drawn_));
+  Placed placed;
+  place_at(u, edge, placed);
+  return placed;
+}
+
+void Placements::many(const RealisationId& id, std::uint32_t first, std::uint32_t n, double edge, InstructionSet set,
+                      std::vector<Placed>& out) const {
+  constexpr std::uint32_t kAtOnce = 96;
+  constexpr std::size_t kStride = kAtOnce + TrialPoints::kSpare;
+  double columns[(kDimension + 1) * kStride];
+  out.resize(n);
+  for (std::uint32_t begin = 0; begin < n; begin += kAtOnce) {
+    const std::uint32_t n_here = std::min(kAtOnce, n - begin);
+    draw_unit_cubes(set, seed_, Stream::percolation, index_of(id, first + begin), static_cast<int>(n_drawn_), n_here,
+                    columns, kStride);
+    Point u{};
+    for (std::uint32_t k = 0; k < n_here; ++k) {
+      for (std::size_t c = 0; c < n_drawn_; ++c) u[c] = columns[c * kStride + k];
+      place_at(u, edge, out[begin + k]);
+    }
+  }
+}
+
+// Position, rotation, and of a mixture the part; what is not drawn is not used.
+void Placements::place_at(const Point& u, double edge, Placed& placed) const {
+  placed.part = 0;
   if (parts_.size() > 1) {
     const auto at = std::upper_bound(up_to_.begin(), up_to_.end() - 1, u[6]);
     placed.part = static_cast<std::uint32_t>(at - up_to_.begin());
@@ -61,8 +92,7 @@ Placements::Placed Placements::operator()(const RealisationId& id, std::uint32_t
     rotation = orientations_.law.rotation_of_body(turn);
   }
   const Vec3d centre{edge * (u[0] - 0.5), edge * (u[1] - 0.5), edge * (u[2] - 0.5)};
-  placed.world_from_body = vex::placed(rotation, centre, parts_[placed.part].body.centre());
-  return placed;
+  placed.world_from_body = Pose::unchecked(vex::placed(rotation, centre, parts_[placed.part].body.centre()));
 }
 
 }  // namespace vex

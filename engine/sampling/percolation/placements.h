@@ -2,10 +2,13 @@
 // function of the seed and of its numbers.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "engine/numeric/instruction_set.h"
+#include "engine/numeric/pose.h"
 #include "engine/sampling/poses/orientation_law.h"
 #include "engine/support/convex_body.h"
 
@@ -39,22 +42,28 @@ class Placements {
   Placements(std::vector<BodyPart> parts, const BodyOrientations& orientations, std::uint64_t seed);
 
   struct Placed {
-    std::uint32_t part;
-    Transformd world_from_body;
+    std::uint32_t part = 0;
+    Pose world_from_body;
   };
   /// The k-th body: its centre is uniform in a cube of this edge about the origin. Balls are not turned.
   Placed operator()(const RealisationId& realisation, std::uint32_t k, double edge) const;
+  /// The bodies first, ..., first + n - 1, drawn by packets: the same bits.
+  void many(const RealisationId& realisation, std::uint32_t first, std::uint32_t n, double edge, InstructionSet set,
+            std::vector<Placed>& out) const;
 
   const std::vector<BodyPart>& parts() const { return parts_; }
   const BodyOrientations& orientations() const { return orientations_; }
   std::uint64_t seed() const { return seed_; }
 
  private:
-  std::vector<BodyPart> parts_;
   static constexpr std::size_t kDimension = 7;  // coordinates of a body, at most
-  std::vector<double> up_to_;                   // sums of the fractions, of 1
-  std::vector<bool> is_ball_;                   // of each part: it need not be turned
-  std::size_t n_drawn_ = kDimension;            // coordinates that are used
+  using Point = std::array<double, kDimension>;
+  void place_at(const Point& u, double edge, Placed& placed) const;
+
+  std::vector<BodyPart> parts_;
+  std::vector<double> up_to_;         // sums of the fractions, of 1
+  std::vector<bool> is_ball_;         // of each part: it need not be turned
+  std::size_t n_drawn_ = kDimension;  // coordinates that are used
   BodyOrientations orientations_;
   std::uint64_t seed_;
 };

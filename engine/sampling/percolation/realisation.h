@@ -93,6 +93,10 @@ class Realisation {
   PairJudge judge_;                                        // of a backend
   std::vector<std::unique_ptr<OverlapBackend>> backends_;  // of every two shapes
   std::vector<ScenePair> news_;                            // what changed the clusters
+  // Memory that is kept: of place, and of join_in_order.
+  std::vector<Placements::Placed> placed_;
+  std::vector<ScenePair> in_order_;
+  std::vector<std::uint32_t> next_;
   PercolationCounts counts_;
 };
 

@@ -42,11 +42,11 @@ struct PhiloxWords {
 constexpr std::size_t kPhiloxAtOnce = 3;
 using PhiloxIndices = std::array<PacketBits<kRegisterLanes>, kPhiloxAtOnce>;
 
-inline void philox(const PhiloxKeys& keys, std::uint32_t block, const PhiloxIndices& index,
+inline void philox(const PhiloxKeys& keys, Stream stream, std::uint32_t block, const PhiloxIndices& index,
                    std::array<PhiloxWords, kPhiloxAtOnce>& c) {
   using Bits = PacketBits<kRegisterLanes>;
   for (std::size_t j = 0; j < kPhiloxAtOnce; ++j) {
-    c[j] = {index[j], index[j] >> 32, Bits(block), Bits(static_cast<std::uint32_t>(Stream::pose))};
+    c[j] = {index[j], index[j] >> 32, Bits(block), Bits(static_cast<std::uint32_t>(stream))};
   }
   for (int round = 0; round < 10; ++round) {
     for (std::size_t j = 0; j < kPhiloxAtOnce; ++j) {
@@ -67,10 +67,10 @@ inline Packet<kRegisterLanes> to_unit_interval(const PacketBits<kRegisterLanes>&
 }
 
 // Coordinates 2 block and 2 block + 1.
-inline void draw_two_coordinates(const PhiloxKeys& keys, std::uint32_t block, const PhiloxIndices& index, double* even,
-                                 double* odd) {
+inline void draw_two_coordinates(const PhiloxKeys& keys, Stream stream, std::uint32_t block, const PhiloxIndices& index,
+                                 double* even, double* odd) {
   std::array<PhiloxWords, kPhiloxAtOnce> words;
-  philox(keys, block, index, words);
+  philox(keys, stream, block, index, words);
   for (std::size_t j = 0; j < kPhiloxAtOnce; ++j) {
     to_unit_interval(words[j].w0, words[j].w1).store(even + j * kRegisterLanes);
     to_unit_interval(words[j].w2, words[j].w3).store(odd + j * kRegisterLanes);

@@ -6,8 +6,8 @@
 namespace vex {
 namespace VEX_ISA {
 
-__attribute__((flatten)) void random_columns(std::uint64_t seed, std::uint64_t first, int log2_step, int dimension,
-                                             std::size_t n, double* columns, std::size_t stride) {
+__attribute__((flatten)) void random_columns(std::uint64_t seed, Stream stream, std::uint64_t first, int log2_step,
+                                             int dimension, std::size_t n, double* columns, std::size_t stride) {
   using Bits = PacketBits<kRegisterLanes>;
   const PhiloxKeys keys(seed);
   for (int block = 0; 2 * block < dimension; ++block) {
@@ -18,7 +18,7 @@ __attribute__((flatten)) void random_columns(std::uint64_t seed, std::uint64_t f
       for (std::size_t j = 0; j < kPhiloxAtOnce; ++j) {
         index[j] = Bits(first) + (Bits::numbers_from(k + j * kRegisterLanes) << log2_step);
       }
-      draw_two_coordinates(keys, static_cast<std::uint32_t>(block), index, even + k, odd + k);
+      draw_two_coordinates(keys, stream, static_cast<std::uint32_t>(block), index, even + k, odd + k);
     }
   }
 }

@@ -61,6 +61,18 @@ void TrialPoints::one(std::uint64_t index, std::span<double> point) const {
   if (strata_) point[strata_->coordinate] = in_stratum(point[strata_->coordinate], index);
 }
 
+void draw_unit_cubes(InstructionSet set, std::uint64_t seed, Stream stream, std::uint64_t first, int dimension,
+                     std::size_t n, double* columns, std::size_t stride) {
+  VEX_EXPECT(stride >= n + TrialPoints::kSpare);
+  const RandomColumns random = point_kernels(set).random;
+  if (random != nullptr) return random(seed, stream, first, 0, dimension, n, columns, stride);
+  std::vector<double> point(static_cast<std::size_t>(dimension));
+  for (std::size_t k = 0; k < n; ++k) {
+    draw_unit_cube(seed, stream, first + k, point);
+    for (std::size_t c = 0; c < point.size(); ++c) columns[c * stride + k] = point[c];
+  }
+}
+
 void TrialPoints::many(std::uint64_t first, std::size_t n, double* columns, std::size_t stride) const {
   VEX_EXPECT(stride >= n + kSpare);
   const PointKernels kernels = point_kernels(set_);
@@ -74,12 +86,12 @@ void TrialPoints::many(std::uint64_t first, std::size_t n, double* columns, std:
   }
   if (sobol_) {
     if (n_independent_ > 0) {
-      kernels.random(seed_, first, kLog2Classes, n_independent_, n,
+      kernels.random(seed_, Stream::pose, first, kLog2Classes, n_independent_, n,
                      columns + static_cast<std::size_t>(dimension_ - n_independent_) * stride, stride);
     }
     kernels.sobol(sobol_->points, sobol_->scramblings[first % kClasses].data(), first / kClasses, n, columns, stride);
   } else {
-    kernels.random(seed_, first, n_classes() == 1 ? 0 : kLog2Classes, dimension_, n, columns, stride);
+    kernels.random(seed_, Stream::pose, first, n_classes() == 1 ? 0 : kLog2Classes, dimension_, n, columns, stride);
   }
   if (!strata_) return;
   double* const column = columns + strata_->coordinate * stride;

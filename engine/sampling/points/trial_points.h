@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "engine/numeric/instruction_set.h"
+#include "engine/sampling/points/random_stream.h"
 #include "engine/sampling/points/sobol.h"
 
 namespace vex {
@@ -69,12 +70,16 @@ class TrialPoints {
   std::shared_ptr<const Scrambled> sobol_;  // none of random points
 };
 
+/// draw_unit_cube of the indices first, ..., first + n - 1, in columns as TrialPoints::many has them.
+void draw_unit_cubes(InstructionSet set, std::uint64_t seed, Stream stream, std::uint64_t first, int dimension,
+                     std::size_t n, double* columns, std::size_t stride);
+
 // Kernels of TrialPoints::many. Random points of the trials first, first + 2^log2_step, ...; two coordinates are
 // written together, so there must be room for an even number of columns.
 #define VEX_DECLARE_POINT_KERNELS(set)                                                                             \
   namespace set {                                                                                                  \
-  void random_columns(std::uint64_t seed, std::uint64_t first, int log2_step, int dimension, std::size_t n,        \
-                      double* columns, std::size_t stride);                                                        \
+  void random_columns(std::uint64_t seed, Stream stream, std::uint64_t first, int log2_step, int dimension,        \
+                      std::size_t n, double* columns, std::size_t stride);                                         \
   void sobol_columns(const SobolPoints& points, const SobolPoints::Keys* keys, std::uint64_t first, std::size_t n, \
                      double* columns, std::size_t stride);                                                         \
   }

@@ -65,7 +65,7 @@ class Drawing {
         index[j] = rows != nullptr ? PacketBits<W>::load(rows + at) + PacketBits<W>(first_)
                                    : PacketBits<W>::numbers_from(first_ + at);
       }
-      draw_two_coordinates(keys_, static_cast<std::uint32_t>(block), index, even + k, odd + k);
+      draw_two_coordinates(keys_, Stream::pose, static_cast<std::uint32_t>(block), index, even + k, odd + k);
     }
   }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 
 #include "engine/numeric/errors.h"
 #include "engine/numeric/pose.h"
@@ -20,7 +21,7 @@ TEST(Placements, CentresAreUniformInTheCube) {
   constexpr double kEdge = 3.0;
   Vec3d sum{}, squares{};
   for (std::uint32_t k = 0; k < kBodies; ++k) {
-    const Vec3d centre = placements({2, 7}, k, kEdge).world_from_body(own_centre);
+    const Vec3d centre = placements({2, 7}, k, kEdge).world_from_body.a_from_b()(own_centre);
     for (const double x : {centre.x, centre.y, centre.z}) EXPECT_LE(std::fabs(x), 0.5 * kEdge * (1.0 + 1e-12));
     sum = sum + centre;
     squares = squares + Vec3d{centre.x * centre.x, centre.y * centre.y, centre.z * centre.z};
@@ -49,7 +50,7 @@ double mean_square_of_cosine(const BodyOrientations& orientations, std::uint32_t
   const Placements placements({{Box(1.0, 1.0, 1.0), 1.0}}, orientations, 3);
   double sum = 0.0;
   for (std::uint32_t k = 0; k < n_bodies; ++k) {
-    const Transformd pose = placements({}, k, 1.0).world_from_body;
+    const Transformd pose = placements({}, k, 1.0).world_from_body.a_from_b();
     EXPECT_LE(distance_from_rotation(pose), 1e-13);
     sum += pose.row_z.z * pose.row_z.z;
   }
@@ -78,7 +79,8 @@ TEST(Placements, OneBodyAlonePicturesTwo) {
   constexpr std::uint32_t kPairs = 40000;
   double sum = 0.0;
   for (std::uint32_t k = 0; k < kPairs; ++k) {
-    const Transformd a = placements({}, 2 * k, 1.0).world_from_body, b = placements({}, 2 * k + 1, 1.0).world_from_body;
+    const Transformd a = placements({}, 2 * k, 1.0).world_from_body.a_from_b(),
+                     b = placements({}, 2 * k + 1, 1.0).world_from_body.a_from_b();
     const double cosine = a.row_x.z * b.row_x.z + a.row_y.z * b.row_y.z + a.row_z.z * b.row_z.z;
     sum += 1.5 * cosine * cosine - 0.5;
   }
@@ -92,19 +94,41 @@ TEST(Placements, WhatIsNotDrawnChangesNothingElse) {
       mixture({{Sphere(1.0), 1.0}, {Box(1.0, 1.0, 1.0), 1.0}}, {}, 4);
   std::uint32_t n_boxes = 0;
   for (std::uint32_t k = 0; k < 100; ++k) {
-    const Transformd pose = turned({1, 2}, k, 3.0).world_from_body;
+    const Transformd pose = turned({1, 2}, k, 3.0).world_from_body.a_from_b();
     for (const Placements* const other : {&aligned, &balls}) {
-      const Transformd its = (*other)({1, 2}, k, 3.0).world_from_body;
+      const Transformd its = (*other)({1, 2}, k, 3.0).world_from_body.a_from_b();
       EXPECT_EQ(norm_1(its.translation - pose.translation), 0.0);
       EXPECT_EQ(its.row_x.x, 1.0);
     }
     const Placements::Placed one = mixture({1, 2}, k, 3.0);
-    EXPECT_EQ(norm_1(one.world_from_body.translation - pose.translation), 0.0);
-    EXPECT_EQ(one.world_from_body.row_x.x, one.part == 1 ? pose.row_x.x : 1.0);
+    EXPECT_EQ(norm_1(one.world_from_body.a_from_b().translation - pose.translation), 0.0);
+    EXPECT_EQ(one.world_from_body.a_from_b().row_x.x, one.part == 1 ? pose.row_x.x : 1.0);
     n_boxes += one.part;
   }
   EXPECT_GT(n_boxes, 20u);
   EXPECT_LT(n_boxes, 80u);
+}
+
+TEST(Placements, ManyAreTheBitsOfEach) {
+  const RealisationId id{3, 1234567};
+  const auto expect_same = [&](const Placements& placements, InstructionSet set, std::uint32_t first, std::uint32_t n) {
+    std::vector<Placements::Placed> many;
+    placements.many(id, first, n, 7.0, set, many);
+    ASSERT_EQ(many.size(), n);
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const Placements::Placed one = placements(id, first + k, 7.0);
+      ASSERT_EQ(many[k].part, one.part);
+      ASSERT_EQ(std::memcmp(&many[k].world_from_body, &one.world_from_body, sizeof(Pose)), 0);
+    }
+  };
+  for (const InstructionSet set : instruction_sets()) {
+    for (const std::uint32_t n : {1u, 23u, 96u, 97u, 300u}) {
+      expect_same(Placements({{Box(1.0, 1.0, 1.0), 1.0}}, {}, 4), set, 1000, n);
+      expect_same(Placements({{Sphere(1.0), 1.0}, {Hemisphere(1.0), 1.0}}, {}, 5), set, 0, n);
+      expect_same(Placements({{Box(1.0, 1.0, 2.0), 1.0}}, {OrientationLaw::onsager(5.0)}, 6), set, 77, n);
+      expect_same(Placements({{Box(1.0, 1.0, 1.0), 1.0}}, {OrientationLaw::aligned()}, 7), set, (1u << 30) - n, n);
+    }
+  }
 }
 
 TEST(Placements, WhatIsNoMixtureIsRefused) {

@@ -52,7 +52,7 @@ class BruteForce {
   const ConvexBody& body(std::size_t k) const { return system_.placements.parts()[parts_[k]].body; }
 
   void add(const Placements::Placed& placed) {
-    poses_.push_back(placed.world_from_body);
+    poses_.push_back(placed.world_from_body.a_from_b());
     parts_.push_back(placed.part);
     neighbours_.emplace_back();
     const std::size_t b = poses_.size() - 1;
