@@ -163,6 +163,7 @@ void PairMemory::list(bool keeps_old) {
   std::size_t at = 0;
   for (std::size_t k = 0; k < n; ++k) {
     const Listed& pair = listed_[k];
+    if (k + kAhead < n) bodies_->prefetch_track(listed_[k + kAhead].b);
     while (at < n_before && listed_before_[at] < pair) ++at;
     if (at == n_before || !(listed_before_[at] == pair)) {
       known_[k] = {};
@@ -184,7 +185,8 @@ void PairMemory::list(bool keeps_old) {
 // rounded to the safe side, however often.
 void PairMemory::carry_over(const Listed& pair, bool is_same_copy, Known& known) const {
   if (known.kind != Known::Kind::at_rest) {
-    known.limit = next_below(known.limit - turned(pair));
+    const double both = turned(pair);
+    if (both > 0.0) known.limit = next_below(known.limit - both);
   } else {
     known = is_same_copy && known.has_travels(travels(pair)) ? Known::at_rest({}) : Known{};
   }

@@ -9,7 +9,7 @@
 namespace vex {
 namespace {
 
-constexpr int kSteps = 20;
+constexpr int kSteps = 60;
 
 struct StepTimes {
   std::vector<double> move_ns, query_ns;
@@ -91,7 +91,8 @@ BenchReport motion_part(const ScenePartSettings& settings) {
     const double slowest = 1e-6 * *std::max_element(times.query_ns.begin(), times.query_ns.end());
     table.add({three_digits(skin), three_digits(move), three_digits(query), three_digits(slowest),
                percent((move + query) / whole), grouped(times.n_pairs)});
-    lines += "Skin " + three_digits(skin) + ", 20 steps. " + counts_line(times.counts) + "\n";
+    lines +=
+        "Skin " + three_digits(skin) + ", " + std::to_string(kSteps) + " steps. " + counts_line(times.counts) + "\n";
     report.rows.push_back({{"skin", skin},
                            {"move_ms", move},
                            {"query_ms", query},
@@ -101,7 +102,8 @@ BenchReport motion_part(const ScenePartSettings& settings) {
   }
   report.markdown = "### " + grouped(scene.size()) + " " + scene.name + ", moved by .01 diameters a step\n\n" +
                     "A scene from nothing (bodies added, pairs found) takes " + three_digits(whole) +
-                    " ms. One thread, processor time, means of 20 steps, those in which the list is made anew among "
+                    " ms. One thread, processor time, means of " + std::to_string(kSteps) +
+                    " steps, those in which the list is made anew among "
                     "them.\n\n" +
                     table.text() + "\n" + lines;
   return report;
