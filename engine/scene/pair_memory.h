@@ -85,7 +85,7 @@ class PairMemory final : public PairKeeper {
   double clock_when(double left) const;
   bool keep_what_balls_tell(std::uint64_t tag, const Vec3d& way);
   void keep(std::uint64_t tag, bool overlaps, double left);
-  bool keep_if_it_has(std::uint64_t tag, Known::Kind kind, const KnownHull& hull, double clearance, const Vec3d& way,
+  bool keep_if_it_has(std::uint64_t tag, Known::Kind kind, const KnownHull& hull, double limit, const Vec3d& way,
                       double least);
   bool keep_around_core(std::uint64_t tag, const Vec3d& way, const Vec3d& tip, double least);
 
