@@ -1,6 +1,5 @@
 #include "engine/scene/aabb.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/numeric/rounding.h"
@@ -15,11 +14,6 @@ double height(const ConvexBody& body, const Vec3d& dir) {
 }
 
 }  // namespace
-
-Aabb hull_of(const Aabb& a, const Aabb& b) {
-  return {{std::fmin(a.lower.x, b.lower.x), std::fmin(a.lower.y, b.lower.y), std::fmin(a.lower.z, b.lower.z)},
-          {std::fmax(a.upper.x, b.upper.x), std::fmax(a.upper.y, b.upper.y), std::fmax(a.upper.z, b.upper.z)}};
-}
 
 Aabb bounding_box(const ConvexBody& body, const Pose& world_from_body) {
   const Transformd& pose = world_from_body.a_from_b();

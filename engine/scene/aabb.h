@@ -1,6 +1,8 @@
 // Bounds of a placed body: an axis-aligned box of the scene's frame, and an oriented box.
 #pragma once
 
+#include <algorithm>
+
 #include "engine/numeric/pose.h"
 #include "engine/support/convex_body.h"
 
@@ -20,7 +22,10 @@ struct Aabb {
 };
 
 /// The smallest box that holds both.
-Aabb hull_of(const Aabb& a, const Aabb& b);
+inline Aabb hull_of(const Aabb& a, const Aabb& b) {
+  return {{std::min(a.lower.x, b.lower.x), std::min(a.lower.y, b.lower.y), std::min(a.lower.z, b.lower.z)},
+          {std::max(a.upper.x, b.upper.x), std::max(a.upper.y, b.upper.y), std::max(a.upper.z, b.upper.z)}};
+}
 
 /// A box with axes of its own: centre + R x with |x_i| <= half_extents_i, R the rotation of `world_from_box`, whose
 /// translation is the centre.

@@ -42,11 +42,11 @@ void SceneBodies::track() {
 }
 
 // The body is where it goes to, and what it has crossed is known.
-inline void SceneBodies::add_to_track(BodyId body, double turned, double travel) {
+inline void SceneBodies::add_to_track(BodyId body, const Vec3d& centre_from, const Vec3d& step, double turned) {
   Track& track = tracks_[body];
   track.centre = has_crossed(body) ? centres_[body] + box_->shift(crossed_[body]) : centres_[body];
   track.turned += turned;
-  travel_[body] = travel;
+  travel_[body] = farther(travel_[body], step, centre_from, centres_[body], turned);
 }
 
 SceneBodies::Travel SceneBodies::largest_travel() {
@@ -82,7 +82,7 @@ void SceneBodies::set_any_pose(BodyId body, const Transformd& given) {
     crossed_[body] = has_crossed(body) ? image_sum(crossed_[body], by) : by;
     has_crossed_[body] = crossed_[body] != ImageOffset{} ? 1 : 0;
   }
-  add_to_track(body, turned, farther(travel_[body], step, centre_from, centres_[body], turned));
+  add_to_track(body, centre_from, step, turned);
 }
 
 // What most moves need, side by side; the others go one by one.
@@ -104,8 +104,7 @@ void SceneBodies::set_poses(BodyId first, std::span<const Pose> poses) {
     const Vec3d centre_from = centres_[body];
     centres_[body] = centre;
     if (is_tracked && (turns || differ(given.translation, before.translation))) {
-      const double turned = turns ? most_turned(before, given, bounds.radius) : 0.0;
-      add_to_track(body, turned, farther(travel_[body], step, centre_from, centre, turned));
+      add_to_track(body, centre_from, step, turns ? most_turned(before, given, bounds.radius) : 0.0);
     }
     write_pose(poses_.data(), body, given);
     ImageOffset& image = image_[body];

@@ -64,7 +64,6 @@ Clusters::Joined Clusters::join(BodyId a, BodyId b, const ImageOffset& image) {
     throw UsageError("clusters have no body " + std::to_string(size_[root_a] == 0 ? a : b) +
                      ", which was left out - join bodies that are there");
   }
-  // Where b's root is in the component of a's root, if b is where the connection has it.
   const ImageOffset between = this->between(a, b, image);
   if (root_a == root_b) {
     if (between == ImageOffset{}) return Joined::closed;

@@ -82,8 +82,7 @@ class Clusters {
     return nodes_[parent].parent == parent ? parent : find_far(body);
   }
   BodyId find_far(BodyId body);
-  // From where the component of the first one's root has it to the second one's place there, if its copy is connected
-  // with the first; once both are found.
+  // Where b's root is in the component of a's root, if b's copy at `image` is connected with a; once both are found.
   ImageOffset between(BodyId a, BodyId b, const ImageOffset& image) const {
     return image_difference(image_sum(nodes_[a].offset, image), nodes_[b].offset);
   }

@@ -140,7 +140,7 @@ class SceneBodies {
   void place(BodyId body, const Transformd& pose);
   Transformd placed(ShapeId shape, const Transformd& given, ImageOffset* image) const;
   void set_any_pose(BodyId body, const Transformd& given);
-  void add_to_track(BodyId body, double turned, double travel);
+  void add_to_track(BodyId body, const Vec3d& centre_from, const Vec3d& step, double turned);
 
   std::optional<PeriodicBox> box_;
   std::vector<ConvexBody> shapes_;

@@ -53,19 +53,10 @@ Aabb bounds_of_centres(const SceneBodies& bodies, int n_threads) {
   constexpr Aabb kNothing{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
   if (bodies.size() == 0) return {};
   const auto bounds_of = [&](const Part& part) {
-    // Coordinates are no NaNs, which the library's least and largest would look for.
-    const auto take = [](double x, double& lower, double& upper) {
-      lower = x < lower ? x : lower;
-      upper = x > upper ? x : upper;
-    };
     Aabb bounds = kNothing;
     for (std::size_t k = part.first; k < part.end; ++k) {
       const BodyId body = static_cast<BodyId>(k);
-      if (!bodies.has(body)) continue;
-      const Vec3d& centre = bodies.centre(body);
-      take(centre.x, bounds.lower.x, bounds.upper.x);
-      take(centre.y, bounds.lower.y, bounds.upper.y);
-      take(centre.z, bounds.lower.z, bounds.upper.z);
+      if (bodies.has(body)) bounds = hull_of(bounds, {bodies.centre(body), bodies.centre(body)});
     }
     return bounds;
   };

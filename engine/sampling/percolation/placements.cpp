@@ -58,7 +58,6 @@ Placements::Placed Placements::operator()(const RealisationId& id, std::uint32_t
 
 void Placements::many(const RealisationId& id, std::uint32_t first, std::uint32_t n, double edge, InstructionSet set,
                       std::vector<Placed>& out) const {
-  constexpr std::uint32_t kAtOnce = 96;
   constexpr std::size_t kStride = kAtOnce + TrialPoints::kSpare;
   double columns[(kDimension + 1) * kStride];
   out.resize(n);

@@ -66,11 +66,10 @@ void Realisation::begin() {
 }
 
 void Realisation::place(std::uint32_t realisation, std::uint32_t n) {
-  constexpr std::uint32_t kAtOnce = 96;  // they are still in the fastest cache when they are added
   counts_.n_bodies += n;
   for (std::uint32_t left = n; left > 0; left -= static_cast<std::uint32_t>(placed_.size())) {
-    system_.placements.many({system_.size, realisation}, scene_.end(), std::min(left, kAtOnce), system_.edge,
-                            system_.instruction_set, placed_);
+    system_.placements.many({system_.size, realisation}, scene_.end(), std::min(left, Placements::kAtOnce),
+                            system_.edge, system_.instruction_set, placed_);
     for (const Placements::Placed& placed : placed_) {
       scene_.add(shapes_[placed.part], placed.world_from_body);
       clusters_.add();

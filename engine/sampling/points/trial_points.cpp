@@ -28,6 +28,16 @@ PointKernels point_kernels(InstructionSet set) {
   return {};
 }
 
+// One by one, where there is no kernel.
+template <class Draw>
+void draw_into_columns(int dimension, std::size_t n, double* columns, std::size_t stride, const Draw& draw) {
+  std::vector<double> point(static_cast<std::size_t>(dimension));
+  for (std::size_t k = 0; k < n; ++k) {
+    draw(k, std::span(point));
+    for (std::size_t c = 0; c < point.size(); ++c) columns[c * stride + k] = point[c];
+  }
+}
+
 }  // namespace
 
 TrialPoints::TrialPoints(std::uint64_t seed, Sequence sequence, int dimension, std::optional<Strata> strata,
@@ -66,23 +76,16 @@ void draw_unit_cubes(InstructionSet set, std::uint64_t seed, Stream stream, std:
   VEX_EXPECT(stride >= n + TrialPoints::kSpare);
   const RandomColumns random = point_kernels(set).random;
   if (random != nullptr) return random(seed, stream, first, 0, dimension, n, columns, stride);
-  std::vector<double> point(static_cast<std::size_t>(dimension));
-  for (std::size_t k = 0; k < n; ++k) {
-    draw_unit_cube(seed, stream, first + k, point);
-    for (std::size_t c = 0; c < point.size(); ++c) columns[c * stride + k] = point[c];
-  }
+  draw_into_columns(dimension, n, columns, stride,
+                    [&](std::size_t k, std::span<double> point) { draw_unit_cube(seed, stream, first + k, point); });
 }
 
 void TrialPoints::many(std::uint64_t first, std::size_t n, double* columns, std::size_t stride) const {
   VEX_EXPECT(stride >= n + kSpare);
   const PointKernels kernels = point_kernels(set_);
   if (kernels.random == nullptr) {
-    std::vector<double> point(static_cast<std::size_t>(dimension_));
-    for (std::size_t k = 0; k < n; ++k) {
-      one(first + k * n_classes(), point);
-      for (std::size_t c = 0; c < point.size(); ++c) columns[c * stride + k] = point[c];
-    }
-    return;
+    return draw_into_columns(dimension_, n, columns, stride,
+                             [&](std::size_t k, std::span<double> point) { one(first + k * n_classes(), point); });
   }
   if (sobol_) {
     if (n_independent_ > 0) {
