@@ -99,7 +99,9 @@ void Checkpoint::save(std::string_view text, const std::function<void()>& before
   const Clock::time_point start = Clock::now();
   try {
     file_->replace(text);
+    unsaved_.clear();
   } catch (const std::system_error& error) {
+    unsaved_ = text;
     if (!has_said_) {
       has_said_ = true;
       before_message();
@@ -112,6 +114,10 @@ void Checkpoint::save(std::string_view text, const std::function<void()>& before
   }
   saved_ = Clock::now();
   cost_ = saved_ - start;
+}
+
+void Checkpoint::hand_over_unsaved(Results& results) const {
+  if (!unsaved_.empty()) results.rescue_numbers(unsaved_, "the last state could not be saved in " + path_);
 }
 
 std::string sealed_text(std::string_view title, std::span<const std::string> of, std::string_view text) {

@@ -12,6 +12,7 @@
 #include "apps/common/locked_file.h"
 #include "apps/common/option_parser.h"
 #include "apps/common/output_file.h"
+#include "apps/common/results.h"
 
 namespace vex {
 
@@ -52,6 +53,8 @@ class Checkpoint {
   /// standard error, once, after `before_message`.
   void save(
       std::string_view text, const std::function<void()>& before_message = [] {});
+  /// The last state, in the end, where it could not be saved: what was computed is not lost.
+  void hand_over_unsaved(Results& results) const;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -61,6 +64,7 @@ class Checkpoint {
   std::chrono::duration<double> between_, cost_{0.0};
   Clock::time_point saved_ = Clock::now();
   bool has_said_ = false;
+  std::string unsaved_;  // the last text, where it could not be saved
 };
 
 /// A text that is read back: the lines of what it is of, then its own, then the checksum.

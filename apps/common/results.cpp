@@ -79,6 +79,11 @@ void Results::write(const std::optional<OutputFile>& file, Kind kind, const std:
   }
 }
 
+void Results::rescue_numbers(std::string_view text, const std::string& problem) {
+  has_failed_ = true;
+  rescue(Kind::numbers, text, problem);
+}
+
 int Results::exit_code(int code) const {
   if (has_failed_) return kFault;
   return was_interrupted_ && code == kSuccess ? kSignalBase + interrupting_signal().load() : code;

@@ -35,6 +35,9 @@ class Results {
   /// is. To be called in the order of what would be missed most. An interrupt ends the wait for whoever reads a pipe.
   void write(const std::optional<OutputFile>& file, Kind kind, const std::function<std::string()>& make);
 
+  /// Numbers whose file could not be written before: as above, with the problem that is told.
+  void rescue_numbers(std::string_view text, const std::string& problem);
+
   /// kFault where an output could not be written, 128 + signal where an interrupt ended a wait, otherwise `code`.
   int exit_code(int code) const;
 

@@ -77,7 +77,7 @@ CorePoint DifferenceBody::core_support(const ExactForm& form, const std::vector<
   bool found = false;
   if (!points.empty()) {
     const Vec3d d = narrowed(dir);
-    double most = -INFINITY;
+    double most = -HUGE_VAL;
     for (const Vec3d& p : points) most = std::max(most, dot(p, d));
     // Coordinates are 2 at most: products in double are within 1e-14 |d| of the true ones.
     const double near = most - 1e-13 * norm_1(d);

@@ -71,7 +71,7 @@ std::optional<std::array<std::size_t, 4>> deepest_tetrahedron(const std::vector<
                                    determinant_of(at(i), at(l), at(j)).value(), without_l};
           const double whole = shares[0] + shares[1] + shares[2] + shares[3];
           if (whole == 0.0) continue;
-          double least = INFINITY;
+          double least = HUGE_VAL;
           for (const double share : shares) least = std::min(least, share / whole);
           if (least > best_share) {
             best_share = least;

@@ -69,6 +69,7 @@ int run_vex_mesh(const CommandLine& words, const std::string& command, ProgramRa
   Results results(kProgram);
   if (!options.quiet && !files.own_standard_output()) results.print(report_text(run));
   results.write(json, Results::Kind::numbers, [&] { return report_json(run); });
+  if (checkpoint) checkpoint->hand_over_unsaved(results);
   results.write(page, Results::Kind::picture, [&] {
     const std::vector<HistoryPoint> way = history_of(run.result, history, run.a.shape, run.b.shape, settings);
     return html_report(run, way, report_json(run));

@@ -95,6 +95,7 @@ int run_vex_percolate(const PercolateCommandLine& words, const std::string& comm
   if (!options.quiet && !outputs.own_standard_output) results.print(report_text(run));
   results.write(outputs.json, Results::Kind::numbers, [&] { return report_json(run); });
   results.write(outputs.csv, Results::Kind::numbers, realisations);
+  if (outputs.checkpoint) outputs.checkpoint->hand_over_unsaved(results);
   results.write(outputs.plot, Results::Kind::picture, [&] { return picture_of(run); });
   const bool has_sample = !run.sizes.front().found.empty();
   results.write(outputs.report, Results::Kind::picture, [&] { return html_report(run, report_json(run)); });

@@ -166,6 +166,14 @@ std::uint64_t end_of_round(std::uint64_t fewest) {
   return end;
 }
 
+// Whether all sizes have as many realisations as at the end of a round. Between them stops are not asked for: a run that
+// was killed within a round and goes on would end where one run does not.
+bool is_end_of_round(const PercolateRun& run) {
+  const std::size_t n = run.sizes.front().found.size();
+  return n > 0 && end_of_round(n - 1) == n &&
+         std::ranges::all_of(run.sizes, [n](const SizeRun& size) { return size.found.size() == n; });
+}
+
 // Of the error that was asked for: where the scatter of realisations is no more than this share of it and the
 // extrapolation alone exceeds it, more realisations are of no use.
 constexpr double kEnoughScatter = 0.25;
@@ -302,7 +310,7 @@ void percolate(PercolateRun& run, const std::function<void()>& on_round, const s
   while (!stop()) {
     std::uint64_t fewest = most;
     for (const SizeRun& size : run.sizes) fewest = std::min<std::uint64_t>(fewest, size.found.size());
-    if (fewest >= most || (options.std_error && is_exact_enough(run))) break;
+    if (fewest >= most || (options.std_error && is_end_of_round(run) && is_exact_enough(run))) break;
     const std::uint64_t goal = std::min(most, end_of_round(fewest));
     for (SizeRun& size : run.sizes) {
       if (size.found.size() >= goal) continue;

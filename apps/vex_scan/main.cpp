@@ -91,8 +91,9 @@ class RowsSaver {
     constexpr std::chrono::milliseconds kBetween{500};
     const bool is_new = run_.rows.size() > n_saved_;
     if (!is_new || Clock::now() - saved_ < kBetween) return;
-    save(outputs_.csv, [this] { return csv_text(run_.scan, rows(false)); });
+    // Lines of JSON first: they know more, and a scan that goes on takes from the table what they lack.
     save(outputs_.jsonl, [this] { return jsonl_text(run_.scan, rows(false)); });
+    save(outputs_.csv, [this] { return csv_text(run_.scan, rows(false)); });
     n_saved_ = run_.rows.size();
     saved_ = Clock::now();
   }
@@ -149,8 +150,8 @@ int run_vex_scan(const ScanCommandLine& words, const std::string& command) {
               << (n_left == 1 ? "is" : "are") << " of no case of this one, and not kept\n";
   }
   Results results(kProgram, outputs.own_standard_output);
-  results.write(outputs.csv, Results::Kind::numbers, [&] { return csv_text(run.scan, saver.rows(run.complete)); });
   results.write(outputs.jsonl, Results::Kind::numbers, [&] { return jsonl_text(run.scan, saver.rows(run.complete)); });
+  results.write(outputs.csv, Results::Kind::numbers, [&] { return csv_text(run.scan, saver.rows(run.complete)); });
   if (!run.options.quiet && !outputs.own_standard_output) results.print(report_text(run));
   results.write(outputs.json, Results::Kind::numbers, [&] { return report_json(run); });
   results.write(outputs.plot, Results::Kind::picture, [&] { return picture_of(run); });

@@ -99,6 +99,7 @@ int run_vex_virial(const VirialCommandLine& words, const std::string& command, P
   Results results(kProgram, files.own_standard_output());
   if (!options.quiet && !files.own_standard_output()) results.print(report_text(run));
   results.write(json, Results::Kind::numbers, [&] { return report_json(run); });
+  if (checkpoint) checkpoint->hand_over_unsaved(results);
   results.write(plot, Results::Kind::picture, [&] { return picture_of(run); });
   results.write(page, Results::Kind::picture, [&] { return html_report(run, report_json(run)); });
   const int signal = interrupting_signal().load();

@@ -70,7 +70,7 @@ void SmallEngine::find_constraints(Counts& counts) {
   constraints_.clear();
   const double h = settings_.time_step;
   for (const SceneManifolds::Entry& entry : manifolds_.entries) {
-    const auto [a, b, image] = entry.pair;
+    const BodyId a = entry.pair.a, b = entry.pair.b;
     if (bodies_[a].inverse_mass == 0.0 && bodies_[b].inverse_mass == 0.0) continue;
     const Transformd& pose = world_from_body_[a];
     const Vec3d normal = turned(pose, entry.manifold.separation.normal);

@@ -86,6 +86,22 @@ TEST_F(Percolate, AResumedRunIsThatOfOneRun) {
   EXPECT_EQ(rows("state.csv"), rows("whole.csv"));
 }
 
+// Whether the error is reached is asked at the ends of rounds alone: from a state within one the run goes on to its
+// end.
+TEST_F(Percolate, ARunToAnErrorThatWasCutWithinARoundIsThatOfOneRun) {
+  const auto rows = [&](const std::string& file) {
+    const std::string text = read_file(file);
+    return text.substr(text.find("size,"), text.find("# end") - text.find("size,"));
+  };
+  const Words system = {"box:1,1,1", "--sizes", "2,3", "--quiet"}, goal = {"--std-error", "0.006"};
+  succeed(with(with(system, goal), {"--csv", "whole.csv"}));
+  const auto n_rows = std::ranges::count(rows("whole.csv"), '\n') - 1;
+  const std::string within = std::to_string(n_rows / 2 - 10);
+  succeed(with(system, {"--realisations", within, "--checkpoint", "state.csv"}));
+  succeed(with(with(system, goal), {"--resume", "state.csv", "--csv", "resumed.csv"}));
+  EXPECT_EQ(rows("resumed.csv"), rows("whole.csv"));
+}
+
 TEST_F(Percolate, GoesOnFromNothingElse) {
   succeed(with(kSmall, {"--quiet", "--csv", "state.csv"}));
   expect_refused({"box:1,1,1.5", "--sizes", "3,4,6", "--resume", "state.csv"}, 3,

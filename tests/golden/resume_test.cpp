@@ -272,13 +272,23 @@ TEST_F(Resume, WhereItCannotBeSavedTheRunGoesOn) {
   const Finished finished =
       shell(kWithoutOverride +
             "sh -c '(until [ -e there/c.state ]; do sleep 0.05; done; chmod a-w there) & exec \"$VEX\" box:1,1,1 "
-            "--seconds 2 --threads 1 --checkpoint there/c.state --checkpoint-every 0.1 --json r.json'");
-  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+            "--estimator hit-or-miss --trials 3e7 --threads 1 --checkpoint there/c.state --checkpoint-every 0.1 "
+            "--json r.json --quiet'");
+  EXPECT_EQ(finished.exit_code, 1) << finished.err;
   const std::string said = "no state was saved";
   EXPECT_NE(finished.err.find(said), std::string::npos) << finished.err;
   EXPECT_EQ(finished.err.find(said), finished.err.rfind(said)) << finished.err;
   EXPECT_EQ(json::parse(read_file("r.json"))["complete"], true);
   std::filesystem::permissions(path("there"), std::filesystem::perms::owner_all);
+  // The last state is on standard output, and a run goes on from it.
+  EXPECT_NE(finished.err.find("the last state could not be saved in there/c.state; its text is on standard output"),
+            std::string::npos)
+      << finished.err;
+  write_file("rescued.state", finished.out);
+  const Finished resumed = shell(
+      "exec \"$VEX\" box:1,1,1 --estimator hit-or-miss --trials 3e7 --threads 1 --resume rescued.state --json s.json");
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  EXPECT_EQ(json::parse(read_file("s.json"))["estimate"], json::parse(read_file("r.json"))["estimate"]);
 }
 
 TEST_F(Resume, WhatNamesNoFileIsWrongUsage) {

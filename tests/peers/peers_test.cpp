@@ -12,7 +12,7 @@
 namespace vex {
 namespace {
 
-class PeersOnPairs : public testing::TestWithParam<BodyPair> {};
+class PeersOnPairs : public testing::TestWithParam<NamedPair> {};
 
 TEST_P(PeersOnPairs, AgreeOnNearlyEveryRandomPose) {
   const ConvexBody a = parse_shape(GetParam().a).body, b = parse_shape(GetParam().b).body;

@@ -27,7 +27,7 @@ double last_contact(const ConvexBody& a, const ConvexBody& b, Transformd pose, c
   return together;
 }
 
-class LawsOfEveryBody : public testing::TestWithParam<BodyPair> {
+class LawsOfEveryBody : public testing::TestWithParam<NamedPair> {
  protected:
   std::mt19937_64 random_{311};
 };
@@ -63,13 +63,13 @@ INSTANTIATE_TEST_SUITE_P(Pairs, LawsOfEveryBody, testing::ValuesIn(unordered_pai
                          [](const auto& pair) { return test_name(pair.param); });
 
 /// Not those of two bodies in planes z = 0, which without a rotation meet in their plane or not at all.
-std::vector<BodyPair> pairs_that_meet_unturned() {
+std::vector<NamedPair> pairs_that_meet_unturned() {
   const auto is_flat = [](const std::string& text) {
     const ConvexBody body = parse_shape(text).body;
     return body.support({0, 0, 1}).z == 0.0 && body.support({0, 0, -1}).z == 0.0;
   };
-  std::vector<BodyPair> pairs;
-  for (const BodyPair& pair : unordered_pairs()) {
+  std::vector<NamedPair> pairs;
+  for (const NamedPair& pair : unordered_pairs()) {
     if (!is_flat(pair.a) || !is_flat(pair.b)) pairs.push_back(pair);
   }
   return pairs;

@@ -10,7 +10,7 @@
 namespace vex {
 namespace {
 
-class OverlapLaws : public testing::TestWithParam<BodyPair> {
+class OverlapLaws : public testing::TestWithParam<NamedPair> {
  protected:
   const ConvexBody a_ = parse_shape(GetParam().a).body;
   const ConvexBody b_ = parse_shape(GetParam().b).body;

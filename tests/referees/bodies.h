@@ -79,18 +79,18 @@ inline std::vector<const char*> every_test_body() {
 }
 
 /// Two bodies of the list, by the names they are made from.
-struct BodyPair {
+struct NamedPair {
   std::string a, b;
 };
 
 /// Whether the bodies can meet at all, but by touching: two needles cannot.
-inline bool exclude_volume(const BodyPair& pair) {
+inline bool exclude_volume(const NamedPair& pair) {
   return average_excluded_volume(parse_shape(pair.a).measures, parse_shape(pair.b).measures) > 0.0;
 }
 
 /// Of the further bodies: with itself, and with one that another further body is not paired with.
-inline std::vector<BodyPair> further_pairs() {
-  std::vector<BodyPair> pairs;
+inline std::vector<NamedPair> further_pairs() {
+  std::vector<NamedPair> pairs;
   for (std::size_t k = 0; k < kFurtherBodies.size(); ++k) {
     pairs.push_back({kFurtherBodies[k], kFurtherBodies[k]});
     pairs.push_back({kFurtherBodies[k], kTestBodies[(3 * k + 4) % kTestBodies.size()]});
@@ -100,42 +100,42 @@ inline std::vector<BodyPair> further_pairs() {
 
 /// Pairs of which one body has no exact form: not for laws of what is decided to the last bit.
 template <class Bodies>
-std::vector<BodyPair> pairs_without_form(const Bodies& bodies) {
-  std::vector<BodyPair> pairs;
+std::vector<NamedPair> pairs_without_form(const Bodies& bodies) {
+  std::vector<NamedPair> pairs;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     pairs.push_back({bodies[k], bodies[k]});
     pairs.push_back({bodies[k], kTestBodies[(3 * k + 2) % kTestBodies.size()]});
   }
   return pairs;
 }
-inline std::vector<BodyPair> formless_pairs() { return pairs_without_form(kFormlessBodies); }
+inline std::vector<NamedPair> formless_pairs() { return pairs_without_form(kFormlessBodies); }
 
 /// Every pair of `kTestBodies` in both orders, but those that exclude no volume; and the further ones.
-inline std::vector<BodyPair> ordered_pairs() {
-  std::vector<BodyPair> pairs;
+inline std::vector<NamedPair> ordered_pairs() {
+  std::vector<NamedPair> pairs;
   for (const char* a : kTestBodies) {
     for (const char* b : kTestBodies) {
       if (exclude_volume({a, b})) pairs.push_back({a, b});
     }
   }
-  for (const BodyPair& pair : further_pairs()) pairs.push_back(pair);
+  for (const NamedPair& pair : further_pairs()) pairs.push_back(pair);
   return pairs;
 }
 
 /// The same in one order, for laws that look at both orders themselves or do not depend on it.
-inline std::vector<BodyPair> unordered_pairs() {
-  std::vector<BodyPair> pairs;
+inline std::vector<NamedPair> unordered_pairs() {
+  std::vector<NamedPair> pairs;
   for (std::size_t i = 0; i < kTestBodies.size(); ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
       if (exclude_volume({kTestBodies[i], kTestBodies[j]})) pairs.push_back({kTestBodies[i], kTestBodies[j]});
     }
   }
-  for (const BodyPair& pair : further_pairs()) pairs.push_back(pair);
+  for (const NamedPair& pair : further_pairs()) pairs.push_back(pair);
   return pairs;
 }
 
 /// box_1_1_1_needle_2: what a test of a pair is called.
-inline std::string test_name(const BodyPair& pair) {
+inline std::string test_name(const NamedPair& pair) {
   std::string name = pair.a + "_" + pair.b;
   for (char& c : name) {
     if (c == ':' || c == ',' || c == '.' || c == '-') c = '_';

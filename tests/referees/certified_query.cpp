@@ -79,7 +79,10 @@ CertifiedAnswer ask_separation(const QueryScene& scene, CertifiedQuery query) {
 
 CertifiedAnswer ask_contact(const QueryScene& scene, CertifiedQuery query) {
   CertifiedAnswer answer;
-  const auto& [a_text, b_text, a, b, pose, motion, motion_a, until] = scene;
+  const ConvexBody &a = scene.a, &b = scene.b;
+  const Transformd& pose = scene.pose;
+  const RigidMotion &motion = scene.motion, &motion_a = scene.motion_a;
+  const double until = scene.until;
   if (query == CertifiedQuery::ray) {
     const Vec3d origin = pose(b.centre());
     const FirstContact found = timed(answer, [&] { return cast_ray(a, origin, motion.velocity, until); });

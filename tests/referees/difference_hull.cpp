@@ -98,7 +98,7 @@ class DifferenceHull {
     if (!fourth) return false;
     p.push_back(*third);
     p.push_back(*fourth);
-    bounds_.lower = -INFINITY;
+    bounds_.lower = -HUGE_VAL;
     if (determinant(p[1] - p[0], p[2] - p[0], p[3] - p[0]) > 0.0) std::swap(p[1], p[2]);
     points_ = std::move(p);
     // Face k is without point k.

@@ -12,7 +12,7 @@ namespace vex::exact {
 
 /// The true value lies between them, in the units of DifferenceBody::scale, but for roundings of some 2^-90.
 struct Bounds {
-  DoubleDouble lower = -INFINITY, upper = INFINITY;
+  DoubleDouble lower = -HUGE_VAL, upper = HUGE_VAL;
   Vec3dd direction;  // a unit vector, along which the bound from K's height was found
 };
 

@@ -102,7 +102,7 @@ TEST(TouchingStarts, OfACubeThatComesDownAreNotBeforeItIsThere) {
 TEST(TouchingStarts, AreProvenApartOnlyWhileTheCheckerSaysSo) {
   std::mt19937_64 random(1);
   int n_asked = 0, n_apart = 0;
-  for (const BodyPair& pair : unordered_pairs()) {
+  for (const NamedPair& pair : unordered_pairs()) {
     const ConvexBody a = scaled_body(pair.a), b = scaled_body(pair.b);
     for (int k = 0; k < 3; ++k) {
       const ContactLine line = random_contact_line(a, b, random);

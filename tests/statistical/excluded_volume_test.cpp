@@ -1,8 +1,6 @@
 // Monte Carlo against true values. Every seed is fixed, so a test either passes always or never; its limit of 4
 // standard errors would fail one of 16 000 right estimators, and the biased ones at the end show that it does fail
 // wrong ones.
-#include "shapes/formula.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +8,7 @@
 
 #include "engine/sampling/monte_carlo.h"
 #include "shapes/any_shape.h"
+#include "shapes/formula.h"
 #include "tests/referees/bodies.h"
 
 namespace vex {
@@ -91,7 +90,7 @@ TEST(TrueValuesOfAlignedBodies, CubesAndBoxesAndEllipsoids) {
 }
 
 // Every ordered pair of bodies against the formula.
-class EveryPair : public testing::TestWithParam<BodyPair> {};
+class EveryPair : public testing::TestWithParam<NamedPair> {};
 
 TEST_P(EveryPair, AgreesWithTheFormula) {
   const Body a = parse_shape(GetParam().a), b = parse_shape(GetParam().b);

@@ -125,15 +125,15 @@ TEST(OrientationLaws, BoxesAtAFixedOrientationFollowTheirMatrix) {
 TEST(OrientationLaws, ThatRestrictNothingFollowTheFormula) {
   for (const OrientationLaw& law :
        {OrientationLaw::isotropic(), OrientationLaw::cone(90), OrientationLaw::onsager(0)}) {
-    for (const BodyPair& pair :
-         {BodyPair{"box:0.2,1,3", "tetrahedron:1.3"}, BodyPair{"cone:0.2,1", "ellipsoid:1,2,3"}}) {
+    for (const NamedPair& pair :
+         {NamedPair{"box:0.2,1,3", "tetrahedron:1.3"}, NamedPair{"cone:0.2,1", "ellipsoid:1,2,3"}}) {
       expect_truth(pair.a, pair.b, law,
                    average_excluded_volume(parse_shape(pair.a).measures, parse_shape(pair.b).measures));
     }
   }
 }
 
-class EveryUnorderedPair : public testing::TestWithParam<BodyPair> {};
+class EveryUnorderedPair : public testing::TestWithParam<NamedPair> {};
 
 TEST_P(EveryUnorderedPair, AgreesWithTheFormulaInTheFittedDomain) {
   const Body a = parse_shape(GetParam().a), b = parse_shape(GetParam().b);

@@ -21,7 +21,7 @@ inline constexpr bool kProven = true;
 #endif
 
 /// Loops work on a copy of their own: a search's member would be read again after each store.
-template <int W, class CoreA, class CoreB>
+template <int W, class Core>
 struct PacketDifference {
   using L = Packet<W>;
   using Mask = PacketMask<W>;
@@ -101,8 +101,7 @@ struct PacketDifference {
     return (-of_v0 / (L(1.0) - of_v0)) * v0;
   }
 
-  CoreA a;
-  CoreB b;
+  Core a, b;
   Vec3d centre_b;
   bool b_is_central;
   Vec3d start;

@@ -66,8 +66,7 @@ class PacketOverlap {
   virtual void decide(const PoseTable& poses, PacketAnswer* answers, PacketClearances* clearances = nullptr) = 0;
 };
 
-/// How far the bodies may move before each answer can end, in A's frame; of open trials nothing (E18). Of two bodies
-/// whose cores are of different forms (CoreForm::Kind) all are 0.
+/// How far the bodies may move before each answer can end, in A's frame; of open trials nothing (E18).
 struct PacketClearances {
   /// Where `length` is above 0: of disjoint bodies a direction from A towards B, of any length, along which their
   /// supports are at least `length` apart; of overlapping ones a point of A - B, from about the difference of their

@@ -20,7 +20,7 @@
 namespace vex {
 namespace VEX_ISA {
 
-template <int W, class CoreA, class CoreB>
+template <int W, class Core>
 class PacketSearch {
  public:
   using L = Packet<W>;
@@ -53,7 +53,7 @@ class PacketSearch {
   }
 
  private:
-  using Pair = PacketDifference<W, CoreA, CoreB>;
+  using Pair = PacketDifference<W, Core>;
 
   static constexpr int kMostWedges = 8, kMostPortals = 16;
   // A portal is pushed outwards no more where its height is this much of K's.

@@ -10,39 +10,12 @@
 
 #include "engine/numeric/packet_memory.h"
 #include "engine/numeric/rounding.h"
-#include "engine/query/packets/packet_core.h"
+#include "engine/query/packets/any_core.h"
 #include "engine/sampling/radial/radial_packets.h"
 #include "engine/sampling/radial/radial_steps.h"
 
 namespace vex {
 namespace VEX_ISA {
-
-/// The core of either body: which it is, is looked at once for a packet.
-class AnyCore {
- public:
-  explicit AnyCore(const CoreForm& form)
-      : kind_(form.kind), box_(form), ellipsoid_(form), vertices_(form), table_(form), pieces_(form) {}
-
-  template <class L>
-  Vec3<L> support(const Vec3<L>& dir) const {
-    switch (kind_) {
-      case CoreForm::Kind::box: return box_.support(dir);
-      case CoreForm::Kind::ellipsoid: return ellipsoid_.support(dir);
-      case CoreForm::Kind::table: return table_.support(dir);
-      case CoreForm::Kind::pieces: return pieces_.support(dir);
-      case CoreForm::Kind::vertices: break;
-    }
-    return vertices_.support(dir);
-  }
-
- private:
-  CoreForm::Kind kind_;
-  BoxCore box_;
-  EllipsoidCore ellipsoid_;
-  VerticesCore vertices_;
-  TableCore table_;
-  PiecesCore pieces_;
-};
 
 template <int W>
 class RadialSearch {

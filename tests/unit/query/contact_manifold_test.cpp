@@ -292,7 +292,7 @@ TEST(ContactManifold, OfFlatBodiesIsThatOfTheirFaces) {
 TEST(ContactManifold, OfSwappedBodiesIsTheSame) {
   std::mt19937_64 random(2);
   int n_manifolds = 0, n_several = 0;
-  for (const BodyPair& pair : unordered_pairs()) {
+  for (const NamedPair& pair : unordered_pairs()) {
     const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
     if (!a.exact_form()->is_rounded_polytope() || !b.exact_form()->is_rounded_polytope()) continue;
     for (int k = 0; k < 20; ++k) {
@@ -356,7 +356,7 @@ TEST(ContactManifold, OfNearlyParallelEdgesIsOnBothEdges) {
 
 TEST(ContactManifold, OfCurvedBodiesHasTheDistanceOfItsPoints) {
   std::mt19937_64 random(4);
-  for (const BodyPair& pair : unordered_pairs()) {
+  for (const NamedPair& pair : unordered_pairs()) {
     const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
     for (int k = 0; k < 4; ++k) {
       Transformd pose = random_rotation(random);

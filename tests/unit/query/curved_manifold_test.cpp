@@ -324,7 +324,7 @@ TEST(CurvedManifold, OfAnAngleAboveARightOneIsRefused) {
 TEST(CurvedManifold, OfAnyTwoBodiesIsSound) {
   std::mt19937_64 random(7);
   int n_manifolds = 0, n_several = 0;
-  for (const BodyPair& pair : unordered_pairs()) {
+  for (const NamedPair& pair : unordered_pairs()) {
     const ConvexBody a = body_of(pair.a.c_str()), b = body_of(pair.b.c_str());
     for (int k = 0; k < 8; ++k) {
       Transformd pose = k % 2 == 0 ? random_rotation(random) : Transformd{};

@@ -376,7 +376,7 @@ Transformd after(const Cast& cast, double time) {
 TEST(LinearCast, OfAllPairsIsWhereProvenVerdictsChange) {
   std::mt19937_64 random(7);
   int n_hits = 0, n_casts = 0;
-  for (const BodyPair& pair : ordered_pairs()) {
+  for (const NamedPair& pair : ordered_pairs()) {
     const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
     for (int k = 0; k < 12; ++k) {
       const Cast cast = random_cast(random, a, b);
@@ -411,7 +411,7 @@ TEST(LinearCast, OfAllPairsIsWhereProvenVerdictsChange) {
 TEST(LinearCast, SeenFromTheOtherBodyIsTheSame) {
   std::mt19937_64 random(8);
   int n_hits = 0;
-  for (const BodyPair& pair : unordered_pairs()) {
+  for (const NamedPair& pair : unordered_pairs()) {
     const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
     const Cast cast = random_cast(random, a, b);
     const FirstContact found = linear_cast(a, b, cast.pose, cast.motion);

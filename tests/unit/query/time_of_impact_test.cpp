@@ -57,7 +57,7 @@ TEST(PoseAt, TurnsAboutTheAxisOfTheMotionAndMovesTheOriginStraight) {
 TEST(RigidSweep, BoundsTheGapDuringTheWholeInterval) {
   std::mt19937_64 random(2);
   int n_near = 0, n_bounds = 0;
-  for (const BodyPair& pair : unordered_pairs()) {
+  for (const NamedPair& pair : unordered_pairs()) {
     const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
     for (int k = 0; k < 4; ++k) {
       Transformd pose = random_rotation(random);
@@ -236,7 +236,7 @@ TEST(TimeOfImpact, OfAllPairsIsWhereProvenVerdictsChange) {
   std::mt19937_64 random(5);
   int n_hits = 0, n_falls = 0, n_undecided = 0;
   long n_support_calls = 0;
-  for (const BodyPair& pair : ordered_pairs()) {
+  for (const NamedPair& pair : ordered_pairs()) {
     const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
     for (int k = 0; k < 4; ++k) {
       const Fall fall = random_fall(random, a, b, k);

@@ -54,10 +54,10 @@ std::vector<Pose> poses_of(const ConvexBody& a, const ConvexBody& b, std::mt1993
 TEST(PoseBatches, AnswerAsOneByOneBitForBit) {
   std::mt19937_64 random(331);
   int n_overlaps = 0, n = 0;
-  std::vector<BodyPair> pairs = {{"box:1,1,1", "box:0.2,1,3"},       {"capsule:1,0.25", "box:1,1,1"},
-                                 {"cylinder:1,0.5", "cone:1,0.5"},   {"ellipsoid:1,2,3", "sphere:0.6"},
-                                 {"snub-cube:0.5", "tetrahedron:1"}, {"lens:0.9,0.7", "box:1,1,1"}};
-  for (const BodyPair& pair : pairs) {
+  std::vector<NamedPair> pairs = {{"box:1,1,1", "box:0.2,1,3"},       {"capsule:1,0.25", "box:1,1,1"},
+                                  {"cylinder:1,0.5", "cone:1,0.5"},   {"ellipsoid:1,2,3", "sphere:0.6"},
+                                  {"snub-cube:0.5", "tetrahedron:1"}, {"lens:0.9,0.7", "box:1,1,1"}};
+  for (const NamedPair& pair : pairs) {
     SCOPED_TRACE(test_name(pair));
     const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
     const std::vector<Pose> poses = poses_of(a, b, random, 300);

@@ -73,7 +73,7 @@ TEST(Scaled, MirrorImagesMeetAsTheBodiesDoInTheMirror) {
   // In the plane x = 0, of poses too: every number is kept, so that verdicts are the same.
   std::mt19937_64 random(322);
   int n = 0, n_overlaps = 0;
-  for (const BodyPair& pair : further_pairs()) {
+  for (const NamedPair& pair : further_pairs()) {
     const Body a = parse_shape(pair.a), b = parse_shape(pair.b), of_a = mirrored(a), of_b = mirrored(b);
     for (int k = 0; k < 20; ++k) {
       Transformd pose = random_rotation(random);

@@ -104,7 +104,7 @@ TEST(GeneralReferee, AgreesWithTheRefereesOfOneKind) {
 TEST(GeneralReferee, DecidesEveryPairOfKindsNearContact) {
   std::mt19937_64 random(4);
   int n = 0, n_undecided = 0, n_without_hint = 0, n_overlap = 0;
-  for (const BodyPair& pair : unordered_pairs()) {
+  for (const NamedPair& pair : unordered_pairs()) {
     const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
     const GeneralReferee referee(a, b);
     for (const double distance : {1e-3, 1e-8, 1e-13, -1e-3, -1e-8, -1e-13, 1e-16, -1e-16}) {

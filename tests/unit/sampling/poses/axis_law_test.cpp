@@ -171,7 +171,7 @@ TEST(AxisLaw, OfATableIsNamedByItsNumbersAndNotByTheirScale) {
 }
 
 TEST(AxisLaw, RefusesWhatIsNoDensity) {
-  const double nan = std::nan(""), infinity = INFINITY;
+  const double nan = std::nan(""), infinity = HUGE_VAL;
   for (const AxisTable& table : std::vector<AxisTable>{{{}, {}},
                                                        {{0.5}, {1.0}},
                                                        {{0.0, 1.0}, {1.0}},

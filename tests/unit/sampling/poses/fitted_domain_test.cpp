@@ -58,7 +58,7 @@ Transformd wild_rotation(std::mt19937_64& random, int k) {
   return rotation_from_quaternion(1.0, angle * axis.x, angle * axis.y, angle * axis.z);
 }
 
-class EveryPair : public testing::TestWithParam<BodyPair> {};
+class EveryPair : public testing::TestWithParam<NamedPair> {};
 
 TEST_P(EveryPair, TheSetHoldsEveryTranslationOfContactAndItsVolumeIsItsOwn) {
   const ConvexBody a = parse_shape(GetParam().a).body, b = parse_shape(GetParam().b).body;
@@ -102,10 +102,10 @@ INSTANTIATE_TEST_SUITE_P(FittedDomain, EveryPair, testing::ValuesIn(ordered_pair
 
 TEST(FittedDomain, NoSetIsLargerThanTheLargestWhichOfThinBodiesIsNear) {
   std::mt19937_64 random(4);
-  for (const BodyPair& pair :
-       {BodyPair{"box:1e3,1,1", "box:1e3,1,1"}, BodyPair{"ellipsoid:1,1,1e6", "ellipsoid:1,1,1e6"},
-        BodyPair{"cylinder:1e5,0.5", "box:30,1e3,1"}, BodyPair{"cone:1e3,0.5", "capsule:7,0.01"},
-        BodyPair{"box:1e4,30,1", "box:1e4,30,1"}, BodyPair{"box:1e3,1e3,1", "cylinder:1,400"}}) {
+  for (const NamedPair& pair :
+       {NamedPair{"box:1e3,1,1", "box:1e3,1,1"}, NamedPair{"ellipsoid:1,1,1e6", "ellipsoid:1,1,1e6"},
+        NamedPair{"cylinder:1e5,0.5", "box:30,1e3,1"}, NamedPair{"cone:1e3,0.5", "capsule:7,0.01"},
+        NamedPair{"box:1e4,30,1", "box:1e4,30,1"}, NamedPair{"box:1e3,1e3,1", "cylinder:1,400"}}) {
     const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
     const FittedDomain fitted(a, b);
     const double largest = fitted.largest_volume();
@@ -123,7 +123,7 @@ TEST(FittedDomain, NoSetIsLargerThanTheLargestWhichOfThinBodiesIsNear) {
 TEST(FittedDomain, OutsideNothingOverlaps) {
   std::mt19937_64 random(2);
   int n_near = 0;
-  for (const BodyPair& pair : unordered_pairs()) {
+  for (const NamedPair& pair : unordered_pairs()) {
     const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
     const FittedDomain fitted(a, b);
     for (int k = 0; k < 12; ++k) {
@@ -264,7 +264,7 @@ TEST(FittedDomain, IsNeverTheLargerOneOfItsChoices) {
   // Against the two simplest: the bounding boxes of A - R B along A's and along B's axes.
   std::mt19937_64 random(7);
   int n_better = 0, n = 0;
-  for (const BodyPair& pair : unordered_pairs()) {
+  for (const NamedPair& pair : unordered_pairs()) {
     const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
     const FittedDomain fitted(a, b);
     for (int k = 0; k < 5; ++k, ++n) {

@@ -488,7 +488,7 @@ TEST(OrientationLaw, AboutOtherAxesTurnsThemAsTheLawAboutZTurnsZ) {
     EXPECT_THROW(none.about(a, b), UsageError);
   }
   EXPECT_THROW(law.about({0, 0, 0}, b), UsageError);
-  EXPECT_THROW(law.about(a, {INFINITY, 0, 0}), UsageError);
+  EXPECT_THROW(law.about(a, {HUGE_VAL, 0, 0}), UsageError);
 }
 
 TEST(OrientationLaw, OfOneBodyAboutAnotherAxisTurnsThatAxis) {

@@ -21,7 +21,7 @@
 namespace vex {
 namespace {
 
-class RadialEstimatorOfPairs : public testing::TestWithParam<BodyPair> {};
+class RadialEstimatorOfPairs : public testing::TestWithParam<NamedPair> {};
 
 // Student's t with 31 degrees of freedom exceeds 5 once in 50 000 times; seeds are fixed.
 TEST_P(RadialEstimatorOfPairs, AgreesWithTheFormula) {

@@ -116,7 +116,7 @@ void expect_bounds_of_contact(const ConvexBody& a, const ConvexBody& b, const Bo
   EXPECT_NE(at(found.upper + rounding), Outcome::overlap);
 }
 
-class RadialFunctionOfPairs : public testing::TestWithParam<BodyPair> {};
+class RadialFunctionOfPairs : public testing::TestWithParam<NamedPair> {};
 
 TEST_P(RadialFunctionOfPairs, IsWhereProvenVerdictsChange) {
   const ConvexBody a = parse_shape(GetParam().a).body, b = parse_shape(GetParam().b).body;

@@ -79,7 +79,7 @@ void expect_cubes(const ConvexBody& a, const ConvexBody& b) {
   }
 }
 
-class CubesOfPairs : public testing::TestWithParam<BodyPair> {};
+class CubesOfPairs : public testing::TestWithParam<NamedPair> {};
 
 TEST_P(CubesOfPairs, AreThoseOfTheRadialFunctionAndTheSameBitsForEverySet) {
   expect_cubes(parse_shape(GetParam().a).body, parse_shape(GetParam().b).body);

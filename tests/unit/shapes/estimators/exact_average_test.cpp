@@ -196,9 +196,9 @@ TEST(ExcludedVolumeAtAFixedOrientation, OfARoundedBodyIsThatOfTheCoreAndTheBall)
 }
 
 TEST(ExcludedVolumeAtAFixedOrientation, DoesNotDependOnWhichBodyStands) {
-  for (const BodyPair& pair :
-       {BodyPair{"cone:1,0.5", "tetrahedron:1.3"}, BodyPair{"hemisphere:0.8", "cylinder:0.1,1"},
-        BodyPair{"frustum:0.5,0.2,0.9", "rounded:0.1,tetrahedron:1"}, BodyPair{"ellipsoid:1,2,3", "cone:0.2,1"}}) {
+  for (const NamedPair& pair :
+       {NamedPair{"cone:1,0.5", "tetrahedron:1.3"}, NamedPair{"hemisphere:0.8", "cylinder:0.1,1"},
+        NamedPair{"frustum:0.5,0.2,0.9", "rounded:0.1,tetrahedron:1"}, NamedPair{"ellipsoid:1,2,3", "cone:0.2,1"}}) {
     const ExactAverage one = average_of(pair.a, pair.b, OrientationLaw::fixed(0.3, 0.5, -0.2, 0.7));
     const ExactAverage other = average_of(pair.b, pair.a, OrientationLaw::fixed(0.3, -0.5, 0.2, -0.7));
     EXPECT_NEAR(one.excluded_volume, other.excluded_volume, 5.0 * (one.error + other.error)) << test_name(pair);
@@ -218,7 +218,7 @@ TEST(ExcludedVolumeAtAFixedOrientation, OfNeedlesIsNothingAndOfFlatBodiesItsSwee
 TEST(AverageOverUniformRotations, IsKiharasFormulaForEveryPair) {
   ExactAverageSettings settings = quick();
   settings.log2_n_points = 9;  // under sanitizers a pair takes a second
-  for (const BodyPair& pair : unordered_pairs()) {
+  for (const NamedPair& pair : unordered_pairs()) {
     const Body a = parse_shape(pair.a), b = parse_shape(pair.b);
     const double truth = average_excluded_volume(a.measures, b.measures);
     SCOPED_TRACE(test_name(pair));
@@ -232,7 +232,7 @@ TEST(AverageOverUniformRotations, IsThatOfOnsagersLawWithoutOrder) {
   settings.log2_n_points = 8;
   settings.series = false;
   double largest_off = 0.0;
-  for (const BodyPair& pair : unordered_pairs()) {
+  for (const NamedPair& pair : unordered_pairs()) {
     const Body a = parse_shape(pair.a), b = parse_shape(pair.b);
     const double truth = average_excluded_volume(a.measures, b.measures);
     SCOPED_TRACE(test_name(pair));
@@ -274,7 +274,7 @@ TEST(AverageOverALaw, IsTheSameFromTheSeriesAndFromRandomPoints) {
   ExactAverageSettings settings = quick();
   settings.log2_n_points = 8;
   settings.series = false;
-  for (const BodyPair& pair : unordered_pairs()) {
+  for (const NamedPair& pair : unordered_pairs()) {
     const Body a = parse_shape(pair.a), b = parse_shape(pair.b);
     const std::optional<SeriesAverage> series = legendre_average(a, b, OrientationLaw::onsager(5.0));
     ASSERT_TRUE(series.has_value());

@@ -18,7 +18,7 @@ namespace {
 // Student's t with 31 degrees of freedom exceeds it once in 50 000 times; seeds are fixed.
 constexpr double kMostErrors = 5.0;
 
-class MeanWidthEstimatorOfPairs : public testing::TestWithParam<BodyPair> {};
+class MeanWidthEstimatorOfPairs : public testing::TestWithParam<NamedPair> {};
 
 TEST_P(MeanWidthEstimatorOfPairs, AgreesWithTheFormula) {
   const Body a = parse_shape(GetParam().a), b = parse_shape(GetParam().b);

@@ -47,7 +47,7 @@ Transformd rotation_of(const OrientationLaw& law) {
   return law.rotation<double>(unused);
 }
 
-class MixedVolumeEstimatorOfPairs : public testing::TestWithParam<BodyPair> {};
+class MixedVolumeEstimatorOfPairs : public testing::TestWithParam<NamedPair> {};
 
 TEST_P(MixedVolumeEstimatorOfPairs, AgreesWithTheFormula) {
   const Body a = parse_shape(GetParam().a), b = parse_shape(GetParam().b);
@@ -161,9 +161,9 @@ TEST(MixedVolumeEstimator, OfTwoCylindersIsOnsagersAtEachOrientation) {
 TEST(MixedVolumeEstimator, OfALawThatSpinsTheBodiesIsTheSeriesOfLegendrePolynomials) {
   const Body hull = hull_on_an_ellipsoid(100);
   for (const OrientationLaw& law : {OrientationLaw::cone(60.0), OrientationLaw::onsager(5.0)}) {
-    for (const BodyPair& pair :
-         {BodyPair{"cylinder:1,0.5", "box:0.2,1,3"}, BodyPair{"cone:0.2,1", "rounded:0.1,tetrahedron:1"},
-          BodyPair{"hemisphere:0.8", "ellipsoid:1,2,3"}, BodyPair{"plate:1,1.3", "needle:2"}}) {
+    for (const NamedPair& pair :
+         {NamedPair{"cylinder:1,0.5", "box:0.2,1,3"}, NamedPair{"cone:0.2,1", "rounded:0.1,tetrahedron:1"},
+          NamedPair{"hemisphere:0.8", "ellipsoid:1,2,3"}, NamedPair{"plate:1,1.3", "needle:2"}}) {
       const Body a = parse_shape(pair.a), b = parse_shape(pair.b);
       const std::optional<SeriesAverage> series = legendre_average(a, b, law);
       ASSERT_TRUE(series.has_value());
