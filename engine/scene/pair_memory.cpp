@@ -163,7 +163,7 @@ void PairMemory::list(bool keeps_old) {
   std::size_t at = 0;
   for (std::size_t k = 0; k < n; ++k) {
     const Listed& pair = listed_[k];
-    if (k + kAhead < n) bodies_->prefetch_track(listed_[k + kAhead].b);
+    if (n_before > 0 && k + kAhead < n) bodies_->prefetch_track(listed_[k + kAhead].b);
     while (at < n_before && listed_before_[at] < pair) ++at;
     if (at == n_before || !(listed_before_[at] == pair)) {
       known_[k] = {};

@@ -210,7 +210,8 @@ TEST_F(Resume, AFileThatTookTheNameMeanwhileIsLeft) {
       "--checkpoint-every 0.05 & "
       "until [ -s c ]; do sleep 0.02; done; rm c; until [ -s c ]; do sleep 0.02; done; echo mine > d; mv d c; "
       "sleep 0.3; kill -TERM $!; wait $!");
-  EXPECT_EQ(finished.exit_code, 143) << finished.err;
+  EXPECT_EQ(finished.exit_code, 1) << finished.err;
+  EXPECT_NE(finished.out.find("# vex_mesh checkpoint\n"), std::string::npos) << finished.out;
   EXPECT_NE(finished.err.find("no state was saved: another file has taken the name of this run's (c)"),
             std::string::npos)
       << finished.err;
@@ -288,7 +289,7 @@ TEST_F(Resume, WhereItCannotBeSavedTheRunGoesOn) {
   const Finished resumed = shell(
       "exec \"$VEX\" box:1,1,1 --estimator hit-or-miss --trials 3e7 --threads 1 --resume rescued.state --json s.json");
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
-  EXPECT_EQ(json::parse(read_file("s.json"))["estimate"], json::parse(read_file("r.json"))["estimate"]);
+  EXPECT_EQ(json::parse(read_file("s.json"))["estimate"]["hits"], json::parse(read_file("r.json"))["estimate"]["hits"]);
 }
 
 TEST_F(Resume, WhatNamesNoFileIsWrongUsage) {
