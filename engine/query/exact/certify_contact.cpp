@@ -159,8 +159,8 @@ class CastCertifier {
   }
 
   Vec3d searched_normal() const {
-    const int exponent =
-        std::ilogb(std::fmax(std::fabs(motion_.x), std::fmax(std::fabs(motion_.y), std::fabs(motion_.z))));
+    const double largest = std::fmax(std::fabs(motion_.x), std::fmax(std::fabs(motion_.y), std::fabs(motion_.z)));
+    const int exponent = largest > 0.0 ? std::ilogb(largest) : 0;  // of bodies at rest it would be INT_MIN
     if (!are_within_range(a_, b_, pose_.a_from_b())) return {};
     const OverlapAnswer start = overlap_answer(a_, b_, pose_);
     RaySearch search(a_, b_, pose_.a_from_b(), times_power_of_two(motion_, -exponent));
