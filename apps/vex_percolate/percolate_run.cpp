@@ -166,8 +166,8 @@ std::uint64_t end_of_round(std::uint64_t fewest) {
   return end;
 }
 
-// Whether all sizes have as many realisations as at the end of a round. Between them stops are not asked for: a run that
-// was killed within a round and goes on would end where one run does not.
+// Whether all sizes have as many realisations as at the end of a round. Whether the error is reached is asked there
+// alone: a run that was killed within a round and goes on would else end where one run does not.
 bool is_end_of_round(const PercolateRun& run) {
   const std::size_t n = run.sizes.front().found.size();
   return n > 0 && end_of_round(n - 1) == n &&
