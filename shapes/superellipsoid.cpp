@@ -141,14 +141,15 @@ double settled_mean_over(const Densities& of, const Vec3d& inverse, const F& f) 
 }  // namespace
 
 Superellipsoid::Curve::Curve(double exponent)
-    : p(checked_exponent(exponent)), inverse(1.0 / p), power(1.0 / (p - 1.0)), dual(p > 1.0 ? p / (p - 1.0) : power) {}
+    : p(checked_exponent(exponent)), inverse(1.0 / p), power(1.0 / (p - 1.0)) {}
 
 Superellipsoid::Curve::Farthest Superellipsoid::Curve::farthest(double u, double v) const {
   const double largest = std::max(u, v);
   if (!(largest > 0.0)) return {0.0, 0.0, 0.0};
   const double ratio = std::min(u, v) / largest;
-  const double reach = std::pow(1.0 + std::pow(ratio, dual), inverse);
-  const double far = 1.0 / reach, near = std::pow(ratio, power) / reach;
+  const double beside = std::pow(ratio, power);
+  const double reach = std::pow(1.0 + ratio * beside, inverse);
+  const double far = 1.0 / reach, near = beside / reach;
   const double height = largest * (far + ratio * near);
   return u >= v ? Farthest{far, near, height} : Farthest{near, far, height};
 }

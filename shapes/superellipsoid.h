@@ -54,7 +54,6 @@ class Superellipsoid {
     double p;        // 2P
     double inverse;  // 1/p
     double power;    // 1/(p - 1), infinite for p = 1
-    double dual;     // p/(p - 1)
   };
   double largest_reach() const;
   double least_reach() const;
