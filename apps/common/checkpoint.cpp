@@ -73,12 +73,7 @@ Checkpoint::Checkpoint(const OutputFile& file, std::string program, const Checkp
     throw UsageError("a state replaces the one before it, and a device or a pipe cannot be replaced (" + path_ +
                      " for --checkpoint) - name a file");
   }
-  try {
-    file_ = std::make_unique<LockedFile>(file);
-  } catch (const std::system_error& error) {
-    throw UsageError("the file of --checkpoint cannot be written (" + path_ + ": " + error.code().message() +
-                     ") - name another one");
-  }
+  file_ = std::make_unique<LockedFile>(file, "--checkpoint");
   if (!file_->was_empty() && !options.is_own_file()) {
     throw UsageError("the file of --checkpoint holds something already (" + path_ + ") - go on from it with --resume " +
                      path_ + ", name another file, or remove it");

@@ -6,12 +6,22 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <system_error>
 
 #include "engine/numeric/errors.h"
 
 namespace vex {
 
-LockedFile::LockedFile(const OutputFile& file) : target_(file.target()) {
+LockedFile::LockedFile(const OutputFile& file, const std::string& option) : path_(file.path()), target_(file.target()) {
+  try {
+    open_and_lock(option);
+  } catch (const std::system_error& error) {
+    throw UsageError("the file of " + option + " cannot be written (" + path_ + ": " + error.code().message() +
+                     ") - name another one");
+  }
+}
+
+void LockedFile::open_and_lock(const std::string& option) {
   while (true) {
     // For writing, which file systems of a network ask of who locks.
     constexpr int kHow = O_RDWR | O_NOFOLLOW | O_CLOEXEC;
@@ -29,8 +39,8 @@ LockedFile::LockedFile(const OutputFile& file) : target_(file.target()) {
     while ((refused = flock(file_.number(), LOCK_EX | LOCK_NB) == 0 ? 0 : errno) == EINTR) {
     }
     if (refused == EWOULDBLOCK) {
-      throw UsageError("another run that lives saves itself in this file (" + file.path() +
-                       " for --checkpoint) - wait for its end, or name another file");
+      throw UsageError("another run that lives saves itself in this file (" + path_ + " for " + option +
+                       ") - wait for its end, or name another file");
     }
     has_lock_ = refused == 0;
     // The name leads to another file where the process that held this one replaced or removed it a moment ago.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "apps/common/descriptor.h"
@@ -16,8 +17,8 @@ namespace vex {
 class LockedFile {
  public:
   /// Makes the file where there is none, and removes what earlier processes left beside it (remove_leftovers). Throws
-  /// UsageError where another process holds it, std::system_error where it cannot be opened.
-  explicit LockedFile(const OutputFile& file);
+  /// UsageError where another process holds it, or where it cannot be opened; `option` is the one that names it.
+  LockedFile(const OutputFile& file, const std::string& option);
   /// Removes the file where it made it, and nothing was written.
   ~LockedFile();
   LockedFile(const LockedFile&) = delete;
@@ -32,8 +33,10 @@ class LockedFile {
   void replace(std::string_view text);
 
  private:
+  void open_and_lock(const std::string& option);
   FileNumber number() const;
 
+  std::string path_;  // as it was named
   std::filesystem::path target_;
   Descriptor file_{-1};
   bool has_lock_ = true, was_made_ = false, was_empty_ = true, was_written_ = false;

@@ -5,10 +5,12 @@
 #include <functional>
 #include <iostream>
 #include <iterator>
+#include <memory>
 #include <set>
 
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
+#include "apps/common/locked_file.h"
 #include "apps/common/results.h"
 #include "apps/common/run_program.h"
 #include "apps/common/text.h"
@@ -62,11 +64,18 @@ ScanOutputs output_files(const Scan& scan, bool is_quiet) {
   return outputs;
 }
 
+/// A file of rows, which one scan alone goes on with at a time: of two each would put its rows in the place of the
+/// other's. None where there is no file, or one that cannot be replaced.
+std::unique_ptr<LockedFile> locked(const std::optional<OutputFile>& file, const std::string& option) {
+  if (!file || file->may_wait_for_a_reader()) return nullptr;
+  return std::make_unique<LockedFile>(*file, option);
+}
+
 /// Writes the rows while the scan runs, but no more often than this: a machine that goes down takes little with it.
 class RowsSaver {
  public:
-  RowsSaver(const ScanRun& run, const std::map<std::string, ScanRow>& earlier, const ScanOutputs& outputs)
-      : run_(run), earlier_(earlier), outputs_(outputs) {}
+  RowsSaver(const ScanRun& run, const std::map<std::string, ScanRow>& earlier, LockedFile* jsonl, LockedFile* csv)
+      : run_(run), earlier_(earlier), jsonl_(jsonl), csv_(csv) {}
 
   /// What a file holds now. As long as the scan is not at its end, rows of an earlier one stay behind the new ones:
   /// whoever stops it, or kills it, loses none.
@@ -92,8 +101,8 @@ class RowsSaver {
     const bool is_new = run_.rows.size() > n_saved_;
     if (!is_new || Clock::now() - saved_ < kBetween) return;
     // Lines of JSON first: they know more, and a scan that goes on takes from the table what they lack.
-    save(outputs_.jsonl, [this] { return jsonl_text(run_.scan, rows(false)); });
-    save(outputs_.csv, [this] { return csv_text(run_.scan, rows(false)); });
+    save(jsonl_, [this] { return jsonl_text(run_.scan, rows(false)); });
+    save(csv_, [this] { return csv_text(run_.scan, rows(false)); });
     n_saved_ = run_.rows.size();
     saved_ = Clock::now();
   }
@@ -102,10 +111,10 @@ class RowsSaver {
   using Clock = std::chrono::steady_clock;
 
   // The scan goes on where the disk refuses: the rows are written once more at its end.
-  void save(const std::optional<OutputFile>& file, const std::function<std::string()>& rows) {
-    if (!file || file->may_wait_for_a_reader()) return;
+  void save(LockedFile* file, const std::function<std::string()>& rows) {
+    if (file == nullptr) return;
     try {
-      file->write(rows());
+      file->replace(rows());
     } catch (const std::exception& error) {
       if (!has_said_) std::cerr << kProgram << ": " << printable(error.what()) << "; the scan goes on\n";
       has_said_ = true;
@@ -114,7 +123,7 @@ class RowsSaver {
 
   const ScanRun& run_;
   const std::map<std::string, ScanRow>& earlier_;
-  const ScanOutputs& outputs_;
+  LockedFile *jsonl_, *csv_;  // null where there is none
   std::size_t n_saved_ = 0;
   bool has_said_ = false;
   Clock::time_point saved_ = Clock::now();
@@ -140,9 +149,10 @@ int run_vex_scan(const ScanCommandLine& words, const std::string& command) {
   require_a_case_that_means_something(run.scan);
   const ScanOutputs outputs = output_files(run.scan, run.options.quiet);
   require_rows_or_nothing(run.scan);
+  const std::unique_ptr<LockedFile> jsonl = locked(outputs.jsonl, "--jsonl"), csv = locked(outputs.csv, "--csv");
   const std::map<std::string, ScanRow> earlier = earlier_rows(run.scan);
   catch_interrupts();
-  RowsSaver saver(run, earlier, outputs);
+  RowsSaver saver(run, earlier, jsonl.get(), csv.get());
   run_scan(run, earlier, [&saver] { saver.save_if_due(); });
 
   if (const std::size_t n_left = saver.rows_of_no_case().size(); run.complete && n_left > 0) {

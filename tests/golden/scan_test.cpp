@@ -183,7 +183,9 @@ TEST_F(ScanProgram, AnInterruptKeepsTheRowsThatWereDone) {
   const Words words = {"box:1,1,{C}", "--for",  "C=1:500:1", "--trials",  "2e5", "--estimator", "hit-or-miss", "--csv",
                        "rows.csv",    "--json", "all.json",  "--threads", "3"};
   const Finished finished = run_and_signal(words, SIGINT, [this](pid_t process) {
-    return has_worker_threads(process) && std::filesystem::exists(path("rows.csv"));
+    std::error_code none_yet;
+    const std::uintmax_t size = std::filesystem::file_size(path("rows.csv"), none_yet);
+    return has_worker_threads(process) && !none_yet && size > 0;
   });
   EXPECT_EQ(finished.exit_code, 130) << finished.err;
   EXPECT_NE(finished.out.find("INTERRUPTED"), std::string::npos);
@@ -194,6 +196,24 @@ TEST_F(ScanProgram, AnInterruptKeepsTheRowsThatWereDone) {
   EXPECT_LT(n, 500u);
   EXPECT_EQ(lines_of(read_file("rows.csv")).size(), n + 1);
   for (const json& row : document["rows"]) EXPECT_EQ(row["trials"], 200000);
+}
+
+TEST_F(ScanProgram, OfTwoThatLiveOneHasTheFile) {
+  const Finished finished = shell(
+      "\"$VEX\" box:1,1,1 box:1,1,2 --trials 1e12 --estimator hit-or-miss --csv rows --jsonl lines --quiet & "
+      "until [ -e rows ] && [ -e lines ]; do sleep 0.02; done; sleep 0.2; for files in '--csv rows' '--jsonl lines' "
+      "'--csv other --jsonl lines'; do \"$VEX\" sphere:1 --quiet $files || echo refused $?; done; "
+      "kill -TERM $!; wait $!");
+  EXPECT_EQ(finished.exit_code, 143) << finished.err;
+  EXPECT_EQ(finished.out, "refused 2\nrefused 2\nrefused 2\n");
+  EXPECT_NE(finished.err.find("another run that lives saves itself in this file (rows for --csv) - wait for its end, "
+                              "or name another file"),
+            std::string::npos)
+      << finished.err;
+  EXPECT_FALSE(std::filesystem::exists(path("other")));
+  // The lock goes with the process, however that ends.
+  EXPECT_EQ(run({"sphere:1", "--quiet", "--csv", "rows", "--jsonl", "lines"}).exit_code, 0);
+  EXPECT_EQ(lines_of(read_file("rows")).size(), 2U);
 }
 
 TEST_F(ScanProgram, EachWithOneBodyAndVariablesInOptions) {
