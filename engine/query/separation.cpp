@@ -8,6 +8,7 @@
 #include "engine/numeric/errors.h"
 #include "engine/query/exact/placed_forms.h"
 #include "engine/query/search/separation_search.h"
+#include "engine/query/separation_from_guess.h"
 #include "engine/query/separation_with_verdict.h"
 #include "engine/support/combinators.h"
 
@@ -118,24 +119,24 @@ Separation separation(const SeparationQuery& query, WarmStart* warm_start, std::
                    &*placed);
 }
 
-// Whether the bodies are as far apart along the normal as is said, and so are the points, to `accuracy`.
-bool points_show_distance(const SeparationQuery& query, const Separation& found, double accuracy) {
-  const auto& [a, b, a_from_b, goal, settings] = query;
+// Whether the points are opposite each other along the normal and as far apart as is said, to `accuracy`.
+bool points_are_opposite(const SeparationQuery& query, const Separation& found, double accuracy) {
+  const double coordinates = norm_1(found.point_a) + norm_1(found.point_b) + norm_1(query.a_from_b.translation);
+  const Vec3d off = (found.point_b - found.point_a) - found.signed_distance * found.normal;
+  return safe_norm(off) <= accuracy + 16.0 * kUnitRoundoff * coordinates;
+}
+
+// Whether the bodies are as far apart along the normal as is said, to `accuracy`.
+bool normal_shows_distance(const SeparationQuery& query, const Separation& found, double accuracy) {
+  const ConvexBody &a = query.a, &b = query.b;
+  const Transformd& a_from_b = query.a_from_b;
   const Vec3d of_a = a.support(found.normal), of_b = a_from_b(b.support(a_from_b.direction_to_b(-found.normal)));
   const double rounding = 16.0 * kUnitRoundoff * (norm_1(of_a) + norm_1(of_b) + norm_1(a_from_b.translation));
-  if (!(dot(found.normal, of_b - of_a) >= found.signed_distance - accuracy - rounding)) return false;
-  const Vec3d off = (found.point_b - found.point_a) - found.signed_distance * found.normal;
-  return safe_norm(off) <= accuracy + rounding;
+  return dot(found.normal, of_b - of_a) >= found.signed_distance - accuracy - rounding;
 }
 
 Separation answer_of(const SeparationQuery& query, WarmStart* warm_start, std::optional<OverlapAnswer>& known) {
-  if (!(query.settings.relative_gap >= 0.0)) {
-    throw UsageError("the relative gap of a distance is negative or no number - give one from 0 up");
-  }
-  if (!(query.settings.max_distance >= 0.0)) {
-    throw UsageError("the largest distance of interest is negative or no number - give one from 0 up");
-  }
-  if (query.settings.max_support_calls < 1) throw UsageError("a distance has no support calls - give one at least");
+  require_usable(query.settings);
   Separation found = separation(query, warm_start, known);
   if (!(found.lower <= found.upper)) {
     // Bounds that exclude each other, or are no numbers, come from a support mapping that is none.
@@ -145,9 +146,13 @@ Separation answer_of(const SeparationQuery& query, WarmStart* warm_start, std::o
   const double promised = part_of_size(query, query.relative_gap(1e-12, 1e-9), found);
   found.is_rough = found.has_witnesses && !(found.upper - found.lower <= promised);
   // A search that was cut short may have its lower bound from another direction than that of its nearest points, and
-  // these not opposite each other.
-  if (found.has_witnesses && !found.is_rough && query.settings.max_support_calls < kMaxSupportCalls) {
-    found.is_rough = !points_show_distance(query, found, promised);
+  // these not opposite each other. Of one that wanted few digits the verdict may have moved the value from its points.
+  const bool is_cut_short = query.settings.max_support_calls < kMaxSupportCalls;
+  if (found.has_witnesses && !found.is_rough && (is_cut_short || query.settings.relative_gap > kRoughGap)) {
+    found.is_rough = !points_are_opposite(query, found, promised);
+  }
+  if (found.has_witnesses && !found.is_rough && is_cut_short) {
+    found.is_rough = !normal_shows_distance(query, found, promised);
     found.n_support_calls += 2;
   }
   return found;
@@ -158,6 +163,16 @@ Separation answer_of(const SeparationQuery& query, WarmStart* warm_start) {
 }
 
 }  // namespace
+
+void require_usable(const SeparationSettings& settings) {
+  if (!(settings.relative_gap >= 0.0)) {
+    throw UsageError("the relative gap of a distance is negative or no number - give one from 0 up");
+  }
+  if (!(settings.max_distance >= 0.0)) {
+    throw UsageError("the largest distance of interest is negative or no number - give one from 0 up");
+  }
+  if (settings.max_support_calls < 1) throw UsageError("a distance has no support calls - give one at least");
+}
 
 Separation signed_distance(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
                            const SeparationSettings& settings, WarmStart* warm_start) {
@@ -175,6 +190,15 @@ Separation distance(const ConvexBody& a, const ConvexBody& b, const Pose& pose, 
 Separation distance(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const SeparationSettings& settings,
                     WarmStart* warm_start, std::optional<OverlapAnswer>& overlap) {
   return answer_of({a, b, pose.a_from_b(), SeparationGoal::distance, settings}, warm_start, overlap);
+}
+
+Separation signed_distance(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
+                           const SeparationSettings& settings, const NearestGuess& guess) {
+  return answer_of({a, b, pose.a_from_b(), SeparationGoal::signed_distance, settings, &guess}, nullptr);
+}
+Separation distance(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const SeparationSettings& settings,
+                    const NearestGuess& guess) {
+  return answer_of({a, b, pose.a_from_b(), SeparationGoal::distance, settings, &guess}, nullptr);
 }
 
 Separation penetration_depth(const ConvexBody& a, const ConvexBody& b, const Pose& pose,

@@ -10,11 +10,12 @@
 
 namespace vex {
 
-// out[k] is what the query of one pose with the same name answers of a_from_b[k], bit for bit but for `n_support_calls`
-// and the stage in `verdict.by`, whatever the number of threads. `distance` and `penetration_depth` first ask the
-// packets that decide overlaps (overlap_backend.h), and search no further where these prove that there is no distance,
-// or no depth. Nothing is kept from one pose to the next: a warm start would change last digits. Spans of one length
-// and at least one thread, or UsageError.
+// out[k] is what the query of one pose with the same name answers of a_from_b[k], whatever the number of threads and
+// the machine's instruction set. First the packets that decide overlaps are asked (overlap_backend.h): where they prove
+// that there is no distance, or no depth, nothing is searched. Distances of bodies that are apart begin where packets
+// guess the nearest points (packets/nearest_guess.h): they are as near as those of the query of one pose, and their
+// last digits are others. Depths and casts are the query's to the bit, but for `n_support_calls` and the stage in
+// `verdict.by`. Nothing is kept from one pose to the next. Spans of one length and at least one thread, or UsageError.
 
 void signed_distance(const ConvexBody& a, const ConvexBody& b, std::span<const Pose> a_from_b,
                      std::span<Separation> out, const SeparationSettings& settings = {}, int n_threads = 1);

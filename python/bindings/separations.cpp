@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "engine/query/contact_manifold.h"
 #include "engine/query/manifold_certificate.h"
 #include "engine/query/separation.h"
 #include "engine/query/separation_certificate.h"
+#include "engine/query/separation_of_many.h"
 #include "python/bindings/body.h"
 #include "python/bindings/proofs.h"
 
@@ -27,21 +30,19 @@ struct ManifoldRow {
   std::uint64_t feature_a, feature_b;
 };
 
-enum class Wanted : std::uint8_t { signed_distance, distance, depth };
-
-SeparationRow row_of(const Separation& found, Wanted wanted) {
+SeparationRow row_of(const Separation& found, SeparationGoal goal) {
   SeparationRow row{};
   row.verdict = number_of(found.verdict.outcome);
   row.is_rough = found.is_rough;
   row.value = found.signed_distance;
   row.lower = found.lower;
   row.upper = found.upper;
-  if (wanted == Wanted::depth) {
+  if (goal == SeparationGoal::depth) {
     row.value = 0.0 - row.value;
     row.lower = -found.upper;
     row.upper = -found.lower;
   }
-  if (wanted != Wanted::signed_distance) {  // a distance, and a depth, is never below 0
+  if (goal != SeparationGoal::signed_distance) {  // a distance, and a depth, is never below 0
     row.value = std::max(row.value, 0.0);
     row.lower = std::max(row.lower, 0.0);
     row.upper = std::max(row.upper, 0.0);
@@ -57,7 +58,7 @@ SeparationRow row_of(const Separation& found, Wanted wanted) {
 }
 
 /// With a state rows are steps of one motion: in their order, each beginning where the one before has ended.
-template <Wanted wanted>
+template <SeparationGoal goal>
 py::tuple separation_of_poses(const PyBody& a, const PyBody& b, const Floats& rows,
                               const std::optional<Floats>& translations, double relative_gap, double max_distance,
                               bool certify_answers, WarmStart* warm_start, int threads) {
@@ -70,21 +71,35 @@ py::tuple separation_of_poses(const PyBody& a, const PyBody& b, const Floats& ro
   settings.relative_gap = relative_gap;
   settings.max_distance = max_distance;
   Proofs proofs(certify_answers, poses.size());
-  // Its own, since threads of Python's may share the one that was given.
-  std::optional<WarmStart> state;
-  if (warm_start != nullptr) state = *warm_start;
-  WarmStart* const used = state ? &*state : nullptr;
-  over_each_pose(poses, used != nullptr ? 1 : threads, [&](std::size_t k, const Pose& pose) {
-    constexpr auto query = wanted == Wanted::signed_distance ? signed_distance
-                           : wanted == Wanted::distance      ? distance
-                                                             : penetration_depth;
-    const Separation found = query(a.body, b.body, pose, settings, used);
-    to[k] = row_of(found, wanted);
+  const auto set = [&](std::size_t k, const Pose& pose, const Separation& found) {
+    to[k] = row_of(found, goal);
     if (proofs.is_wanted()) {
       proofs.set(k, check_certificate(a.body, b.body, pose, found, certify(a.body, b.body, pose, found)));
     }
+  };
+  if (warm_start == nullptr) {
+    over_rows(poses.size(), threads, ManySeparations::kMostPoses, [&] {
+      return [&, many = std::make_shared<ManySeparations>(a.body, b.body, goal, settings),
+              found = std::vector<Separation>(std::min(poses.size(), ManySeparations::kMostPoses))](
+                 std::size_t first, std::size_t last) mutable {
+        alignas(64) double columns[kPoseColumns][PacketOverlap::kStride];
+        poses.set_columns(first, last, columns[0]);
+        const PoseTable table{columns[0], PacketOverlap::kStride, last - first};
+        many->answer(table, found);
+        for (std::size_t k = first; k < last; ++k) set(k, Pose::unchecked(table.pose(k - first)), found[k - first]);
+      };
+    });
+    return py::make_tuple(result, proofs.arrays());
+  }
+  // Its own, since threads of Python's may share the one that was given.
+  WarmStart state = *warm_start;
+  over_each_pose(poses, 1, [&](std::size_t k, const Pose& pose) {
+    constexpr auto query = goal == SeparationGoal::signed_distance ? signed_distance
+                           : goal == SeparationGoal::distance      ? distance
+                                                                   : penetration_depth;
+    set(k, pose, query(a.body, b.body, pose, settings, &state));
   });
-  if (warm_start != nullptr) *warm_start = *state;
+  *warm_start = state;
   return py::make_tuple(result, proofs.arrays());
 }
 
@@ -121,7 +136,7 @@ py::tuple manifolds(const PyBody& a, const PyBody& b, const Floats& rows, const 
     ManifoldRow* to = contacts.mutable_data();
     for (const ContactManifold::Contact& contact : manifold.contacts) put_contact(*to++, contact);
     py::array_t<SeparationRow> separation(1);
-    *separation.mutable_data() = row_of(manifold.separation, Wanted::signed_distance);
+    *separation.mutable_data() = row_of(manifold.separation, SeparationGoal::signed_distance);
     result.append(py::make_tuple(separation, contacts));
   }
   return py::make_tuple(result, proofs.arrays());
@@ -145,12 +160,12 @@ void bind_separations(py::module_& module) {
       .def(
           "__deepcopy__", [](const WarmStart& state, const py::object&) { return state; }, py::arg("memo"))
       .def(py::pickle(&bytes_of, &warm_start_of));
-  module.def("signed_distance", &separation_of_poses<Wanted::signed_distance>, a, b, poses, translations, relative_gap,
+  module.def("signed_distance", &separation_of_poses<SeparationGoal::signed_distance>, a, b, poses, translations,
+             relative_gap, max_distance, certify, warm_start, threads);
+  module.def("distance", &separation_of_poses<SeparationGoal::distance>, a, b, poses, translations, relative_gap,
              max_distance, certify, warm_start, threads);
-  module.def("distance", &separation_of_poses<Wanted::distance>, a, b, poses, translations, relative_gap, max_distance,
-             certify, warm_start, threads);
-  module.def("depth", &separation_of_poses<Wanted::depth>, a, b, poses, translations, relative_gap, max_distance,
-             certify, warm_start, threads);
+  module.def("depth", &separation_of_poses<SeparationGoal::depth>, a, b, poses, translations, relative_gap,
+             max_distance, certify, warm_start, threads);
   module.def("contact_manifold", &manifolds, a, b, poses, translations, py::arg("margin"), py::arg("feature_angle"),
              py::arg("four_at_most"), certify, threads);
 }

@@ -7,6 +7,7 @@
 // where they belong, along a normal that shows the depth: whether they are opposite each other is asked as well.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "engine/query/separation_certificate.h"
@@ -61,6 +62,22 @@ TEST(ShortenedSearches, AreRoughWherePointsAreNotOppositeEachOther) {
     EXPECT_TRUE(check.is_proven) << check.fault << " " << n_calls;
   }
   EXPECT_GT(n_fine, 10);
+}
+
+// Of who asks for a tenth: bounds that the verdict has cut at 0, and points of a simplex that is apart by more.
+TEST(ShortenedSearches, AreRoughWhereTheVerdictMovesTheValueFromItsPoints) {
+  const ConvexBody a = parse_shape("hemisphere:1").body, b = parse_shape("capsule:1,0.001").body;
+  const Transformd pose{{0.067137189398920452, -0.92080550122754945, 0.38420024298364885},
+                        {-0.67303208855730723, -0.32606321067269961, -0.66386036966970674},
+                        {0.73655984520730056, -0.21400937258655772, -0.64162261717718894},
+                        {0.5294546640768909, -1.016253380803638, 0.32068265098730103}};
+  for (const double gap : {0.05, 0.1, 0.2}) {
+    const Separation found = signed_distance(a, b, pose, {.relative_gap = gap});
+    EXPECT_EQ(found.verdict.outcome, Outcome::overlap);
+    const Vec3d off = (found.point_b - found.point_a) - found.signed_distance * found.normal;
+    const double promised = gap * (std::fabs(found.signed_distance) + a.circumradius() + b.circumradius());
+    EXPECT_TRUE(found.is_rough || norm(off) <= promised * (1.0 + 1e-12)) << gap;
+  }
 }
 
 }  // namespace

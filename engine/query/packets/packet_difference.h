@@ -12,6 +12,7 @@
 
 namespace vex {
 namespace VEX_ISA {
+inline namespace VEX_ROUNDING {
 
 // tests/bench compiles the kernel once more without the proofs, to measure what they cost.
 #ifdef VEX_FILTER_WITHOUT_PROOFS
@@ -110,5 +111,6 @@ struct PacketDifference {
   double start_clearance;
 };
 
+}  // namespace VEX_ROUNDING
 }  // namespace VEX_ISA
 }  // namespace vex

@@ -24,6 +24,13 @@ std::unique_ptr<PacketPair> PacketPair::make(const ConvexBody& a, const ConvexBo
 PacketPair::PacketPair(const ConvexBody& a, const ConvexBody& b, CoreForm core_a, CoreForm core_b)
     : a_(a), b_(b), core_a_(std::move(core_a)), core_b_(std::move(core_b)) {}
 
+bool PacketPair::are_polytopes() const {
+  const auto is_polytope = [](const CoreForm& core) {
+    return core.kind != CoreForm::Kind::ellipsoid && core.kind != CoreForm::Kind::pieces;
+  };
+  return is_polytope(core_a_) && is_polytope(core_b_);
+}
+
 PacketPairForms PacketPair::forms() const {
   const QueryError<double> own = query_error(a_, b_, Transformd{});
   const double error = own.support + core_a_.support_error + 2.0 * core_b_.support_error;

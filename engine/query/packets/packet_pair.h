@@ -16,6 +16,8 @@ class PacketPair {
   /// that whether a kernel answers a trial is no matter of what was asked before, or of time.
   static std::unique_ptr<PacketPair> make(const ConvexBody& a, const ConvexBody& b);
 
+  /// Whether both cores' support points are vertices, exactly.
+  bool are_polytopes() const;
   /// Refers to this.
   PacketPairForms forms() const;
 

@@ -1,5 +1,6 @@
 #include "engine/query/search/separation_search.h"
 
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -13,9 +14,8 @@
 namespace vex {
 namespace {
 
-// How near the searches bring bounds, rounding apart, where no more is asked. Polytopes end by themselves; what is left
-// of curved bodies halves with every other support call.
-constexpr double kPolytopeGap = 0x1p-44, kExtendedPolytopeGap = 0x1p-60, kCurvedGap = 0x1p-32;
+// As SeparationQuery::searched_gap, in twice the precision.
+constexpr double kExtendedPolytopeGap = 0x1p-60;
 // Where rounding makes faces of its own, a hull of more points than these is no better.
 constexpr int kCoarseHullPoints = 32;
 
@@ -37,7 +37,7 @@ class DoubleSearch {
         settings_{query.goal,
                   difference_.radius_a() + difference_.radius_b(),
                   query.circumradii(),
-                  query.relative_gap(kPolytopeGap, kCurvedGap),
+                  query.searched_gap(),
                   query.settings.max_support_calls,
                   is_coarse_ ? std::min(kCoarseHullPoints, query.settings.max_support_calls) : query.max_hull_points(),
                   query.settings.max_distance,
@@ -77,7 +77,7 @@ class DoubleSearch {
   bool answer_without_search(Separation& result) const {
     if (!are_zonotopes()) return false;
     const Generators &of_a = *query_.a.generators(), &of_b = *query_.b.generators();
-    if (of_a.n_vectors + of_b.n_vectors <= 2) {
+    if (is_known_without_search(query_.a, query_.b)) {
       const std::optional<ZonotopeSeparation> nearest = nearest_of_segments(of_a, of_b, query_.a_from_b, error_);
       const double rounding = 4.0 * error_.support;
       if (!nearest || nearest->bounds.width() > rounding + settings_.wanted(nearest->distance)) return false;
@@ -104,6 +104,11 @@ class DoubleSearch {
     Separation& result = searched.separation;
     const bool is_smooth = !query_.are_rounded_polytopes();
     NearestSimplex<double, CoreDifference::Point> simplex;
+    int n_calls_before = 0;
+    if (query_.guess != nullptr) {
+      simplex = guessed_simplex(*query_.guess);
+      n_calls_before = query_.guess->are_points ? 0 : static_cast<int>(query_.guess->n);
+    }
     if (memory) {
       if (memory->holds_hull() && settings_.goal != SeparationGoal::distance) {
         CoreSeparation<double, CoreDifference::Point> core;
@@ -115,13 +120,11 @@ class DoubleSearch {
       } else {
         simplex = memory->simplex(settings_, is_smooth);
       }
+      n_calls_before = memory->n_support_calls();
     }
-    const Vec3d parting_dir = memory ? memory->parting_dir() : Vec3d{};
-    Vec3d first_dir = norm_1(parting_dir) > 0.0 ? parting_dir : difference_.between_centres();
-    first_dir = norm_1(first_dir) > 0.0 ? unit_along(first_dir) : kAnyUnitVector;
+    const Vec3d first_dir = simplex.size() == 0 ? first_direction(memory) : Vec3d{};
     CoreSearch<double, CoreDifference::Point, CoreDifference> search(difference_, error_, settings_, first_dir,
                                                                      simplex);
-    const int n_calls_before = memory ? memory->n_support_calls() : 0;
     if (search.wants_depth()) {
       if (are_zonotopes()) {
         const std::optional<ZonotopeSeparation> deepest = deepest_of_faces(zonotope(), error_);
@@ -144,10 +147,32 @@ class DoubleSearch {
       memory->forget();  // of bodies that overlap, where their distance is all that is asked
     }
     take(core, result);
-    result.n_support_calls = (memory ? memory->n_support_calls() : 0) + search.n_support_calls();
+    result.n_support_calls = (memory ? memory->n_support_calls() : n_calls_before) + search.n_support_calls();
     searched.is_capped = core.is_capped;
     searched.missing = core.missing;
     if (core.is_capped && search.wants_depth() && core.bounds.lower > -HUGE_VAL) look_for_shorter_way(core, result);
+  }
+
+  Vec3d first_direction(const WarmMemory* memory) const {
+    const Vec3d parting_dir = memory ? memory->parting_dir() : Vec3d{};
+    const Vec3d dir = norm_1(parting_dir) > 0.0 ? parting_dir : difference_.between_centres();
+    return norm_1(dir) > 0.0 ? unit_along(dir) : kAnyUnitVector;
+  }
+
+  NearestSimplex<double, CoreDifference::Point> guessed_simplex(const NearestGuess& guess) const {
+    std::array<CoreDifference::Point, NearestGuess::kMost> points;
+    std::size_t n = 0;
+    for (std::size_t k = 0; k < guess.n; ++k) {
+      const auto& [of_a, of_b] = guess.corners[k];
+      if (guess.are_points) {
+        points[n++] = difference_.at(of_a, of_b);
+      } else if (std::fabs(dot(of_a, of_a) - 1.0) < 0x1p-48) {
+        points[n++] = difference_.support(of_a);
+      }
+    }
+    NearestSimplex<double, CoreDifference::Point> simplex;
+    if (n > 0) simplex.begin_with(std::span(points).first(n));
+    return simplex;
   }
 
   void take(const CoreSeparation<double, CoreDifference::Point>& core, Separation& result) const {
@@ -177,6 +202,10 @@ class DoubleSearch {
 
 }  // namespace
 
+bool is_known_without_search(const ConvexBody& a, const ConvexBody& b) {
+  return a.generators() && b.generators() && a.generators()->n_vectors + b.generators()->n_vectors <= 2;
+}
+
 SearchedSeparation search_in_double(const SeparationQuery& query, WarmStart* warm_start) {
   return DoubleSearch(query).run(warm_start);
 }
@@ -184,13 +213,14 @@ SearchedSeparation search_in_double(const SeparationQuery& query, WarmStart* war
 Separation search_in_extended(const SeparationQuery& query, const PlacedForms& placed, const Vec3d& first_dir) {
   const LocalForms forms(placed);
   const ExtendedCore difference(forms);
-  const CoreSearchSettings<Extended> settings{query.goal,
-                                              forms.ball_radius(),
-                                              Extended(std::ldexp(query.circumradii(), -forms.exponent())),
-                                              Extended(query.relative_gap(kExtendedPolytopeGap, kCurvedGap)),
-                                              query.settings.max_support_calls,
-                                              query.max_hull_points(),
-                                              Extended(std::ldexp(query.settings.max_distance, -forms.exponent()))};
+  const CoreSearchSettings<Extended> settings{
+      query.goal,
+      forms.ball_radius(),
+      Extended(std::ldexp(query.circumradii(), -forms.exponent())),
+      Extended(query.relative_gap(kExtendedPolytopeGap, SeparationQuery::kCurvedGap)),
+      query.settings.max_support_calls,
+      query.max_hull_points(),
+      Extended(std::ldexp(query.settings.max_distance, -forms.exponent()))};
   const QueryError<Extended> error{Extended(8.0), Extended(kExtendedError)};
   CoreSearch<Extended, ExtendedCore::Point, ExtendedCore> search(difference, error, settings,
                                                                  broadcast<Extended>(first_dir), {});

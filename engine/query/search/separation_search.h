@@ -6,7 +6,7 @@
 
 #include "engine/query/exact/placed_forms.h"
 #include "engine/query/search/core_search.h"
-#include "engine/query/separation.h"
+#include "engine/query/separation_from_guess.h"
 
 namespace vex {
 
@@ -17,6 +17,7 @@ struct SeparationQuery {
   const Transformd& a_from_b;
   SeparationGoal goal;
   SeparationSettings settings;
+  const NearestGuess* guess = nullptr;
 
   double circumradii() const { return a.circumradius() + b.circumradius(); }
   bool are_rounded_polytopes() const { return a.is_rounded_polytope() && b.is_rounded_polytope(); }
@@ -24,6 +25,10 @@ struct SeparationQuery {
   double relative_gap(double of_polytopes, double of_curved) const {
     return std::max(settings.relative_gap, are_rounded_polytopes() ? of_polytopes : of_curved);
   }
+  /// How near a search in double precision brings bounds, rounding apart. Polytopes end by themselves; what is left of
+  /// curved bodies halves with every other support call.
+  static constexpr double kCurvedGap = 0x1p-32;
+  double searched_gap() const { return relative_gap(0x1p-44, kCurvedGap); }
   /// The gap with which an answer in double precision will do.
   double settled_gap() const { return relative_gap(0x1p-40, 0x1p-31); }
   /// Hulls of polytopes come to an end by themselves, if it takes all of their vertices.
@@ -45,7 +50,8 @@ struct SearchedSeparation {
   bool is_coarse = false;
 };
 
-/// Zonotopes of few vectors need no search.
+/// Whether the distance of this pair is known without a search: of zonotopes of few vectors.
+bool is_known_without_search(const ConvexBody& a, const ConvexBody& b);
 SearchedSeparation search_in_double(const SeparationQuery& query, WarmStart* warm_start);
 
 /// In twice the precision, along a unit vector first.

@@ -3,9 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cmath>
+#include <memory>
 #include <random>
+#include <vector>
 
 #include "engine/numeric/errors.h"
+#include "engine/query/packets/nearest_guess.h"
+#include "engine/query/packets/packet_pair.h"
 #include "shapes/any_shape.h"
 #include "tests/referees/bodies.h"
 #include "tests/referees/exact_truth.h"
@@ -51,30 +56,53 @@ std::vector<Pose> poses_of(const ConvexBody& a, const ConvexBody& b, std::mt1993
   return poses;
 }
 
-TEST(PoseBatches, AnswerAsOneByOneBitForBit) {
+// Two answers to the same question, each with its own bounds.
+void expect_agreement(const Separation& found, const Separation& single, double circumradii, double promised_gap) {
+  EXPECT_EQ(found.verdict.outcome, single.verdict.outcome);
+  EXPECT_EQ(found.verdict.reason, single.verdict.reason);
+  EXPECT_EQ(found.has_witnesses, single.has_witnesses);
+  EXPECT_FALSE(found.is_rough && !single.is_rough);
+  EXPECT_LE(found.lower, single.upper);
+  EXPECT_GE(found.upper, single.lower);
+  if (!found.has_witnesses || found.is_rough) return;
+  const double promised = promised_gap * (std::fabs(found.signed_distance) + circumradii);
+  EXPECT_LE(found.upper - found.lower, promised);
+  EXPECT_LE(found.lower, found.signed_distance);
+  EXPECT_LE(found.signed_distance, found.upper);
+  const Vec3d off = (found.point_b - found.point_a) - found.signed_distance * found.normal;
+  EXPECT_LE(norm(off), 2.0 * promised);
+  EXPECT_NEAR(norm(found.normal), 1.0, 1e-14);
+}
+
+TEST(PoseBatches, AnswerAsOneByOne) {
   std::mt19937_64 random(331);
   int n_overlaps = 0, n = 0;
   std::vector<NamedPair> pairs = {{"box:1,1,1", "box:0.2,1,3"},       {"capsule:1,0.25", "box:1,1,1"},
                                   {"cylinder:1,0.5", "cone:1,0.5"},   {"ellipsoid:1,2,3", "sphere:0.6"},
-                                  {"snub-cube:0.5", "tetrahedron:1"}, {"lens:0.9,0.7", "box:1,1,1"}};
+                                  {"snub-cube:0.5", "tetrahedron:1"}, {"lens:0.9,0.7", "box:1,1,1"},
+                                  {"capsule:1,0.2", "capsule:2,0.1"}, {"rounded:0.1,box:1,1,1", "plate:2,1"}};
   for (const NamedPair& pair : pairs) {
     SCOPED_TRACE(test_name(pair));
     const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
+    const double size = a.circumradius() + b.circumradius();
+    const double gap = a.is_rounded_polytope() && b.is_rounded_polytope() ? 1e-12 : 1e-9;
     const std::vector<Pose> poses = poses_of(a, b, random, 300);
-    std::vector<Separation> apart(poses.size()), deep(poses.size()), either(poses.size());
+    std::vector<Separation> apart(poses.size()), deep(poses.size()), either(poses.size()), apart_by_two(poses.size());
     std::vector<FirstContact> casts(poses.size());
     std::vector<Vec3d> motions;
     for (std::size_t k = 0; k < poses.size(); ++k) motions.push_back(random_direction(random));
+    distance(a, b, poses, apart_by_two, {}, 2);
     for (const int n_threads : {1, 2}) {
       distance(a, b, poses, apart, {}, n_threads);
       penetration_depth(a, b, poses, deep, {}, n_threads);
       signed_distance(a, b, poses, either, {.relative_gap = 1e-3}, n_threads);
       linear_cast(a, b, poses, motions, casts, 3.0, n_threads);
+      for (std::size_t k = 0; k < poses.size(); ++k) expect_same(apart[k], apart_by_two[k]);
     }
     for (std::size_t k = 0; k < poses.size(); ++k) {
-      expect_same(apart[k], distance(a, b, poses[k]));
+      expect_agreement(apart[k], distance(a, b, poses[k]), size, gap);
       expect_same(deep[k], penetration_depth(a, b, poses[k]));
-      expect_same(either[k], signed_distance(a, b, poses[k], {.relative_gap = 1e-3}));
+      expect_agreement(either[k], signed_distance(a, b, poses[k], {.relative_gap = 1e-3}), size, 1e-3);
       const FirstContact cast = linear_cast(a, b, poses[k], motions[k], 3.0);
       EXPECT_EQ(casts[k].verdict, cast.verdict);
       EXPECT_EQ(bits(casts[k].time), bits(cast.time));
@@ -85,6 +113,66 @@ TEST(PoseBatches, AnswerAsOneByOneBitForBit) {
   }
   EXPECT_GT(n_overlaps, n * 3 / 10);
   EXPECT_LT(n_overlaps, n * 7 / 10);
+}
+
+// What packets guess leaves a search little to do.
+TEST(PoseBatches, TakeFewSupportCalls) {
+  std::mt19937_64 random(332);
+  for (const NamedPair& pair : std::vector<NamedPair>{{"box:1,1,1", "box:0.2,1,3"},
+                                                      {"cylinder:1,0.5", "cone:1,0.5"},
+                                                      {"ellipsoid:1,2,3", "ellipsoid:2,1,1"},
+                                                      {"snub-cube:0.5", "tetrahedron:1"}}) {
+    SCOPED_TRACE(test_name(pair));
+    const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
+    const std::vector<Pose> poses = poses_of(a, b, random, 1000);
+    std::vector<Separation> apart(poses.size());
+    distance(a, b, poses, apart);
+    int n_apart = 0, n_calls = 0, n_calls_of_one = 0;
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      if (apart[k].verdict.by != DecidedBy::gjk || apart[k].verdict.outcome != Outcome::disjoint) continue;
+      ++n_apart;
+      n_calls += apart[k].n_support_calls;
+      n_calls_of_one += distance(a, b, poses[k]).n_support_calls;
+    }
+    EXPECT_GT(n_apart, 100);
+    EXPECT_LT(n_calls, 4.6 * n_apart);
+    EXPECT_LT(n_calls, n_calls_of_one);
+  }
+}
+
+// The last digits of distances hang on them.
+TEST(NearestGuesses, AreTheSameOfEverySet) {
+  std::mt19937_64 random(333);
+  for (const NamedPair& pair : std::vector<NamedPair>{{"box:1,1,1", "box:0.2,1,3"},
+                                                      {"cylinder:1,0.5", "cone:1,0.5"},
+                                                      {"ellipsoid:1,2,3", "snub-cube:1"},
+                                                      {"truncated-icosahedron:1", "rounded:0.1,tetrahedron:1"}}) {
+    SCOPED_TRACE(test_name(pair));
+    const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
+    const std::unique_ptr<PacketPair> packets = PacketPair::make(a, b);
+    ASSERT_NE(packets, nullptr);
+    const std::vector<Pose> poses = poses_of(a, b, random, 30);
+    std::vector<double> columns(kPoseColumns * NearestGuesses::kStride);
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      set_pose(columns.data(), NearestGuesses::kStride, k, poses[k].a_from_b());
+    }
+    const PoseTable table{columns.data(), NearestGuesses::kStride, poses.size()};
+    const NearestGoal goal{0x1p-32, a.circumradius() + b.circumradius(), packets->are_polytopes(), HUGE_VAL};
+    const auto expected = std::make_unique<NearestGuesses>(), found = std::make_unique<NearestGuesses>();
+    baseline::guess_nearest(packets->forms(), goal, table, *expected);
+    for (const InstructionSet set : instruction_sets()) {
+      nearest_guesser(set)(packets->forms(), goal, table, *found);
+      for (std::size_t k = 0; k < poses.size(); ++k) {
+        const NearestGuess guess = expected->of(k), other = found->of(k);
+        ASSERT_EQ(guess.n, other.n) << name_of(set);
+        ASSERT_GE(guess.n, 1U);
+        for (std::size_t c = 0; c < guess.n; ++c) {
+          expect_same(guess.corners[c].of_a, other.corners[c].of_a);
+          expect_same(guess.corners[c].of_b, other.corners[c].of_b);
+        }
+      }
+    }
+  }
 }
 
 TEST(PoseBatches, RefuseWhatTheQueriesRefuse) {
