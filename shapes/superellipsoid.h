@@ -4,6 +4,7 @@
 
 #include "engine/numeric/rounding.h"
 #include "engine/numeric/vec3.h"
+#include "engine/support/power_form.h"
 #include "engine/support/support_mapping.h"
 #include "shapes/measures.h"
 #include "shapes/normal_measure.h"
@@ -28,6 +29,8 @@ class Superellipsoid {
   Vec3d centre() const { return {}; }
   double circumradius() const { return circumradius_; }
   double inradius() const { return inradius_; }
+
+  PowerForm power_form() const { return {axes_, across_.p, along_.p}; }
 
   Vec3d semi_axes() const { return axes_; }
   double exponent_across() const { return 0.5 * across_.p; }

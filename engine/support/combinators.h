@@ -121,6 +121,7 @@ class Inflated {
   }
   double rolling_radius() const requires HasRollingRadius<Body> { return body_.rolling_radius(); }
   std::optional<Generators> generators() const requires HasGenerators<Body> { return body_.generators(); }
+  std::optional<PowerForm> power_form() const requires HasPowerForm<Body> { return body_.power_form(); }
   std::optional<ExactForm> exact_form() const {
     std::optional<ExactForm> form;
     if constexpr (HasExactForm<Body>) form = body_.exact_form();

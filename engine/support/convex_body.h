@@ -15,6 +15,7 @@
 #include "engine/support/direction_table.h"
 #include "engine/support/exact_form.h"
 #include "engine/support/generators.h"
+#include "engine/support/power_form.h"
 #include "engine/support/support_mapping.h"
 
 namespace vex {
@@ -50,6 +51,12 @@ concept HasGenerators = requires(const S& body) {
   { body.generators() } -> std::convertible_to<std::optional<Generators>>;
 }
 &&!requires { requires is_of_older_mapping<S>(&S::generators); };
+/// The body's core is told by powers.
+template <class S>
+concept HasPowerForm = requires(const S& body) {
+  { body.power_form() } -> std::convertible_to<std::optional<PowerForm>>;
+}
+&&!requires { requires is_of_older_mapping<S>(&S::power_form); };
 /// A polytope, or one with a ball, of many vertices has a table of directions: `direction_table` makes it, unless it is
 /// there, and returns it. Safe from several threads at once.
 template <class S>
@@ -141,6 +148,9 @@ class ConvexBody {
   /// What the body is exactly; none where its class does not tell. Copies the vertices of a polytope.
   std::optional<ExactForm> exact_form() const { return model_->exact_form(); }
 
+  /// The core by its powers, if it says so.
+  std::optional<PowerForm> power_form() const { return model_->power_form(); }
+
   /// The corners of a core that is known to be the convex hull of finitely many points, as its exact form has them,
   /// made when they are first asked for; empty of other bodies, and of more corners than such a table has. Safe from
   /// several threads at once.
@@ -177,6 +187,7 @@ class ConvexBody {
     virtual void heights(const Columns& dirs, std::size_t n, double* along, double* against) const = 0;
     virtual Vec3d core_support(const Vec3d& dir) const = 0;
     virtual std::optional<ExactForm> exact_form() const = 0;
+    virtual std::optional<PowerForm> power_form() const = 0;
     virtual bool may_have_direction_table() const = 0;
     virtual std::optional<DirectionTable> direction_table() const = 0;
     std::vector<Vec3d> vertices;  // of a rounded polytope's core
@@ -211,6 +222,13 @@ class ConvexBody {
     std::optional<ExactForm> exact_form() const override {
       if constexpr (HasExactForm<Shape>) {
         return shape.exact_form();
+      } else {
+        return std::nullopt;
+      }
+    }
+    std::optional<PowerForm> power_form() const override {
+      if constexpr (HasPowerForm<Shape>) {
+        return shape.power_form();
       } else {
         return std::nullopt;
       }

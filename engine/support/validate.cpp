@@ -172,6 +172,12 @@ class Validation {
       const Exact off = height_of_generators(dir) * one_by - product(dir, exactly(core_of(dir))) * one_by;
       broken(Claim::generators, dir, (off.high < 0.0 ? -off : off) - Exact(core_error_));
     }
+    if (const std::optional<PowerForm> powers = body_.power_form()) {
+      const double expected = height_of_powers(*powers, dir);
+      const Exact off = (Exact(expected) - product(dir, exactly(core_of(dir)))) * one_by;
+      broken(Claim::power_form, dir,
+             (off.high < 0.0 ? -off : off) - Exact(core_error_) - Exact(0x1p-46 * expected) * one_by);
+    }
   }
 
   Vec3d core_of(const Vec3d& dir) const { return scaled(body_.core_support(dir)); }
@@ -184,6 +190,19 @@ class Validation {
       height = height + (along.high < 0.0 ? -along : along);
     }
     return height;
+  }
+
+  /// In double, as such a body's own mapping.
+  double height_of_powers(const PowerForm& powers, const Vec3d& dir) const {
+    const auto dual_norm = [](double u, double v, double p) {
+      const double largest = std::max(u, v);
+      if (!(largest > 0.0) || p == 1.0) return largest;
+      const double dual = p / (p - 1.0);
+      return largest * std::pow(1.0 + std::pow(std::min(u, v) / largest, dual), 1.0 / dual);
+    };
+    const Vec3d axes = scaled(powers.semi_axes);
+    const double across = dual_norm(axes.x * std::fabs(dir.x), axes.y * std::fabs(dir.y), powers.across);
+    return dual_norm(across, axes.z * std::fabs(dir.z), powers.along);
   }
 
   /// Without the ball that is claimed to roll in it the core must still be convex. (In double: a radius that is too
@@ -274,6 +293,7 @@ class Validation {
       case Claim::circumradius: return "the circumradius is too small, " + shortest_number(body_.circumradius());
       case Claim::inradius: return "the inradius is too large, " + shortest_number(body_.inradius());
       case Claim::generators: return "the core is not the sum of the generators";
+      case Claim::power_form: return "the core is not the superellipsoid of the power form";
       case Claim::rolling_radius:
         return "no ball of the rolling radius rolls in the core, " + shortest_number(body_.rolling_radius());
       case Claim::ball_part: return "the support point is not that of the core with the ball about it";
@@ -287,7 +307,7 @@ class Validation {
   double error_ = 0.0, core_error_ = 0.0;
   Vec3d centre_;
   std::vector<Asked> asked_;
-  std::array<std::optional<Violation>, 10> worst_;  // by claim
+  std::array<std::optional<Violation>, 11> worst_;  // by claim
 };
 
 }  // namespace

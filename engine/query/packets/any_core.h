@@ -11,7 +11,7 @@ inline namespace VEX_ROUNDING {
 class AnyCore {
  public:
   explicit AnyCore(const CoreForm& form)
-      : kind_(form.kind), box_(form), ellipsoid_(form), vertices_(form), table_(form), pieces_(form) {}
+      : kind_(form.kind), box_(form), ellipsoid_(form), vertices_(form), table_(form), pieces_(form), powers_(form) {}
 
   template <class L>
   Vec3<L> support(const Vec3<L>& dir) const {
@@ -20,6 +20,7 @@ class AnyCore {
       case CoreForm::Kind::ellipsoid: return ellipsoid_.support(dir);
       case CoreForm::Kind::table: return table_.support(dir);
       case CoreForm::Kind::pieces: return pieces_.support(dir);
+      case CoreForm::Kind::powers: return powers_.support(dir);
       case CoreForm::Kind::vertices: break;
     }
     return vertices_.support(dir);
@@ -32,7 +33,8 @@ class AnyCore {
       case CoreForm::Kind::ellipsoid: return ellipsoid_.direction_to(p);
       case CoreForm::Kind::vertices:
       case CoreForm::Kind::table:
-      case CoreForm::Kind::pieces: break;  // alike for these
+      case CoreForm::Kind::pieces:
+      case CoreForm::Kind::powers: break;  // alike for these
     }
     return vertices_.direction_to(p);
   }
@@ -42,7 +44,8 @@ class AnyCore {
       case CoreForm::Kind::ellipsoid: return ellipsoid_.has_direction();
       case CoreForm::Kind::vertices:
       case CoreForm::Kind::table:
-      case CoreForm::Kind::pieces: break;
+      case CoreForm::Kind::pieces:
+      case CoreForm::Kind::powers: break;
     }
     return vertices_.has_direction();
   }
@@ -54,6 +57,7 @@ class AnyCore {
   VerticesCore vertices_;
   TableCore table_;
   PiecesCore pieces_;
+  PowersCore powers_;
 };
 
 }  // namespace VEX_ROUNDING

@@ -90,6 +90,22 @@ CoreForm table_form(const ConvexBody& body, const DirectionTable& table) {
   return form;
 }
 
+// None of numbers with which products or powers might lose their digits.
+std::optional<CoreForm> power_form(const PowerForm& given) {
+  const Vec3d& axes = given.semi_axes;
+  const auto curve_of = [](double p) { return CoreForm::PowerCurve{1.0 / p, std::min(1.0 / (p - 1.0), 0x1p60)}; };
+  const double shortest = std::min({axes.x, axes.y, axes.z});
+  if (!(shortest >= 0x1p-100 && given.across >= 1.0 && given.along >= 1.0)) return std::nullopt;
+  CoreForm form;
+  form.kind = CoreForm::Kind::powers;
+  form.semi_axes = form.upper = axes;
+  form.lower = -axes;
+  form.across = curve_of(given.across);
+  form.along = curve_of(given.along);
+  form.support_error = 1024.0 * kUnitRoundoff * (axes.x + axes.y + axes.z);  // E32
+  return form;
+}
+
 }  // namespace
 
 std::optional<CoreForm> core_form(const ConvexBody& body) {
@@ -97,6 +113,7 @@ std::optional<CoreForm> core_form(const ConvexBody& body) {
     if (const std::optional<DirectionTable> table = body.direction_table()) return table_form(body, *table);
   }
   if (std::optional<CoreForm> box = box_form(body.generators())) return box;
+  if (const std::optional<PowerForm> powers = body.power_form()) return power_form(*powers);
   const std::optional<ExactForm> exact = body.exact_form();
   if (!exact) return std::nullopt;
   CoreForm form;

@@ -18,6 +18,7 @@ struct CoreForm {
     vertices,   // few enough to scan
     table,      // of directions, of a polytope of more vertices
     pieces,     // few ellipsoids anywhere, flat ones, half ones and points among them
+    powers,     // a superellipsoid about the origin
   };
   /// {centre + D x : |x| <= 1}, D = diag(semi_axes), or of a dome the upper half.
   struct Piece {
@@ -26,13 +27,18 @@ struct CoreForm {
     bool is_like_last = false;  // but for the centre
   };
   static constexpr std::size_t kMostPieces = 8;
+  /// The unit circle of a norm of exponent p, and of its dual.
+  struct PowerCurve {
+    double inverse = 0.0, power = 0.0;  // 1/p and 1/(p - 1), large for p = 1
+  };
 
   Kind kind = Kind::box;
   Vec3d lower, upper;           // the bounding box; a box itself
-  Vec3d semi_axes;              // of an ellipsoid
+  Vec3d semi_axes;              // of an ellipsoid, or a superellipsoid
   std::vector<double> x, y, z;  // of vertices
   DirectionTable table;         // null where the body's numbers allow of none
   std::vector<Piece> pieces;
+  PowerCurve across, along;    // of a superellipsoid
   double support_error = 0.0;  // of the core's own support mapping, beyond that of the body's
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/numeric/packet_memory.h"
+#include "engine/numeric/packet_powers.h"
 #include "engine/query/packets/core_form.h"
 
 // Kernels that may fuse operations and those that may not take their functions from here, and the linker would keep one
@@ -295,6 +296,41 @@ struct PiecesCore : BoundsDirection {
 
   const CoreForm::Piece* pieces;
   std::size_t n;
+};
+
+/// As the superellipsoid's own mapping (E2), with logarithms and powers of packets (E32).
+struct PowersCore : BoundsDirection {
+  explicit PowersCore(const CoreForm& form)
+      : BoundsDirection(form), semi_axes(form.semi_axes), across(form.across), along(form.along) {}
+
+  template <class L>
+  VEX_OUT_OF_LINE Vec3<L> support(const Vec3<L>& dir) const {
+    const L x = L(semi_axes.x) * absolute(dir.x), y = L(semi_axes.y) * absolute(dir.y);
+    const L z = L(semi_axes.z) * absolute(dir.z);
+    const Farthest<L> plane = farthest(across, x, y), whole = farthest(along, plane.height, z);
+    return {copy_sign(L(semi_axes.x) * (plane.u * whole.u), dir.x),
+            copy_sign(L(semi_axes.y) * (plane.v * whole.u), dir.y), copy_sign(L(semi_axes.z) * whole.v, dir.z)};
+  }
+
+  Vec3d semi_axes;
+  CoreForm::PowerCurve across, along;
+
+ private:
+  template <class L>
+  struct Farthest {
+    L u, v, height;
+  };
+  // The point of the curve farthest along (u, v), both 0 or more, and how far that is. A ratio below 2^-900 is taken
+  // for that, which changes no height by more than 2^-900 of the larger.
+  template <class L>
+  static Farthest<L> farthest(const CoreForm::PowerCurve& curve, const L& u, const L& v) {
+    const L largest = larger(u, v);
+    const L ratio = larger(smaller(u, v) / larger(largest, L(0x1p-1000)), L(0x1p-900));
+    const L beside = exponential(L(curve.power) * logarithm(ratio));
+    const L far = exponential(L(-curve.inverse) * logarithm(L(1.0) + ratio * beside)), near = beside * far;
+    const MaskOf<L> is_u = u >= v;
+    return {select(is_u, far, near), select(is_u, near, far), largest * (far + ratio * near)};
+  }
 };
 
 #undef VEX_OUT_OF_LINE

@@ -26,7 +26,8 @@ PacketPair::PacketPair(const ConvexBody& a, const ConvexBody& b, CoreForm core_a
 
 bool PacketPair::are_polytopes() const {
   const auto is_polytope = [](const CoreForm& core) {
-    return core.kind != CoreForm::Kind::ellipsoid && core.kind != CoreForm::Kind::pieces;
+    return core.kind == CoreForm::Kind::box || core.kind == CoreForm::Kind::vertices ||
+           core.kind == CoreForm::Kind::table;
   };
   return is_polytope(core_a_) && is_polytope(core_b_);
 }

@@ -164,7 +164,7 @@ void KernelHeights::take_vertices(const std::vector<Vec3d>& vertices) {
 }
 
 const CoreForm* KernelHeights::core() const {
-  if (!form_ || form_->kind == CoreForm::Kind::pieces) return nullptr;
+  if (!form_ || form_->kind == CoreForm::Kind::pieces || form_->kind == CoreForm::Kind::powers) return nullptr;
   return form_->kind == CoreForm::Kind::table && form_->table.cells == nullptr ? nullptr : &*form_;
 }
 

@@ -31,7 +31,8 @@ class HeightsKernel {
         return of_points(EllipsoidCore(*core), ball_radius, true, dirs, n, along, against);
       case CoreForm::Kind::table: return of_points(TableCore(*core), 0.0, false, dirs, n, along, against);
       case CoreForm::Kind::vertices: return of_vertices(VerticesCore(*core), dirs, n, along, against);
-      case CoreForm::Kind::pieces: break;
+      case CoreForm::Kind::pieces:
+      case CoreForm::Kind::powers: break;  // which the body itself answers
     }
   }
 

@@ -27,8 +27,8 @@ bool is_usual_size(const ConvexBody& body) {
   return body.circumradius() < kLargest && body.circumradius() > 1.0 / kLargest;
 }
 
-// Of powers, as superellipsoids are made of, a support point takes microseconds, and lone rays tens of them each:
-// triangles are no better than clusters then. What a mapping rounds by tells how many operations it takes.
+// Of powers, as rounded or stretched superellipsoids are made of, lone rays take tens of microseconds each: triangles are
+// no better than clusters then. What a mapping rounds by tells how many operations it takes.
 bool has_long_mapping(const ConvexBody& body) {
   return body.support_error() > 100.0 * kUnitRoundoff * body.circumradius();
 }
@@ -54,10 +54,11 @@ bool TriangleIntegrand::is_for(const ConvexBody& body, const OrientationLaw& law
                                double relative_error) {
   constexpr double kMostError = 1e-7;
   if (!chains_factorise(law) || !(excluded_volume > 0.0 && relative_error < kMostError)) return false;
-  if (!is_usual_size(body) || has_long_mapping(body)) return false;
+  if (!is_usual_size(body)) return false;
   // Of bodies that are all alike turned, lone rays come out where surfaces are parallel, at rims and tips, and stall
   // there: aligned lenses and spindles took ten to forty times as long as turned ones, which is worse than clusters.
-  if (law.kind() != OrientationLaw::Kind::isotropic && PacketPair::make(body, body) == nullptr) return false;
+  const bool are_lone_rays_dear = has_long_mapping(body) || law.kind() != OrientationLaw::Kind::isotropic;
+  if (are_lone_rays_dear && PacketPair::make(body, body) == nullptr) return false;
   return TriangleMap(body, law).is_usable();
 }
 

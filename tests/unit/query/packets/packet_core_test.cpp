@@ -6,10 +6,14 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
+#include <tuple>
 #include <vector>
 
+#include "engine/numeric/rounding.h"
 #include "engine/support/direction_map.h"
+#include "shapes/superellipsoid.h"
 #include "tests/referees/polytopes.h"
 #include "tests/referees/random_poses.h"
 
@@ -121,6 +125,76 @@ TEST(TableCore, GivesSomeVertexForWhatIsNoDirection) {
         if (lane != 0) continue;
         const Lanes found = lanes_of(table.core().support(dirs.packet()));
         for (int k = 0; k < kLanes; ++k) ASSERT_TRUE(table.has(found.at(k)));
+      }
+    }
+  }
+}
+
+// E32, held against more digits.
+TEST(PacketPowers, AreAsNearAsIsProven) {
+  std::mt19937_64 random(5);
+  double worst_logarithm = 0.0, worst_exponential = 0.0;
+  for (int k = 0; k < 200000; ++k) {
+    double x[kLanes], y[kLanes], of_x[kLanes], of_y[kLanes];
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const double unit = random_in_unit_interval(random);
+      x[lane] = k % 3 == 0 ? 1.0 + (k % 2 == 0 ? 1.0 : -0.5) * std::ldexp(unit, -int(random() % 53))
+                           : std::ldexp(1.0 + unit, k % 3 == 1 ? 0 - int(random() % 3) : 1 - int(random() % 900));
+      y[lane] = k % 2 == 0 ? -unit : -700.0 * unit * unit;
+    }
+    packet_core_test::logarithm(L::load(x)).store(of_x);
+    packet_core_test::exponential(L::load(y)).store(of_y);
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const long double log_x = std::log(static_cast<long double>(x[lane]));
+      const long double exp_y = std::exp(static_cast<long double>(y[lane]));
+      if (log_x == 0.0L) {
+        ASSERT_EQ(of_x[lane], 0.0);
+      } else {
+        worst_logarithm = std::max(worst_logarithm, double(std::fabs((of_x[lane] - log_x) / log_x)));
+      }
+      worst_exponential = std::max(worst_exponential, double(std::fabs((of_y[lane] - exp_y) / exp_y)));
+    }
+  }
+  EXPECT_LT(worst_logarithm, 8.7 * kUnitRoundoff);
+  EXPECT_LT(worst_exponential, 4.8 * kUnitRoundoff);
+  EXPECT_GT(worst_logarithm, 0.5 * kUnitRoundoff);
+  EXPECT_GT(worst_exponential, 0.5 * kUnitRoundoff);
+}
+
+TEST(PowersCore, FindsWhatTheBodyFinds) {
+  std::mt19937_64 random(6);
+  for (const auto& [axes, across, along] :
+       std::vector<std::tuple<Vec3d, double, double>>{{{0.5, 0.5, 0.5}, 2.5, 2.5},
+                                                      {{1.0, 2.0, 3.0}, 0.5, 0.5},
+                                                      {{1.0, 0.01, 1.0}, 0.5, 1000.0},
+                                                      {{1.0, 1.0, 1.0}, 1000.0, 1000.0},
+                                                      {{1e-12, 1e-12, 3e-12}, 1.0, 1.0},
+                                                      {{1e12, 2e12, 1e12}, 0.5000001, 30.0}}) {
+    const ConvexBody body = Superellipsoid(axes.x, axes.y, axes.z, across, along);
+    const std::optional<CoreForm> form = core_form(body);
+    ASSERT_TRUE(form && form->kind == CoreForm::Kind::powers);
+    const packet_core_test::PowersCore core(*form);
+    const double error = 200.0 * kUnitRoundoff * (axes.x + axes.y + axes.z);
+    for (int k = 0; k < 3000; ++k) {
+      Lanes dirs;
+      for (int lane = 0; lane < kLanes; ++lane) {
+        Vec3d d = random_direction(random);
+        if (k % 4 == 1) d = {double(random() % 3) - 1.0, double(random() % 3) - 1.0, double(random() % 3) - 1.0};
+        if (k % 4 == 2)
+          d = {d.x * std::ldexp(1.0, -int(random() % 60)), d.y, d.z * std::ldexp(1.0, -int(random() % 1074))};
+        if (k % 4 == 3) d = {d.x, d.x * (1.0 + std::ldexp(d.y, -int(random() % 53))), d.z};
+        if (norm(d) == 0.0) d = {0.0, 0.0, -1.0};
+        dirs.set(lane, std::ldexp(1.0, static_cast<int>(random() % 301) - 150) * d);
+      }
+      const Lanes found = lanes_of(core.support(dirs.packet()));
+      for (int lane = 0; lane < kLanes; ++lane) {
+        const Vec3d dir = dirs.at(lane), at = found.at(lane);
+        // As far as the body's own point, to both errors, and in the body: along its own farthest directions, too.
+        const double own = dot(body.support(dir), dir);
+        ASSERT_NEAR(dot(at, dir), own, (error + body.support_error()) * norm_1(dir))
+            << dir.x << " " << dir.y << " " << dir.z;
+        const Vec3d other = random_direction(random);
+        ASSERT_LE(dot(at, other), dot(body.support(other), other) + (error + body.support_error()) * norm_1(other));
       }
     }
   }
