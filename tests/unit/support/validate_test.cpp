@@ -13,6 +13,7 @@
 #include "shapes/box.h"
 #include "shapes/ellipsoid.h"
 #include "shapes/sphere.h"
+#include "shapes/superellipsoid.h"
 #include "tests/referees/bodies.h"
 #include "tests/referees/polytopes.h"
 
@@ -169,6 +170,17 @@ struct WrongGenerators : Box {
 };
 
 TEST(Validate, GeneratorsOfAnotherBody) { EXPECT_TRUE(has(validate(WrongGenerators(1, 1, 1)), Claim::generators)); }
+
+class WrongPowers : public Superball {
+ public:
+  using Superball::Superball;
+  PowerForm power_form() const { return Superball(2.0 * exponent_along(), 1.0).power_form(); }
+};
+
+TEST(Validate, PowersOfAnotherBody) {
+  EXPECT_TRUE(has(validate(WrongPowers(2.0, 1.0)), Claim::power_form));
+  EXPECT_FALSE(has(validate(Superball(2.0, 1.0)), Claim::power_form));
+}
 
 struct WrongRolling : Ellipsoid {
   using Ellipsoid::Ellipsoid;

@@ -15,6 +15,7 @@
 #include "shapes/box.h"
 #include "shapes/estimators/exact_average.h"
 #include "shapes/formula.h"
+#include "shapes/scaled.h"
 #include "shapes/sphere.h"
 
 namespace vex {
@@ -63,7 +64,10 @@ TEST(TriangleIntegrand, OfSpheresAndAlignedBoxesTheCoefficientIsTheKnownOne) {
     EXPECT_LT(std::fabs(errors_off(found, kB3OfSpheres)), 4.0) << text;
     EXPECT_LT(found.std_error, 5e-5) << text;
   }
-  EXPECT_LT(std::fabs(errors_off(third("sphere:2", {}, 1u << 16), kB3OfSpheres)), 4.0);
+  // A superball of exponent 1 is a sphere by powers.
+  for (const char* const text : {"sphere:2", "superball:1,2"}) {
+    EXPECT_LT(std::fabs(errors_off(third(text, {}, 1u << 16), kB3OfSpheres)), 4.0) << text;
+  }
   for (const char* const text : {"box:1,1,1", "box:0.1,2,9"}) {
     const VolumeEstimate found = third(text, kAligned, 1u << 16);
     EXPECT_LT(std::fabs(errors_off(found, kB3OfAlignedCubes)), 4.0) << text;
@@ -91,7 +95,8 @@ TEST(TriangleIntegrand, ErrorsAreHonest) {
 TEST(TriangleIntegrand, AgreesWithClustersThatAreHitOrMissed) {
   for (const char* const text :
        {"box:1,1,1", "box:3,2,1", "cylinder:2,0.5", "cone:1,0.6", "tetrahedron:1", "capsule:3,0.2", "ellipsoid:1,0.5,2",
-        "hemisphere:1", "disc:1", "lens:1,0.5", "egg:1,0.5,0.3", "spindle:2,0.5", "rounded:0.2,lens:1,0.5"}) {
+        "hemisphere:1", "disc:1", "lens:1,0.5", "egg:1,0.5,0.3", "spindle:2,0.5", "rounded:0.2,lens:1,0.5",
+        "superball:4,1", "superellipsoid:1,1,2,0.8,1.2", "rounded:0.1,superball:0.6,1"}) {
     const Body body = parse_shape(text);
     const VolumeEstimate found = third(text, {}, 1u << 15);
     MonteCarloSettings settings;
@@ -116,7 +121,8 @@ TEST(TriangleIntegrand, WrongOnesAreFoundOut) {
 }
 
 TEST(TriangleIntegrand, ThreadsAndInstructionSetsChangeNoBit) {
-  for (const char* const text : {"box:1,0.8,2", "tetrahedron:1", "ellipsoid:1,1,3", "cylinder:3,0.5", "lens:1,0.5"}) {
+  for (const char* const text :
+       {"box:1,0.8,2", "tetrahedron:1", "ellipsoid:1,1,3", "cylinder:3,0.5", "lens:1,0.5", "superball:2,1"}) {
     for (const OrientationLaw& law : {OrientationLaw{}, kAligned}) {
       const VolumeEstimate one = third(text, law, 2048);
       for (const InstructionSet set : {InstructionSet::scalar, InstructionSet::sse2, best_instruction_set()}) {
@@ -157,7 +163,9 @@ TEST(TriangleIntegrand, IsForBodiesThatAreKnownAndNotTooLong) {
   EXPECT_TRUE(TriangleIntegrand::is_for(Box(100.0, 1.0, 1.0), kAligned, 800.0, 0x1p-40));
   EXPECT_TRUE(TriangleIntegrand::is_for(parse_shape("egg:1,0.3,3").body, {}, 1.0, 0x1p-40)) << "no packets";
   EXPECT_FALSE(TriangleIntegrand::is_for(parse_shape("lens:1,0.3").body, kAligned, 1.0, 0x1p-40)) << "rays stall";
-  EXPECT_FALSE(TriangleIntegrand::is_for(parse_shape("superball:2,1").body, {}, 1.0, 0x1p-40)) << "long mappings";
+  EXPECT_TRUE(TriangleIntegrand::is_for(parse_shape("superball:2,1").body, {}, 1.0, 0x1p-40)) << "packets of powers";
+  EXPECT_FALSE(TriangleIntegrand::is_for(scaled(parse_shape("superball:2,1"), {1.0, 1.0, 0.5}).body, {}, 1.0, 0x1p-40))
+      << "long mappings, and no packets";
   EXPECT_FALSE(TriangleIntegrand::is_for(cube, OrientationLaw::onsager(3.0), 11.0, 0x1p-40));
   EXPECT_FALSE(TriangleIntegrand::is_for(Box(1e-14, 1e-14, 1e-14), {}, 1e-41, 0x1p-40)) << "rays that stay open";
   EXPECT_THROW(TriangleIntegrand(cube, OrientationLaw::onsager(3.0), 11.0, 0x1p-40), UsageError);
