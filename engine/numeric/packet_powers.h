@@ -1,5 +1,5 @@
-// Logarithms and powers of what is between 0 and 1, over packets, to within what E32 proves: by their series, whose
-// ends are bounded by hand, in operations that are rounded alike on every machine.
+// Logarithms, and exponentials of what is not positive, over packets, to within what E32 proves: by their series, whose
+// ends are bounded by hand. A kernel that may not fuse operations has the same bits on every machine.
 #pragma once
 
 #include "engine/numeric/packet.h"

@@ -11,6 +11,7 @@
 
 namespace vex {
 
+/// Of up to kMostPoses poses, one a row.
 struct NearestGuesses {
   static constexpr std::size_t kMostPoses = 32;
   static constexpr std::size_t kStride = kMostPoses + 16;  // with room for a packet

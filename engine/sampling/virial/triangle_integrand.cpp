@@ -27,8 +27,8 @@ bool is_usual_size(const ConvexBody& body) {
   return body.circumradius() < kLargest && body.circumradius() > 1.0 / kLargest;
 }
 
-// Of powers, as rounded or stretched superellipsoids are made of, lone rays take tens of microseconds each: triangles are
-// no better than clusters then. What a mapping rounds by tells how many operations it takes.
+// Where support points are powers, as of superellipsoids, a lone ray takes tens of microseconds: triangles are no
+// better than clusters then. What a mapping rounds by tells how many operations it takes.
 bool has_long_mapping(const ConvexBody& body) {
   return body.support_error() > 100.0 * kUnitRoundoff * body.circumradius();
 }
