@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "engine/numeric/interruption.h"
 #include "engine/scene/sorted_bodies.h"
@@ -13,12 +14,15 @@ namespace {
 
 constexpr std::size_t kLanes = BallBlock::kLanes;
 
-// An empty seat is too far away to meet anything: its square is infinite.
+// NaN meets nothing.
 BallBlock empty_block() {
   BallBlock block{};
-  for (double& x : block.x) x = 1e300;
+  for (float& x : block.x) x = std::numeric_limits<float>::quiet_NaN();
   return block;
 }
+
+// Units in which a length that queries reach over is between 1 and 2.
+double units_for(double reach) { return reach > 0.0 ? std::ldexp(1.0, -std::ilogb(reach)) : 1.0; }
 
 // Of open space: where nearly all bodies are, so that a few which are far away do not make all cells large. What is
 // beyond the outermost cells is held by them (BallCells::takes).
@@ -49,29 +53,20 @@ Aabb bounds_of_most(const SceneBodies& bodies, const Aabb& all, std::array<std::
   return most;
 }
 
-// Of the boxes of two bodies, alike and not turned, each has a centre where the other's is or within the extents of it.
-bool can_be_upright(const SceneBodies& bodies) {
-  const std::optional<PeriodicBox>& box = bodies.box();
-  if (box && (box->xy() != 0.0 || box->xz() != 0.0 || box->yz() != 0.0)) return false;
-  if (bodies.shapes().size() != 1 || bodies.size() == 0) return false;
-  for (BodyId body = 0; body < bodies.end(); ++body) {
-    if (bodies.has(body) && !SceneBodies::is_upright(bodies.pose(body))) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 void BallCells::lay_out(const std::optional<PeriodicBox>& box, const Aabb& bounds, double farthest, double reach,
                         std::size_t n_bodies) {
   extents_.reset();
+  units_ = units_for(reach);
   layout_ = CellLayout::make(box, bounds, farthest, {reach, reach, reach}, n_bodies);
   merge_cells(n_bodies);
 }
 
 void BallCells::lay_out_upright(const std::optional<PeriodicBox>& box, const Aabb& bounds, double farthest,
                                 const Vec3d& extents, std::size_t n_bodies) {
-  extents_ = extents;
+  units_ = units_for(std::fmax(extents.x, std::fmax(extents.y, extents.z)));
+  extents_ = {rounded_up(extents.x), rounded_up(extents.y), rounded_up(extents.z)};
   layout_ = CellLayout::make(box, bounds, farthest, (1.0 + 0x1p-18) * extents, n_bodies);
   merge_cells(n_bodies);
 }
@@ -136,23 +131,27 @@ void BallCells::clear() {
   seats_.clear();
 }
 
-void BallCells::take_seat(std::uint32_t block, BodyId body, const Vec3d& centre, double radius) {
-  const std::uint32_t lane = links_[block].n++;
-  BallBlock& balls = blocks_[block];
-  balls.x[lane] = centre.x;
-  balls.y[lane] = centre.y;
-  balls.z[lane] = centre.z;
-  balls.radius[lane] = radius;
+// The block's origin is the centre of the body that came first: then coordinates are as small as a cell, wherever that
+// is. What is too far from it, in the outermost cells of open space, may meet everything.
+void BallCells::write_ball(BallBlock& balls, std::uint32_t lane, const SceneBodies& bodies, BodyId body) const {
+  const Vec3d& centre = bodies.centre(body);
+  const ShapeBounds& bounds = bodies.bounds_of(body);
+  const Vec3d from = units_ * (centre - Vec3d{balls.origin[0], balls.origin[1], balls.origin[2]});
+  const double distance = norm_1(from);
+  const bool is_near = distance <= 0x1p40;
+  balls.x[lane] = is_near ? static_cast<float>(from.x) : 0.0f;
+  balls.y[lane] = is_near ? static_cast<float>(from.y) : 0.0f;
+  balls.z[lane] = is_near ? static_cast<float>(from.z) : 0.0f;
+  const float radius = rounded_up((extents_ ? 0.0 : bounds.radius) + bounds.rounding_at(centre, largest_shift_));
+  balls.radius[lane] =
+      is_near ? radius + static_cast<float>(0x1p-21 * distance) : std::numeric_limits<float>::infinity();
   balls.body[lane] = body;
-  seats_[body] = {block, lane};
 }
 
 // A cell's first block is the last one to be filled: all behind it are full.
 void BallCells::add(const SceneBodies& bodies, BodyId body) {
   if (body >= seats_.size()) seats_.resize(std::size_t{body} + 1);
   const Vec3d& centre = bodies.centre(body);
-  const ShapeBounds& bounds = bodies.bounds(bodies.shape_of()[body]);
-  const double radius = (extents_ ? 0.0 : bounds.radius) + bounds.rounding_at(centre, largest_shift_);
   const std::uint32_t first = holder_of(centre);
   if (links_[first].n == kLanes) {
     std::uint32_t full = static_cast<std::uint32_t>(blocks_.size());
@@ -165,35 +164,38 @@ void BallCells::add(const SceneBodies& bodies, BodyId body) {
       blocks_[full] = blocks_[first];
       links_[full] = links_[first];
     }
-    for (std::uint32_t lane = 0; lane < kLanes; ++lane) seats_[blocks_[full].body[lane]] = {full, lane};
+    for (std::uint32_t lane = 0; lane < kLanes; ++lane) seats_[blocks_[full].body[lane]].block = full;
     blocks_[first] = empty_block();
     links_[first] = {0, full};
   }
-  take_seat(first, body, centre, radius);
+  const std::uint32_t lane = links_[first].n++;
+  BallBlock& balls = blocks_[first];
+  if (lane == 0) {
+    balls.origin[0] = centre.x;
+    balls.origin[1] = centre.y;
+    balls.origin[2] = centre.z;
+  }
+  write_ball(balls, lane, bodies, body);
+  seats_[body] = {first, lane, first};
 }
 
-void BallCells::remove(BodyId body) {
+void BallCells::remove(const SceneBodies& bodies, BodyId body) {
   const Seat seat = seats_[body];
   // The last ball of the cell's first block takes the seat.
-  const std::uint32_t first =
-      holder_of({blocks_[seat.block].x[seat.lane], blocks_[seat.block].y[seat.lane], blocks_[seat.block].z[seat.lane]});
-  BallBlock& from = blocks_[first];
-  BallBlock& to = blocks_[seat.block];
-  const std::uint32_t last = --links_[first].n;
-  to.x[seat.lane] = from.x[last];
-  to.y[seat.lane] = from.y[last];
-  to.z[seat.lane] = from.z[last];
-  to.radius[seat.lane] = from.radius[last];
-  to.body[seat.lane] = from.body[last];
-  seats_[from.body[last]] = seat;
-  from.x[last] = 1e300;
+  const std::uint32_t first = seat.first, last = --links_[first].n;
+  const BodyId moved = blocks_[first].body[last];
+  if (moved != body) {
+    write_ball(blocks_[seat.block], seat.lane, bodies, moved);
+    seats_[moved] = seat;
+  }
+  blocks_[first].x[last] = std::numeric_limits<float>::quiet_NaN();
   seats_[body] = {};
   if (links_[first].n > 0 || links_[first].after == kNone) return;
   // The next block, which is full, becomes the first.
   const std::uint32_t next = links_[first].after;
   blocks_[first] = blocks_[next];
   links_[first] = links_[next];
-  for (std::uint32_t lane = 0; lane < links_[first].n; ++lane) seats_[blocks_[first].body[lane]] = {first, lane};
+  for (std::uint32_t lane = 0; lane < links_[first].n; ++lane) seats_[blocks_[first].body[lane]].block = first;
   links_[next].n = 0;
   free_.push_back(next);
 }
@@ -227,7 +229,7 @@ void BallCellsOfScene::build(const SceneBodies& bodies, double farthest, double 
                              bool may_be_upright) {
   const std::optional<PeriodicBox>& box = bodies.box();
   in_box_ = box.has_value();
-  are_upright_ = may_be_upright && can_be_upright(bodies);
+  are_upright_ = may_be_upright && bodies.are_told_by_boxes();
   make_classes(bodies, n_expected > 0);
   const std::size_t n = largest_.size();
   const auto reach = [this](std::size_t i, std::size_t j) { return (largest_[i] + largest_[j]) * (1.0 + 0x1p-18); };
@@ -268,7 +270,7 @@ void BallCellsOfScene::add(const SceneBodies& bodies, BodyId body) {
 
 void BallCellsOfScene::remove(const SceneBodies& bodies, BodyId body) {
   const std::size_t n = largest_.size(), held = class_of(bodies.bounds(bodies.shape_of()[body]).radius);
-  for (std::size_t asking = 0; asking < n; ++asking) grids_[asking * n + held].remove(body);
+  for (std::size_t asking = 0; asking < n; ++asking) grids_[asking * n + held].remove(bodies, body);
 }
 
 void BallCellsOfScene::clear() {

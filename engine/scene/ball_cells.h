@@ -36,7 +36,8 @@ class BallCells {
   void add(const SceneBodies& bodies, BodyId body);
   /// There are no bodies; the cells stay.
   void clear();
-  void remove(BodyId body);
+  /// Of what was added; other bodies are where they were then.
+  void remove(const SceneBodies& bodies, BodyId body);
   /// Appends every body whose ball may meet this one, each copy of it once, as the second of a pair with `place`; calls
   /// take() whenever near.n is kMost or more, which empties it.
   template <class Take>
@@ -48,6 +49,7 @@ class BallCells {
   static constexpr std::size_t kMostAtOnce = 64;
   struct Seat {
     std::uint32_t block = kNone, lane = 0;
+    std::uint32_t first = kNone;  // the cell's first block
   };
   // How many balls a block has, and the next block of the cell.
   struct Link {
@@ -71,11 +73,14 @@ class BallCells {
   void merge_cells(std::size_t n_bodies);
   // The number of the first block of the cell, or of the cells that are held as one.
   std::uint32_t holder_of(const Vec3d& centre) const;
-  void take_seat(std::uint32_t block, BodyId body, const Vec3d& centre, double radius);
+  void write_ball(BallBlock& balls, std::uint32_t lane, const SceneBodies& bodies, BodyId body) const;
+  // A length in units, and what floats may be off (E26); infinite where it is too large for a float.
+  float rounded_up(double length) const { return static_cast<float>(length * units_ * (1.0 + 0x1p-18) + 0x1p-60); }
 
   CellLayout layout_;
-  std::optional<Vec3d> extents_;  // of boxes
-  std::array<int, 3> merged_{};   // along each axis: 1 where two cells are held as one, else 0
+  double units_ = 1.0;                           // a length of 1 is so many: a power of two
+  std::optional<std::array<float, 3>> extents_;  // of boxes, in units
+  std::array<int, 3> merged_{};                  // along each axis: 1 where two cells are held as one, else 0
   std::array<std::uint32_t, 3> held_stride_{};
   std::size_t n_held_ = 0;
   std::array<Stencil, 3> stencils_;
@@ -99,18 +104,19 @@ void BallCells::near(const SceneKernel& kernel, std::uint64_t place, const Vec3d
                   0,
                   place,
                   centre,
-                  radius + 0x1p-46 * norm_1(centre),
-                  extents_ ? &*extents_ : nullptr};
-  std::uint64_t n_seen = 0;
-  std::size_t n = 0;
-  const auto ask = [&] {
-    near.n_seen += n_seen;
-    n_seen = 0;
-    query.n = n;
+                  units_,
+                  rounded_up(radius + 0x1p-46 * norm_1(centre)),
+                  extents_ ? extents_->data() : nullptr};
+  const auto ask = [&](std::size_t n_blocks, std::uint64_t n_balls) {
+    near.n_seen += n_balls;
+    query.n = n_blocks;
     kernel.find_in_blocks(query, near);
-    n = 0;
     if (near.n >= NearPairs::kMost) take();
   };
+  // No local variable of the loop is known to `ask`, so that they stay in registers.
+  const Link* const links = links_.data();
+  std::uint64_t n_seen = 0;
+  std::size_t n = 0;
   for (const Step& z : stencils_[2].about(own[2])) {
     for (const Step& y : stencils_[1].about(own[1])) {
       const std::uint32_t row = z.holder + y.holder, shift_of_row = z.shift + y.shift;
@@ -118,20 +124,26 @@ void BallCells::near(const SceneKernel& kernel, std::uint64_t place, const Vec3d
         // Whether it is empty is as good as random: written in any case, it needs no branch.
         std::uint32_t block = row + x.holder;
         const std::uint32_t shift = shift_of_row + x.shift;
-        n_seen += links_[block].n;
+        Link link = links[block];
+        n_seen += link.n;
         at[n] = {block, shift};
-        n += links_[block].n != 0 ? 1u : 0u;
+        n += link.n != 0 ? 1u : 0u;
         while (true) {
-          if (n == kMostAtOnce) ask();
-          block = links_[block].after;
+          if (n == kMostAtOnce) {
+            ask(n, n_seen);
+            n = 0;
+            n_seen = 0;
+          }
+          block = link.after;
           if (block == kNone) break;
-          n_seen += links_[block].n;
+          link = links[block];
+          n_seen += link.n;
           at[n++] = {block, shift};
         }
       }
     }
   }
-  ask();
+  ask(n, n_seen);
 }
 
 /// The balls of all bodies of a scene. Bodies of like size make a class, and of each class there is one grid for the

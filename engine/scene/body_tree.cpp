@@ -72,7 +72,7 @@ void BodyTree::sort(const SceneBodies& bodies, int n_threads) {
     place_[leaves[k]] = static_cast<std::uint32_t>(k);
     order_[k] = ids_[leaves[k]];
   }
-  sorted_.fill(bodies, order_, 3.0 * shifts_.largest_shift(), n_threads);
+  sorted_.fill(bodies, order_, 3.0 * shifts_.largest_shift(), false, n_threads);
   if (margin_ > 0.0) sorted_.widen(margin_);
   tree_.pair_tasks(moves_, n_threads > 1 ? kTasksAThread * static_cast<std::size_t>(n_threads) : 1, tasks_);
 }

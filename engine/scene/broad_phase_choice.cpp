@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <vector>
 
 #include "engine/scene/body_tree.h"
@@ -16,7 +17,11 @@ namespace {
 // Some nanoseconds on a processor of 2024, by vex_scene_bench: a body of each, a pair that each looks at, and one whose
 // balls meet, which of the grid's has its bodies placed before anything else tells them apart.
 constexpr double kGridBody = 105.0, kGridPair = 0.65, kGridMet = 15.0, kTreeBody = 560.0, kTreePair = 40.0;
-constexpr std::size_t kAsking = 64, kAsked = 2048;
+
+// So many bodies are compared with so many others: fewer where a scene has few, so that this takes a small part of what
+// a query does.
+constexpr std::size_t kAsking = 32, kAskingOfMany = 64, kMany = 65536;
+constexpr std::size_t kLeastAsked = 64, kMostAsked = 2048, kBodiesAnAsked = 16;
 
 // Of about so many bodies, equally far apart in the order of their numbers.
 std::vector<BodyId> sample(const SceneBodies& bodies, std::size_t n) {
@@ -37,38 +42,65 @@ bool are_neighbours(const CellLayout& layout, const std::array<int, 3>& a, const
   return true;
 }
 
-}  // namespace
+// By what a copy is moved so that it is nearest, or about that.
+Vec3d shift_to_nearest(const std::optional<PeriodicBox>& box, const Vec3d& way) {
+  if (!box) return {};
+  if (box->xy() != 0.0 || box->xz() != 0.0 || box->yz() != 0.0) return box->shift(box->towards_origin(way));
+  const auto shift = [](double d, double edge) { return d > 0.5 * edge ? -edge : d < -0.5 * edge ? edge : 0.0; };
+  const Vec3d& edges = box->edges();
+  return {shift(way.x, edges.x), shift(way.y, edges.y), shift(way.z, edges.z)};
+}
 
-BroadPhase cheaper_broad_phase(const SceneBodies& bodies, double reach, double margin) {
-  const std::vector<BodyId> asking = sample(bodies, kAsking), asked = sample(bodies, kAsked);
-  if (asking.empty() || asked.empty()) return BroadPhase::grid;
-  std::vector<Aabb> boxes;
-  for (const BodyId body : asked) boxes.push_back(scene_box(bodies, body, margin, 0.0));
-  const Aabb bounds = bodies.box() ? Aabb{} : bounds_of_centres(bodies, 1);
-  const CellLayout layout =
-      CellLayout::make(bodies.box(), bounds, bodies.largest_offset(), {reach, reach, reach}, bodies.size());
-  std::vector<std::array<int, 3>> cells;
-  for (const BodyId body : asked) cells.push_back(layout.coordinates(bodies.centre(body)));
-  double in_cells = 0.0, in_balls = 0.0, in_boxes = 0.0;
+// How many of the asked bodies the asking ones meet: `of(body)` makes of one of these what tells it of each of those,
+// by its place, the way to it, and the shift in that.
+template <class Of>
+double count(const SceneBodies& bodies, const std::vector<BodyId>& asking, const std::vector<BodyId>& asked,
+             const Of& of) {
+  std::size_t n = 0;
   for (const BodyId body : asking) {
-    const Aabb box = scene_box(bodies, body, margin, 0.0);
-    const std::array<int, 3> cell = layout.coordinates(bodies.centre(body));
-    const double radius = bodies.bounds(bodies.shape_of()[body]).radius + margin;
+    const auto meets = of(body);
     for (std::size_t k = 0; k < asked.size(); ++k) {
       if (asked[k] == body) continue;
       const Vec3d way = bodies.centre(asked[k]) - bodies.centre(body);
-      const Vec3d shift = bodies.box() ? bodies.box()->shift(bodies.box()->towards_origin(way)) : Vec3d{};
-      if (are_neighbours(layout, cell, cells[k])) in_cells += 1.0;
-      const double met = radius + bodies.bounds(bodies.shape_of()[asked[k]]).radius;
-      if (norm(way + shift) <= met) in_balls += 1.0;
-      if (box.meets({boxes[k].lower + shift, boxes[k].upper + shift})) in_boxes += 1.0;
+      const Vec3d shift = shift_to_nearest(bodies.box(), way);
+      if (meets(k, way + shift, shift)) ++n;
     }
   }
-  const double times = 0.5 * static_cast<double>(bodies.size()) /
-                       (static_cast<double>(asking.size()) * static_cast<double>(asked.size()));
-  const double of_grid = kGridBody + (kGridPair * in_cells + kGridMet * in_balls) * times,
-               of_tree = kTreeBody + kTreePair * in_boxes * times;
-  return of_grid <= of_tree ? BroadPhase::grid : BroadPhase::tree;
+  return static_cast<double>(n);
+}
+
+}  // namespace
+
+BroadPhase cheaper_broad_phase(const SceneBodies& bodies, double reach, double margin) {
+  const std::size_t n = bodies.size();
+  const std::vector<BodyId> asking = sample(bodies, n < kMany ? kAsking : kAskingOfMany),
+                            asked = sample(bodies, std::clamp(n / kBodiesAnAsked, kLeastAsked, kMostAsked));
+  if (asking.empty() || asked.empty()) return BroadPhase::grid;
+  const Aabb bounds = bodies.box() ? Aabb{} : bounds_of_centres(bodies, 1);
+  const CellLayout layout = CellLayout::make(bodies.box(), bounds, bodies.largest_offset(), {reach, reach, reach}, n);
+  std::vector<std::array<int, 3>> cells;
+  for (const BodyId body : asked) cells.push_back(layout.coordinates(bodies.centre(body)));
+  double in_balls = 0.0;
+  const double in_cells = count(bodies, asking, asked, [&](BodyId body) {
+    return [&, cell = layout.coordinates(bodies.centre(body)), radius = bodies.bounds_of(body).radius + margin](
+               std::size_t k, const Vec3d& way, const Vec3d&) {
+      const double met = radius + bodies.bounds_of(asked[k]).radius;
+      if (dot(way, way) <= met * met) in_balls += 1.0;
+      return are_neighbours(layout, cell, cells[k]);
+    };
+  });
+  const double times =
+      0.5 * static_cast<double>(n) / (static_cast<double>(asking.size()) * static_cast<double>(asked.size()));
+  const double of_grid = kGridBody + (kGridPair * in_cells + kGridMet * in_balls) * times;
+  if (of_grid <= kTreeBody) return BroadPhase::grid;
+  std::vector<Aabb> boxes;
+  for (const BodyId body : asked) boxes.push_back(scene_box(bodies, body, margin, 0.0));
+  const double in_boxes = count(bodies, asking, asked, [&](BodyId body) {
+    return [&, box = scene_box(bodies, body, margin, 0.0)](std::size_t k, const Vec3d&, const Vec3d& shift) {
+      return box.meets({boxes[k].lower + shift, boxes[k].upper + shift});
+    };
+  });
+  return of_grid <= kTreeBody + kTreePair * in_boxes * times ? BroadPhase::grid : BroadPhase::tree;
 }
 
 }  // namespace vex

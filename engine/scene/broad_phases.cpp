@@ -38,7 +38,7 @@ void BroadPhases::prepare(const SceneBodies& bodies, const SceneSettings& settin
   if (is_grid()) {
     if (is_grid_true_ && grid_margin_ == margin) return;
     is_grid_true_ = false;  // also where an interruption ends it
-    grid_.build(bodies, reach, settings.n_threads);
+    grid_.build(bodies, reach, margin == 0.0 && bodies.are_told_by_boxes(), settings.n_threads);
     if (margin > 0.0) grid_.bodies().widen(margin);
     grid_margin_ = margin;
     is_grid_true_ = true;

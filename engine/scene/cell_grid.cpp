@@ -14,12 +14,15 @@ constexpr std::size_t kMostParts = 256, kBodiesAPart = 2048;
 
 }  // namespace
 
-void CellGrid::build(const SceneBodies& bodies, double reach, int n_threads) {
+void CellGrid::build(const SceneBodies& bodies, double reach, bool by_boxes, int n_threads) {
   const Aabb bounds = bodies.box() ? Aabb{} : bounds_of_centres(bodies, n_threads);
-  layout_ = CellLayout::make(bodies.box(), bounds, bodies.largest_offset(), {reach, reach, reach}, bodies.size());
+  extents_.reset();
+  if (by_boxes) extents_ = bodies.bounds(0).extents;
+  const Vec3d reaches = by_boxes ? (1.0 + 0x1p-18) * *extents_ : Vec3d{reach, reach, reach};
+  layout_ = CellLayout::make(bodies.box(), bounds, bodies.largest_offset(), reaches, by_boxes ? bodies.size()/2:bodies.size());
   shifts_.assign(layout_.box, layout_.n_images);
   sort(bodies, n_threads);
-  sorted_.fill(bodies, order_, 3.0 * shifts_.largest_shift(), n_threads);
+  sorted_.fill(bodies, order_, 3.0 * shifts_.largest_shift(), by_boxes, n_threads);
   cut_into_parts();
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "engine/scene/cell_layout.h"
@@ -15,9 +16,11 @@ namespace vex {
 
 class CellGrid {
  public:
-  /// For bodies whose centres are no farther apart than `reach`. The same for any number of threads.
-  void build(const SceneBodies& bodies, double reach, int n_threads);
+  /// For bodies whose centres are no farther apart than `reach`; `by_boxes`: for those whose boxes meet, where
+  /// SceneBodies::are_told_by_boxes. The same for any number of threads.
+  void build(const SceneBodies& bodies, double reach, bool by_boxes, int n_threads);
 
+  bool is_by_boxes() const { return extents_.has_value(); }
   const CellLayout& layout() const { return layout_; }
   const SortedBodies& bodies() const { return sorted_; }
   SortedBodies& bodies() { return sorted_; }
@@ -25,8 +28,8 @@ class CellGrid {
 
   /// Parts of the search of about the same work, to be done in any order.
   std::size_t n_parts() const { return part_ends_.size(); }
-  /// The pairs whose balls may meet, each once: near.n grows until take() is called, which empties it. Ends early where
-  /// take() returns false.
+  /// The pairs whose balls, or boxes, may meet, each once: near.n grows until take() is called, which empties it. Ends
+  /// early where take() returns false.
   template <class Take>
   bool find_near(std::size_t part, const SceneKernel& kernel, NearPairs& near, Take&& take) const;
 
@@ -71,6 +74,7 @@ class CellGrid {
   }
 
   CellLayout layout_;
+  std::optional<Vec3d> extents_;  // of boxes
   SortedBodies sorted_;
   ShiftTable shifts_;
   LargeVector<std::uint32_t> starts_;  // of each cell, and the end
@@ -89,7 +93,15 @@ bool CellGrid::find_near(std::size_t part, const SceneKernel& kernel, NearPairs&
                     reach = static_cast<std::size_t>(layout_.stencil[0]);
   thread_local std::vector<Row> rows;  // memory that a thread keeps
   thread_local std::vector<NearRange> inner_ranges, outer_ranges;
-  NearQuery query{sorted_.x.data(), sorted_.y.data(), sorted_.z.data(), sorted_.radius.data(), 0, 0, nullptr, 0};
+  NearQuery query{sorted_.x.data(),
+                  sorted_.y.data(),
+                  sorted_.z.data(),
+                  sorted_.radius.data(),
+                  0,
+                  0,
+                  nullptr,
+                  0,
+                  extents_ ? &*extents_ : nullptr};
   for (std::size_t row = first_row; row < part_ends_[part]; ++row) {
     if (starts_[row * n_x] == starts_[(row + 1) * n_x]) continue;
     rows_of(static_cast<int>(row % n_y), static_cast<int>(row / n_y), rows);

@@ -209,6 +209,19 @@ BodyId SceneBodies::add(ShapeId shape, const Pose& pose, const ImageOffset& move
   return body;
 }
 
+bool SceneBodies::are_told_by_boxes() const {
+  if (box_ && (box_->xy() != 0.0 || box_->xz() != 0.0 || box_->yz() != 0.0)) return false;
+  if (shapes_.size() != 1 || size() == 0) return false;
+  constexpr double kBallOfCube = 0.5235;  // a ball's share of the cube about it
+  const Vec3d& e = bounds_.front().extents;
+  const double width = 2.0 * bounds_.front().radius;
+  if (!((e.x / width) * (e.y / width) * (e.z / width) < kBallOfCube)) return false;
+  for (BodyId body = 0; body < end(); ++body) {
+    if (has(body) && !is_upright(pose(body))) return false;
+  }
+  return true;
+}
+
 void SceneBodies::place(BodyId body, const Transformd& pose) {
   write_pose(poses_.data(), body, pose);
   centres_[body] = centre_of(pose, bounds_[shape_of_[body]].centre);

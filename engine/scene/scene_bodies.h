@@ -126,6 +126,9 @@ class SceneBodies {
   static void write_pose(double* poses, std::size_t place, const Transformd& pose);
   /// Its rotation is the identity, bit for bit but for the sign of zeros.
   static bool is_upright(const Transformd& pose);
+  /// All bodies are alike and none is turned, no box is triclinic, and the boxes about the bodies, each as large as the
+  /// other one's, meet in fewer places than their balls do.
+  bool are_told_by_boxes() const;
 
   /// The pose as the scene keeps it, moved into the box. Throws InputError where it is none for a scene.
   Transformd checked(ShapeId shape, const Transformd& given, ImageOffset* image) const;

@@ -43,7 +43,7 @@ BodyId Scene::Impl::add(ShapeId shape, const Pose& pose, const ImageOffset& move
   const BodyId body = bodies_.add(shape, pose, moved);
   phases_.bodies_changed();
   memory_.forget();
-  if (are_cells_true_) keep_in_cells(body);
+  if (are_cells_true_ && body < waiting_from_) keep_in_cells(body);
   return body;
 }
 
@@ -61,6 +61,13 @@ void Scene::Impl::keep_in_cells(BodyId body) {
   }
 }
 
+// Bodies may come in thousands before the first query of one of them, or without any.
+void Scene::Impl::keep_waiting_in_cells() {
+  for (; are_cells_true_ && waiting_from_ < bodies_.end(); ++waiting_from_) {
+    if (bodies_.has(waiting_from_)) keep_in_cells(waiting_from_);
+  }
+}
+
 void Scene::Impl::require(BodyId body) const {
   if (!bodies_.has(body)) throw UsageError("a scene has no body " + std::to_string(body) + " - ask `has` first");
 }
@@ -69,7 +76,7 @@ void Scene::Impl::remove(BodyId body) {
   require(body);
   const bool were_cells_true = are_cells_true_;
   are_cells_true_ = false;  // also where memory gives out
-  if (were_cells_true) cells_.remove(bodies_, body);
+  if (were_cells_true && body < waiting_from_) cells_.remove(bodies_, body);
   bodies_.remove(body);
   are_cells_true_ = were_cells_true;
   phases_.bodies_changed();
@@ -84,6 +91,7 @@ void Scene::Impl::clear() {
   // pairs are found, and so which of them others spare, would hang on what the scene held before.
   if (are_cells_true_ && are_cells_as_expected_ && !are_some_turned_) {
     cells_.clear();
+    waiting_from_ = 0;
     return;
   }
   are_cells_true_ = are_some_turned_ = false;
@@ -103,6 +111,10 @@ void Scene::Impl::move(BodyId body, const Pose& pose) {
   are_cells_true_ = false;  // also where memory gives out
   phases_.moved(bodies_, body);
   if (!were_cells_true) return;
+  if (body >= waiting_from_) {
+    are_cells_true_ = true;
+    return;
+  }
   cells_.remove(bodies_, body);
   keep_in_cells(body);
 }
@@ -146,6 +158,7 @@ BallCellsOfScene& Scene::Impl::ball_cells(double farthest, bool is_upright) {
   const bool as_expected = n_expected_ > 0 && bodies_.box() && bodies_.size() <= 2 * n_expected_ + 64;
   const double radius = as_expected ? bodies_.largest_radius_of_shapes() : bodies_.largest_radius();
   const bool is_small = bodies_.size() > 2 * n_in_cells_ + 64;
+  if (!is_small) keep_waiting_in_cells();
   if (!are_cells_true_ || !cells_.takes(radius) || is_small || !cells_.goes_as_far_as(farthest)) {
     are_cells_true_ = false;  // also where an interruption ends it
     are_cells_as_expected_ = as_expected;
@@ -153,6 +166,7 @@ BallCellsOfScene& Scene::Impl::ball_cells(double farthest, bool is_upright) {
     const double offset = as_expected ? bodies_.largest_offset_of_shapes() : bodies_.largest_offset();
     cells_.build(bodies_, as_expected ? 0.0 : farthest, offset, as_expected ? n_expected_ : 0,
                  is_upright && !are_some_turned_);
+    waiting_from_ = bodies_.end();
     are_cells_true_ = true;
   }
   return cells_;

@@ -45,6 +45,8 @@ class Scene::Impl {
 
   /// The pairs of each body from `first` on with those before it; the search that has found them.
   PairSearch& find_pairs_of_added(BodyId first, Clusters* joined, const PairJudge* judge);
+  /// The same of all bodies, by the broad phase.
+  PairSearch& find_all_pairs(Clusters* joined, const PairJudge* judge);
 
   /// The tree of the bodies as they are.
   const BodyTree& tree();
@@ -81,6 +83,8 @@ class Scene::Impl {
   // For a query at a place as far out as this, of a body that is not turned or may be.
   BallCellsOfScene& ball_cells(double farthest, bool is_upright);
   void keep_in_cells(BodyId body);
+  // Of all bodies that wait for it.
+  void keep_waiting_in_cells();
   std::vector<PairSearch>& searches(double margin) { return searches_[margin > 0.0 ? 1 : 0]; }
   PairQuestion question(double margin);
   // Of pairs whose places are numbers of bodies.
@@ -94,6 +98,7 @@ class Scene::Impl {
   PairMemory memory_;
   BallCellsOfScene cells_;
   bool are_cells_true_ = false;
+  BodyId waiting_from_ = 0;  // bodies from this number on are not in the cells yet, once these are true
   std::size_t n_in_cells_ = 0, n_expected_ = 0;
   bool are_cells_as_expected_ = false;  // they are what they would be for another set of bodies
   bool are_some_turned_ = false;        // of bodies and visitors, since cells were found to be for others alone

@@ -216,8 +216,11 @@ class Placing {
 
 }  // namespace
 
-__attribute__((flatten)) void find_near(const NearQuery& asked, NearPairs& out) {
-  const NearQuery query = asked;  // what is stored may be what it points to: it would be read again each time
+namespace {
+
+// `meet` of a vector from centre to centre and of the sum of the radii.
+template <class Meet>
+void find_near_where(const NearQuery& query, NearPairs& out, const Meet& meet) {
   std::size_t n = out.n;
   std::uint64_t n_seen = 0;
   for (std::uint64_t i = query.first; i < query.end; ++i) {
@@ -232,9 +235,7 @@ __attribute__((flatten)) void find_near(const NearQuery& asked, NearPairs& out) 
       const Bits shift(range.shift);
       for (std::uint64_t j = first; j < range.end; j += W) {
         const Vec d = Vec{L::load(query.x + j), L::load(query.y + j), L::load(query.z + j)} - from;
-        const L reach = radius + L::load(query.radius + j);
-        const Mask meet = both(Mask::first(range.end - j), dot(d, d) <= reach * reach);
-        const Compaction<W> kept(meet);
+        const Compaction<W> kept(both(Mask::first(range.end - j), meet(d, radius + L::load(query.radius + j))));
         kept.store(out.places + n, (Bits::numbers_from(j) << 32) | Bits(i));
         shift.store(out.shift + n);
         n += static_cast<std::size_t>(kept.n());
@@ -245,28 +246,91 @@ __attribute__((flatten)) void find_near(const NearQuery& asked, NearPairs& out) 
   out.n_seen += n_seen;
 }
 
+}  // namespace
+
+__attribute__((flatten)) void find_near(const NearQuery& asked, NearPairs& out) {
+  const NearQuery query = asked;  // what is stored may be what it points to: it would be read again each time
+  if (query.extents == nullptr) {
+    find_near_where(query, out, [](const Vec& d, const L& reach) { return dot(d, d) <= reach * reach; });
+    return;
+  }
+  const Vec extents = broadcast<L>(*query.extents);
+  find_near_where(query, out, [&extents](const Vec& d, const L& more) {
+    return both(both(absolute(d.x) <= extents.x + more, absolute(d.y) <= extents.y + more),
+                absolute(d.z) <= extents.z + more);
+  });
+}
+
 namespace {
 
-// `meet` of a vector from centre to centre and of the sum of the radii.
+typedef double FourDoubles __attribute__((vector_size(32)));
+typedef float FourFloats __attribute__((vector_size(16)));
+#if defined(__AVX2__)
+typedef float Floats __attribute__((vector_size(32)));
+typedef std::int32_t FloatMask __attribute__((vector_size(32)));
+unsigned bits_of(const FloatMask& mask) {
+  return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask)));
+}
+#else
+typedef FourFloats Floats;
+typedef std::int32_t FloatMask __attribute__((vector_size(16)));
+unsigned bits_of(const FloatMask& mask) {
+#if defined(__SSE2__)
+  return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(mask)));
+#else
+  const FloatMask bits = mask & FloatMask{1, 2, 4, 8};
+  return static_cast<unsigned>((bits[0] | bits[1]) | (bits[2] | bits[3]));
+#endif
+}
+#endif
+constexpr std::size_t kFloats = sizeof(Floats) / sizeof(float);
+static_assert(BallBlock::kLanes == 8 && BallBlock::kLanes % kFloats == 0 && sizeof(BallBlock) == 192);
+
+Floats floats_at(const float* from) {
+  Floats values;
+  __builtin_memcpy(&values, from, sizeof values);
+  return values;
+}
+Floats all_of(float x) { return x - Floats{}; }
+Floats length_of(const Floats& x) { return x < 0.0f ? -x : x; }
+
+// Bit k: whether the ball in lane k may meet the one that is asked about; `meet` of the vector from centre to centre
+// and of the sum of the radii.
+template <class Meet>
+unsigned meeting_lanes(const BallBlock& balls, const FourFloats& from, float radius, const Meet& meet) {
+  unsigned bits = 0;
+  for (std::size_t k = 0; k < BallBlock::kLanes; k += kFloats) {
+    const FloatMask meets = meet(floats_at(balls.x + k) - all_of(from[0]), floats_at(balls.y + k) - all_of(from[1]),
+                                 floats_at(balls.z + k) - all_of(from[2]), floats_at(balls.radius + k) + radius);
+    bits |= bits_of(meets) << k;
+  }
+  return bits;
+}
+
 template <class Meet>
 void find_in_blocks_where(const BallQuery& query, NearPairs& out, const Meet& meet) {
-  static_assert(BallBlock::kLanes % W == 0);
-  const Vec centre = broadcast<L>(query.centre);
-  const L radius(query.radius);
-  const Bits place(query.place);
+  const FourDoubles centre = {query.centre.x, query.centre.y, query.centre.z, 0.0};
+  constexpr std::size_t kAtOnce = 64 / BallBlock::kLanes;
   std::size_t n = out.n;
-  for (std::size_t b = 0; b < query.n; ++b) {
-    const BallBlockAt at = query.at[b];
-    const double* const by = query.shifts + 4 * std::size_t{at.shift};
-    const Vec from = centre - Vec{L(by[0]), L(by[1]), L(by[2])};
-    const Bits shift(at.shift);
-    const BallBlock& balls = query.blocks[at.block];
-    for (std::size_t k = 0; k < BallBlock::kLanes; k += W) {
-      const Vec d = Vec{L::load(balls.x + k), L::load(balls.y + k), L::load(balls.z + k)} - from;
-      const Compaction<W> kept(meet(d, radius + L::load(balls.radius + k)));
-      kept.store(out.places + n, (Bits::load(balls.body + k) << 32) | place);
-      shift.store(out.shift + n);
-      n += static_cast<std::size_t>(kept.n());
+  for (std::size_t first = 0; first < query.n; first += kAtOnce) {
+    const std::size_t n_here = query.n - first < kAtOnce ? query.n - first : kAtOnce;
+    std::uint64_t bits = 0;
+    for (std::size_t b = 0; b < n_here; ++b) {
+      const BallBlockAt at = query.at[first + b];
+      const BallBlock& balls = query.blocks[at.block];
+      FourDoubles shift, origin;
+      __builtin_memcpy(&shift, query.shifts + 4 * std::size_t{at.shift}, sizeof shift);
+      __builtin_memcpy(&origin, balls.origin, sizeof origin);
+      const FourDoubles from = ((centre - shift) - origin) * query.units;
+      bits |= std::uint64_t{meeting_lanes(balls, __builtin_convertvector(from, FourFloats), query.radius, meet)}
+              << (b * BallBlock::kLanes);
+    }
+    for (; bits != 0; bits &= bits - 1) {
+      const std::size_t bit = static_cast<std::size_t>(__builtin_ctzll(bits));
+      const BallBlockAt at = query.at[first + bit / BallBlock::kLanes];
+      const std::uint64_t body = query.blocks[at.block].body[bit % BallBlock::kLanes];
+      out.places[n] = (body << 32) | query.place;
+      out.shift[n++] = at.shift;
     }
   }
   out.n = n;
@@ -277,13 +341,14 @@ void find_in_blocks_where(const BallQuery& query, NearPairs& out, const Meet& me
 __attribute__((flatten)) void find_in_blocks(const BallQuery& asked, NearPairs& out) {
   const BallQuery query = asked;  // as in find_near
   if (query.extents == nullptr) {
-    find_in_blocks_where(query, out, [](const Vec& d, const L& reach) { return dot(d, d) <= reach * reach; });
+    find_in_blocks_where(query, out, [](const Floats& x, const Floats& y, const Floats& z, const Floats& reach) {
+      return (x * x + y * y) + z * z <= reach * reach;
+    });
     return;
   }
-  const Vec extents = broadcast<L>(*query.extents);
-  find_in_blocks_where(query, out, [&extents](const Vec& d, const L& more) {
-    return both(both(absolute(d.x) <= extents.x + more, absolute(d.y) <= extents.y + more),
-                absolute(d.z) <= extents.z + more);
+  const Floats e_x = all_of(query.extents[0]), e_y = all_of(query.extents[1]), e_z = all_of(query.extents[2]);
+  find_in_blocks_where(query, out, [&](const Floats& x, const Floats& y, const Floats& z, const Floats& more) {
+    return (length_of(x) <= e_x + more) & (length_of(y) <= e_y + more) & (length_of(z) <= e_z + more);
   });
 }
 

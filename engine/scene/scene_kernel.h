@@ -38,15 +38,18 @@ struct NearQuery {
   std::uint64_t first, end;
   const NearRange* ranges;
   std::size_t n_ranges;
+  const Vec3d* extents;  // or null: as BallQuery's
 };
 
-/// Balls of bodies of one cell, in columns; the x of an empty lane is 1e300. For BallQuery::extents the radii are what
-/// rounding alone adds.
-struct BallBlock {
+/// Balls of bodies of one cell in columns of floats, about `origin` and in a unit of the grid. Their radii allow for
+/// what rounding to floats does to them and to a ball that is asked about (E26); the x of an empty lane is NaN. For
+/// BallQuery::extents the radii are what rounding alone adds.
+struct alignas(64) BallBlock {
   static constexpr std::size_t kLanes = 8;
 
-  alignas(64) double x[kLanes], y[kLanes], z[kLanes], radius[kLanes];
-  std::uint64_t body[kLanes];
+  float x[kLanes], y[kLanes], z[kLanes], radius[kLanes];
+  std::uint32_t body[kLanes];
+  double origin[4];  // the last one is 0
 };
 
 /// The block of this number moved by the shift of this number.
@@ -57,13 +60,14 @@ struct BallBlockAt {
 /// One ball against blocks; `place` is the first of each pair.
 struct BallQuery {
   const BallBlock* blocks;  // of all numbers
-  const double* shifts;     // rows of four doubles, one a number
+  const double* shifts;     // rows of four doubles, the last one 0; one a number
   const BallBlockAt* at;
   std::size_t n;
   std::uint64_t place;
   Vec3d centre;
-  double radius;
-  const Vec3d* extents;  // or null. What centres may be apart along each axis, but for the radii, in place of balls
+  double units;          // a length of 1 is so many units
+  float radius;          // in units, as the extents
+  const float* extents;  // or null. What centres may be apart along each axis, but for the radii, in place of balls
 };
 
 /// Circumscribed cylinders about the bodies' centres, along a coordinate axis of each body's frame (E26).
@@ -97,7 +101,8 @@ struct PlacedPairs {
 };
 
 struct SceneKernel {
-  /// Appends the pairs whose balls may meet; so many must find room behind out.n: (end - first) times the ranges' sum.
+  /// Appends the pairs whose balls, or boxes, may meet; so many must find room behind out.n: (end - first) times the
+  /// ranges' sum.
   void (*find_near)(const NearQuery& query, NearPairs& out);
   /// Appends the pairs with bodies whose balls, or boxes, may meet it; 8 n must find room behind out.n.
   void (*find_in_blocks)(const BallQuery& query, NearPairs& out);

@@ -1,8 +1,10 @@
 // Queries of one body.
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "engine/numeric/errors.h"
+#include "engine/numeric/interruption.h"
 #include "engine/scene/scene_impl.h"
 
 namespace vex {
@@ -70,7 +72,39 @@ PairSearch& Scene::Impl::find_pairs_of(BodyId body, const Transformd& pose) {
   return search;
 }
 
+PairSearch& Scene::Impl::find_all_pairs(Clusters* joined, const PairJudge* judge) {
+  phases_.prepare(bodies_, settings_, checked_reach(0.0), 0.0);
+  const PairQuestion asked = question(0.0);
+  PairSearch& search = single_;
+  search.begin(asked);
+  search.joined = joined;
+  search.judge = judge;
+  const auto take = [&search] {
+    end_if_interrupted();
+    search.take();
+    return true;
+  };
+  for (std::size_t part = 0; part < phases_.n_parts(); ++part) {
+    phases_.find_near(part, asked.kernel, search.near, take);
+  }
+  search.finish();
+  // Where more are expected they will be asked for one at a time: these go into the cells while their order is known,
+  // so that cells that are near each other in memory are filled one after another.
+  const bool fit = are_cells_true_ && cells_.takes(bodies_.largest_radius()) && cells_.goes_as_far_as(HUGE_VAL) &&
+                   (!cells_.are_upright() || phases_.are_by_boxes());
+  if (fit && waiting_from_ == 0 && bodies_.size() < n_expected_) {
+    are_cells_true_ = false;  // also where memory gives out
+    for (const BodyId body : phases_.bodies().id) cells_.add(bodies_, body);
+    waiting_from_ = bodies_.end();
+    are_cells_true_ = true;
+  }
+  return search;
+}
+
 PairSearch& Scene::Impl::find_pairs_of_added(BodyId first, Clusters* joined, const PairJudge* judge) {
+  // A body at a time costs as much as sorting them all only where there are few.
+  constexpr std::size_t kMany = 256;
+  if (first == 0 && bodies_.size() >= kMany) return find_all_pairs(joined, judge);
   const BallCellsOfScene& cells = ball_cells(0.0, true);
   PairSearch& search = single_;
   const PairQuestion asked = question_of_cells(cells);

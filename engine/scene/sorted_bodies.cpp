@@ -11,7 +11,8 @@ constexpr std::size_t kRoom = 16, kBodiesAShare = 4096;
 
 }  // namespace
 
-void SortedBodies::fill(const SceneBodies& bodies, std::span<const BodyId> order, double largest_shift, int n_threads) {
+void SortedBodies::fill(const SceneBodies& bodies, std::span<const BodyId> order, double largest_shift, bool boxes,
+                        int n_threads) {
   const std::size_t n = order.size();
   id.resize(n);
   shape.resize(n);
@@ -39,7 +40,7 @@ void SortedBodies::fill(const SceneBodies& bodies, std::span<const BodyId> order
       x[k] = centre.x;
       y[k] = centre.y;
       z[k] = centre.z;
-      radius[k] = bounds.radius + bounds.rounding_at(centre, largest_shift);
+      radius[k] = (boxes ? 0.0 : bounds.radius) + bounds.rounding_at(centre, largest_shift);
     }
   });
 }

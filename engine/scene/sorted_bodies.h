@@ -15,12 +15,13 @@ struct SortedBodies {
   LargeVector<BodyId> id;
   LargeVector<ShapeId> shape;
   LargeVector<double> poses;            // rows of four doubles, kRowsABody a body
-  LargeVector<double> x, y, z, radius;  // of the circumscribed balls, widened (E26)
+  LargeVector<double> x, y, z, radius;  // of the circumscribed balls, widened (E26), or of that alone
 
   std::size_t size() const { return id.size(); }
 
-  /// `order`: the number of the body at each place. `largest_shift`: what may be added to a centre.
-  void fill(const SceneBodies& bodies, std::span<const BodyId> order, double largest_shift, int n_threads);
+  /// `order`: the number of the body at each place. `largest_shift`: what may be added to a centre. Of `boxes` the
+  /// radii are what rounding adds.
+  void fill(const SceneBodies& bodies, std::span<const BodyId> order, double largest_shift, bool boxes, int n_threads);
   /// To the radii, so that balls meet whose bodies are this near; half of it to each.
   void widen(double distance);
 };

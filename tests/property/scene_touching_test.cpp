@@ -2,9 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+#include <string>
 
 #include "engine/query/overlap.h"
 #include "shapes/any_shape.h"
+#include "shapes/scaled.h"
+#include "tests/referees/random_poses.h"
 #include "tests/referees/scene_judge.h"
 
 namespace vex {
@@ -107,6 +111,52 @@ TEST(TouchingBodies, OfEveryKindAreDecidedAsPairsAre) {
   }
   EXPECT_GT(n_pairs, 500u);
   EXPECT_GT(n_undecided, 10u);  // curved bodies that touch: the scene says so, too
+}
+
+// Cells hold centres as floats, about a body of the cell: whatever the size, however far out, and whatever lies in the
+// outermost cells, what touches is found.
+TEST(TouchingBodies, OfAnySizeAndPlaceAreFoundOneByOne) {
+  std::mt19937_64 random(5);
+  std::size_t n_pairs = 0;
+  for (const double size : {1e-90, 1.0, 1e70}) {
+    for (const double out : {0.0, 1e5, 1e13}) {
+      for (const double spread : {3.0, 1e3, 1e6}) {
+        for (const char* const shape : {"sphere:1", "box:1,2,3", "capsule:2,0.3"}) {
+          SCOPED_TRACE(shape + (" " + std::to_string(size)) + ' ' + std::to_string(out) + ' ' + std::to_string(spread));
+          const ConvexBody body = scaled(parse_shape(shape), size);
+          Scene scene;
+          const ShapeId id = scene.add_shape(body);
+          // Each second one touches the one before, of balls to within two last places, or is near it.
+          const auto place = [&](BodyId k) {
+            Transformd pose;
+            if (shape[0] != 'b') pose = random_rotation(random);
+            const double last_places = static_cast<double>(static_cast<int>(random() % 5) - 2) * 0x1p-52;
+            const double apart =
+                shape[0] == 's' ? 2.0 * (1.0 + last_places) : 0.8 + 0.1 * static_cast<double>(random() % 4);
+            pose.translation = k % 2 == 1 ? scene.pose(k - 1).translation + (size * apart) * random_direction(random)
+                                          : (size * spread) * random_direction(random) + Vec3d{out * size, 0.0, 0.0};
+            return pose;
+          };
+          for (BodyId k = 0; k < 40; ++k) scene.add(id, place(k));
+          const EveryPair every = every_pair(scene);
+          n_pairs += every.pairs.size();
+          EXPECT_EQ(fault_of_single_bodies(scene, every), "");
+          EXPECT_EQ(fault_of_pairs(scene, every), "");
+          // Two that are farther out than the outermost cells, and one that takes another one's place in its cell.
+          for (const BodyId k : {8u, 9u}) {
+            Transformd pose = place(k);
+            if (k == 8) pose.translation = 1e9 * pose.translation;
+            scene.move(k, pose);
+          }
+          scene.remove(3);
+          scene.move(30, scene.pose(7));
+          scene.add(id, scene.pose(20));
+          EXPECT_EQ(fault_of_single_bodies(scene, every_pair(scene)), "");
+        }
+      }
+    }
+  }
+  EXPECT_GT(n_pairs, 1000u);
 }
 
 TEST(TouchingBodies, AreApartAndWithinADistanceToTheLastBit) {

@@ -1,5 +1,5 @@
-// Law: a scene none of whose bodies is turned, which looks for single bodies' pairs by boxes (E26), answers as brute
-// force does, as one does whose bodies come to be turned, or of another shape; and it looks at fewer pairs.
+// Law: a scene none of whose bodies is turned, which looks for pairs by boxes (E26), answers as brute force does, as
+// one does whose bodies come to be turned, or of another shape; and it looks at fewer pairs.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -73,6 +73,7 @@ class UprightScene {
     SCOPED_TRACE(what);
     const EveryPair every = every_pair(*scene_);
     n_pairs_ += every.pairs.size();
+    EXPECT_EQ(fault_of_pairs(*scene_, every), "");
     EXPECT_EQ(fault_of_single_bodies(*scene_, every), "");
     EXPECT_EQ(fault_of_added(*scene_, every, static_cast<BodyId>(scene_->size() / 2)), "");
     for (const bool is_turned : {false, true, false}) {
@@ -162,16 +163,39 @@ TEST(UprightBodies, AreLookedForByBoxes) {
       }
       scene.add(cube, pose);
     }
-    ScenePairs found;
-    scene.overlaps_of_added(0, found);
-    EXPECT_TRUE(found.pairs.empty());
-    const SceneCounts::Stage& balls = found.counts[SceneStage::balls];
-    if (is_turned) {
-      EXPECT_GT(balls.seen, balls.settled + 50);
-    } else {
-      EXPECT_EQ(balls.seen, balls.settled);
+    for (const bool at_once : {false, true}) {
+      ScenePairs found;
+      if (at_once) {
+        scene.set({.broad_phase = BroadPhase::grid});
+        scene.overlapping_pairs(found);
+      } else {
+        scene.overlaps_of_added(0, found);
+      }
+      EXPECT_TRUE(found.pairs.empty());
+      const SceneCounts::Stage& balls = found.counts[SceneStage::balls];
+      if (is_turned) {
+        EXPECT_GT(balls.seen, balls.settled + 50);
+      } else {
+        EXPECT_EQ(balls.seen, balls.settled);
+      }
     }
   }
+}
+
+// Of spheres the box tells less than the ball.
+TEST(UprightBodies, ThatAreBallsAreLookedForByBalls) {
+  const ConvexBody sphere = parse_shape("sphere:0.5");
+  Scene scene(PeriodicBox::cube(8.0));
+  for (int k = 0; k < 8; ++k) {
+    Transformd pose;
+    pose.translation = {0.9 * (k % 2), 0.9 * (k / 2 % 2), 0.9 * (k / 4)};
+    scene.add(sphere, pose);
+  }
+  ScenePairs found;
+  scene.overlaps_of_added(0, found);
+  EXPECT_EQ(found.pairs.size(), 12u);  // along the edges, .9 apart, and not across, 1.27 apart
+  const SceneCounts::Stage& balls = found.counts[SceneStage::balls];
+  EXPECT_EQ(balls.seen - balls.settled, 12u);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <mutex>
 #include <string>
@@ -29,10 +30,15 @@ std::vector<ShapeId> add_shapes(const Placements& placements, Scene& scene) {
 SceneSettings scene_settings(const PercolationSystem& system) {
   SceneSettings settings;
   settings.instruction_set = system.instruction_set;
+  settings.broad_phase = BroadPhase::grid;  // as for the bodies that come one at a time
   return settings;
 }
 
 constexpr std::uint32_t kNotYet = std::numeric_limits<std::uint32_t>::max();
+
+// Of most_bodies_at_once: the cube's edge, in extents of the largest body, and how many realisations of it.
+constexpr double kSmall = 4.0, kLarge = 10.0;
+constexpr std::uint32_t kSmallRealisations = 24;
 
 }  // namespace
 
@@ -123,7 +129,7 @@ std::optional<WrappingNumbers> Realisation::run(std::uint32_t realisation, const
                        "or smaller cubes");
     }
     if (stop && stop()) return std::nullopt;
-    place(realisation, batch_after(first));
+    place(realisation, first == 0 && system_.bodies_at_once > 0 ? system_.bodies_at_once : batch_after(first));
     if (!has_wrapped) {
       ask_pairs(first, &clusters_);
       counts_.stages += pairs_.counts;
@@ -141,6 +147,31 @@ std::optional<WrappingNumbers> Realisation::run(std::uint32_t realisation, const
     }
   }
   return numbers;
+}
+
+// The density at which a cluster first wraps scatters about the same value in cubes of all sizes, as the size to the
+// power of -1/nu (decision 0019).
+std::uint32_t most_bodies_at_once(const PercolationSystem& system) {
+  constexpr double kOneByNu = 1.141, kErrors = 3.0, kWorthIt = 256.0;
+  double extent = 0.0;
+  for (const BodyPart& part : system.placements.parts()) extent = std::fmax(extent, 2.0 * part.body.circumradius());
+  const double scale = system.edge / (kSmall * extent);
+  if (system.backend || !(system.edge >= kLarge * extent)) return 0;
+  PercolationSystem small = system;
+  small.edge = kSmall * extent;
+  small.usual_bodies = static_cast<std::uint32_t>(system.usual_bodies / (scale * scale * scale));
+  small.bodies_at_once = 0;
+  Realisation realisation(small);
+  double sum = 0.0, squares = 0.0;
+  for (std::uint32_t k = 0; k < kSmallRealisations; ++k) {
+    const double n = realisation.run(k)->any();
+    sum += n;
+    squares += n * n;
+  }
+  const double mean = sum / kSmallRealisations,
+               scatter = std::sqrt(std::fmax(squares / kSmallRealisations - mean * mean, 0.0)),
+               n = scale * scale * scale * (mean - kErrors * scatter * std::pow(scale, -kOneByNu));
+  return n >= kWorthIt ? static_cast<std::uint32_t>(std::fmin(n, 0.5 * system.most_bodies)) : 0;
 }
 
 void Realisation::place_and_join(std::uint32_t realisation, std::uint32_t n) {

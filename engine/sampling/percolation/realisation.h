@@ -54,7 +54,13 @@ struct PercolationSystem {
   std::optional<BackendKind> backend{};
   std::uint32_t most_bodies = 1u << 30;  // a realisation that needs more is refused
   std::uint32_t usual_bodies = 0;        // about as many as one takes, or 0: it is made faster by that alone
+  std::uint32_t bodies_at_once = 0;      // so many are placed before any pair is looked for: faster, as long as no
+                                         // cluster wraps before
 };
+
+/// With how many bodies at once hardly a realisation has a cluster that wraps: told from some of a small cube, always
+/// the same ones. 0 where it would not pay.
+std::uint32_t most_bodies_at_once(const PercolationSystem& system);
 
 /// Whether to stop; called by several threads at once.
 using StopQuestion = std::function<bool()>;

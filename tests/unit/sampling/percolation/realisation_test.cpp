@@ -173,6 +173,55 @@ TEST(Realisation, ThreadsSetsAndBackendsChangeNothing) {
   EXPECT_EQ(run_realisations(system, 5, 40, 2, counts), wanted);
 }
 
+// What is placed at once only has pairs searched in another order; also where a cluster wraps before all is placed.
+TEST(Realisation, HowManyBodiesArePlacedAtOnceChangesNothing) {
+  const BodyOrientations aligned{OrientationLaw::aligned(), false};
+  std::vector<PercolationSystem> systems = {
+      system_of({{Sphere(0.5), 1.0}}, 9.0, 3), system_of({{Box(1.0, 1.0, 1.0), 1.0}}, 14.0, 4),
+      system_of({{Capsule(1.0, 0.3), 1.0}, {Box(1.0, 0.8, 0.5), 0.5}}, 12.0, 5),
+      PercolationSystem{Placements({{Box(1.0, 1.0, 1.0), 1.0}}, aligned, 6), 12.0}};
+  for (PercolationSystem& system : systems) {
+    PercolationCounts counts, at_once;
+    const std::vector<WrappingNumbers> wanted = run_realisations(system, 0, 12, 2, counts);
+    std::uint32_t fewest = ~0u, most = 0;
+    for (const WrappingNumbers& numbers : wanted) {
+      fewest = std::min(fewest, numbers.any());
+      most = std::max(most, numbers.all());
+    }
+    ASSERT_GT(fewest, 260u);
+    for (const std::uint32_t usual : {0u, most}) {
+      system.usual_bodies = usual;
+      for (const std::uint32_t n : {1u, 260u, fewest - 1, fewest, (fewest + most) / 2, most + 100}) {
+        system.bodies_at_once = n;
+        EXPECT_EQ(run_realisations(system, 0, 12, 2, at_once), wanted) << n;
+        for (const InstructionSet set : instruction_sets()) {
+          system.instruction_set = set;
+          EXPECT_EQ(run_realisations(system, 0, 2, 1, at_once), std::vector(wanted.begin(), wanted.begin() + 2))
+              << n << ' ' << name_of(set);
+        }
+        system.instruction_set = best_instruction_set();
+      }
+    }
+    EXPECT_EQ(at_once.n_undecided, 0u);
+  }
+}
+
+// Of twenty realisations at most one wraps before, and it is worth placing as many at once.
+TEST(Realisation, SoManyBodiesAtOnceSeldomWrap) {
+  for (PercolationSystem system : {system_of({{Sphere(0.5), 1.0}}, 12.0), system_of({{Disc(0.5), 1.0}}, 11.0)}) {
+    system.bodies_at_once = most_bodies_at_once(system);
+    EXPECT_EQ(most_bodies_at_once(system), system.bodies_at_once);
+    PercolationCounts counts;
+    const std::vector<WrappingNumbers> found = run_realisations(system, 0, 20, 2, counts);
+    EXPECT_LE(std::ranges::count_if(
+                  found, [&](const WrappingNumbers& numbers) { return numbers.any() <= system.bodies_at_once; }),
+              1);
+    for (const WrappingNumbers& numbers : found) EXPECT_LT(numbers.all(), 2 * system.bodies_at_once);
+    system.edge = 5.0;
+    EXPECT_EQ(most_bodies_at_once(system), 0u) << "small cubes are not worth it";
+  }
+}
+
 TEST(Realisation, SizesAndSeedsDrawOtherBodies) {
   PercolationSystem system = system_of({{Sphere(0.5), 1.0}}, 5.0);
   PercolationCounts counts;
