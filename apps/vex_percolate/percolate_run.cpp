@@ -142,7 +142,7 @@ void make_systems(PercolateRun& run) {
     PercolationSystem system{placements, edge, static_cast<std::uint32_t>(k), options.instruction_set, options.backend};
     system.most_bodies = static_cast<std::uint32_t>(std::fmin(1e9, 1000.0 + kLargestB * a_b));
     system.usual_bodies = static_cast<std::uint32_t>(kUsualB * a_b);
-    system.bodies_at_once = most_bodies_at_once(system);
+    system.at_once = best_at_once(system);
     run.sizes.push_back({options.sizes[k], edge, std::move(system), {}, {}});
   }
 }

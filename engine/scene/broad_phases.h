@@ -17,8 +17,6 @@ class BroadPhases {
   /// For pairs that are within `margin`, whose centres are no farther apart than `reach`: chooses and builds.
   void prepare(const SceneBodies& bodies, const SceneSettings& settings, double reach, double margin);
   BroadPhase chosen() const { return chosen_; }
-  /// Whether pairs are told by boxes: SceneBodies::are_told_by_boxes.
-  bool are_by_boxes() const { return is_grid() && grid_.is_by_boxes(); }
 
   // Of the chosen one.
   const SortedBodies& bodies() const { return is_grid() ? grid_.bodies() : tree_.bodies(); }

@@ -20,7 +20,6 @@ class CellGrid {
   /// SceneBodies::are_told_by_boxes. The same for any number of threads.
   void build(const SceneBodies& bodies, double reach, bool by_boxes, int n_threads);
 
-  bool is_by_boxes() const { return extents_.has_value(); }
   const CellLayout& layout() const { return layout_; }
   const SortedBodies& bodies() const { return sorted_; }
   SortedBodies& bodies() { return sorted_; }

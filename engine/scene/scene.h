@@ -108,8 +108,10 @@ class Scene {
   /// and with its own copies. One thread does it. `joined`, where there is one, knows all bodies and what those before
   /// `first` are joined by; it is told of each pair, does not have those tested that it joins already, with this image,
   /// and the results are the pairs that changed it, in the order in which they did, not sorted. `judge`, where there is
-  /// one, decides all pairs whose circumscribed balls may meet instead of the engine; they count as `scalar`.
-  void overlaps_of_added(BodyId first, ScenePairs& out, Clusters* joined = nullptr, const PairJudge* judge = nullptr);
+  /// one, decides all pairs whose circumscribed balls may meet instead of the engine; they count as `scalar`. Pairs of
+  /// bodies from `joined_below` on `joined` is not told of, nor asked about: they are all among the results.
+  void overlaps_of_added(BodyId first, ScenePairs& out, Clusters* joined = nullptr, const PairJudge* judge = nullptr,
+                         BodyId joined_below = kNoBody);
   /// The bodies that a visitor overlaps, which are `b`; `a` is kNoBody.
   void overlaps_of(const ConvexBody& visitor, const Pose& world_from_body, ScenePairs& out);
   /// Whether this body would overlap any other one if it were at that pose: a trial move. Nothing is moved.

@@ -44,9 +44,7 @@ class Scene::Impl {
   PairSearch& find_pairs_of(BodyId body, const Transformd& pose);
 
   /// The pairs of each body from `first` on with those before it; the search that has found them.
-  PairSearch& find_pairs_of_added(BodyId first, Clusters* joined, const PairJudge* judge);
-  /// The same of all bodies, by the broad phase.
-  PairSearch& find_all_pairs(Clusters* joined, const PairJudge* judge);
+  PairSearch& find_pairs_of_added(BodyId first, Clusters* joined, BodyId joined_below, const PairJudge* judge);
 
   /// The tree of the bodies as they are.
   const BodyTree& tree();
@@ -85,6 +83,10 @@ class Scene::Impl {
   void keep_in_cells(BodyId body);
   // Of all bodies that wait for it.
   void keep_waiting_in_cells();
+  // By the broad phase, which is prepared; or of each body from `first` on with those before it. For a search that has
+  // begun, and is finished later.
+  void find_all_pairs(PairSearch& search);
+  void find_pairs_one_by_one(BodyId first, const BallCellsOfScene& cells, PairSearch& search);
   std::vector<PairSearch>& searches(double margin) { return searches_[margin > 0.0 ? 1 : 0]; }
   PairQuestion question(double margin);
   // Of pairs whose places are numbers of bodies.

@@ -1,6 +1,5 @@
 // Queries of one body.
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "engine/numeric/errors.h"
@@ -72,45 +71,18 @@ PairSearch& Scene::Impl::find_pairs_of(BodyId body, const Transformd& pose) {
   return search;
 }
 
-PairSearch& Scene::Impl::find_all_pairs(Clusters* joined, const PairJudge* judge) {
-  phases_.prepare(bodies_, settings_, checked_reach(0.0), 0.0);
-  const PairQuestion asked = question(0.0);
-  PairSearch& search = single_;
-  search.begin(asked);
-  search.joined = joined;
-  search.judge = judge;
+void Scene::Impl::find_all_pairs(PairSearch& search) {
+  const SceneKernel kernel = scene_kernel(settings_.instruction_set);
   const auto take = [&search] {
     end_if_interrupted();
     search.take();
     return true;
   };
-  for (std::size_t part = 0; part < phases_.n_parts(); ++part) {
-    phases_.find_near(part, asked.kernel, search.near, take);
-  }
-  search.finish();
-  // Where more are expected they will be asked for one at a time: these go into the cells while their order is known,
-  // so that cells that are near each other in memory are filled one after another.
-  const bool fit = are_cells_true_ && cells_.takes(bodies_.largest_radius()) && cells_.goes_as_far_as(HUGE_VAL) &&
-                   (!cells_.are_upright() || phases_.are_by_boxes());
-  if (fit && waiting_from_ == 0 && bodies_.size() < n_expected_) {
-    are_cells_true_ = false;  // also where memory gives out
-    for (const BodyId body : phases_.bodies().id) cells_.add(bodies_, body);
-    waiting_from_ = bodies_.end();
-    are_cells_true_ = true;
-  }
-  return search;
+  for (std::size_t part = 0; part < phases_.n_parts(); ++part) phases_.find_near(part, kernel, search.near, take);
 }
 
-PairSearch& Scene::Impl::find_pairs_of_added(BodyId first, Clusters* joined, const PairJudge* judge) {
-  // A body at a time costs as much as sorting them all only where there are few.
-  constexpr std::size_t kMany = 256;
-  if (first == 0 && bodies_.size() >= kMany) return find_all_pairs(joined, judge);
-  const BallCellsOfScene& cells = ball_cells(0.0, true);
-  PairSearch& search = single_;
-  const PairQuestion asked = question_of_cells(cells);
-  search.begin(asked);
-  search.joined = joined;
-  search.judge = judge;
+void Scene::Impl::find_pairs_one_by_one(BodyId first, const BallCellsOfScene& cells, PairSearch& search) {
+  const SceneKernel kernel = scene_kernel(settings_.instruction_set);
   NearPairs& near = search.near;
   for (BodyId body = first; body < bodies_.end(); ++body) {
     if (!bodies_.has(body)) continue;
@@ -127,7 +99,7 @@ PairSearch& Scene::Impl::find_pairs_of_added(BodyId first, Clusters* joined, con
       }
       near.n = n;
     };
-    cells.near(asked.kernel, body, centre, bounds, near, [&] {
+    cells.near(kernel, body, centre, bounds, near, [&] {
       keep_earlier();
       search.take();
       n = 0;
@@ -135,8 +107,30 @@ PairSearch& Scene::Impl::find_pairs_of_added(BodyId first, Clusters* joined, con
     keep_earlier();
     if (near.n >= NearPairs::kMost) search.take();
   }
-  search.finish();
-  return search;
+}
+
+PairSearch& Scene::Impl::find_pairs_of_added(BodyId first, Clusters* joined, BodyId joined_below,
+                                             const PairJudge* judge) {
+  // To sort all bodies costs more than to ask for each only where there are few.
+  constexpr std::size_t kMany = 256;
+  const BallCellsOfScene* cells = nullptr;
+  if (first == 0 && bodies_.size() >= kMany) {
+    phases_.prepare(bodies_, settings_, checked_reach(0.0), 0.0);
+    single_.begin(question(0.0));
+  } else {
+    cells = &ball_cells(0.0, true);
+    single_.begin(question_of_cells(*cells));
+  }
+  single_.joined = joined;
+  single_.joined_below = joined_below;
+  single_.judge = judge;
+  if (cells == nullptr) {
+    find_all_pairs(single_);
+  } else {
+    find_pairs_one_by_one(first, *cells, single_);
+  }
+  single_.finish();
+  return single_;
 }
 
 void Scene::overlaps_of(BodyId body, ScenePairs& out) {
@@ -144,13 +138,14 @@ void Scene::overlaps_of(BodyId body, ScenePairs& out) {
   take_sorted(impl_->find_pairs_of(body, pose(body)), out);
 }
 
-void Scene::overlaps_of_added(BodyId first, ScenePairs& out, Clusters* joined, const PairJudge* judge) {
+void Scene::overlaps_of_added(BodyId first, ScenePairs& out, Clusters* joined, const PairJudge* judge,
+                              BodyId joined_below) {
   if (joined != nullptr && joined->size() < end()) {
     throw UsageError("clusters know of " + std::to_string(joined->size()) +
                      " bodies, and the scene has numbers up to " + std::to_string(end()) +
                      " - add the missing ones to the clusters first");
   }
-  const PairSearch& search = impl_->find_pairs_of_added(first, joined, judge);
+  const PairSearch& search = impl_->find_pairs_of_added(first, joined, joined_below, judge);
   if (joined == nullptr) return take_sorted(search, out);
   out.pairs.assign(search.pairs.begin(), search.pairs.end());
   out.undecided.assign(search.undecided.begin(), search.undecided.end());

@@ -28,7 +28,7 @@ class PySystem {
     }
     system_.most_bodies = static_cast<std::uint32_t>(std::fmin(1e9, 1000.0 + kMoreThanUsual * usual_bodies));
     system_.usual_bodies = static_cast<std::uint32_t>(usual_bodies);
-    system_.bodies_at_once = most_bodies_at_once(system_);
+    system_.at_once = best_at_once(system_);
   }
 
   bool isotropic() const { return is_isotropic(system_.placements); }

@@ -36,7 +36,7 @@ SceneSettings scene_settings(const PercolationSystem& system) {
 
 constexpr std::uint32_t kNotYet = std::numeric_limits<std::uint32_t>::max();
 
-// Of most_bodies_at_once: the cube's edge, in extents of the largest body, and how many realisations of it.
+// Of best_at_once: the cube's edge, in extents of the largest body, and how many realisations of it.
 constexpr double kSmall = 4.0, kLarge = 10.0;
 constexpr std::uint32_t kSmallRealisations = 24;
 
@@ -94,22 +94,45 @@ void Realisation::note_wrapping(const ScenePair& pair, WrappingNumbers& numbers)
   }
 }
 
-void Realisation::ask_pairs(BodyId first, Clusters* joined) {
-  scene_.overlaps_of_added(first, pairs_, joined, judge_ ? &judge_ : nullptr);
+void Realisation::ask_pairs(BodyId first, Clusters* joined, BodyId joined_below) {
+  scene_.overlaps_of_added(first, pairs_, joined, judge_ ? &judge_ : nullptr, joined_below);
+  counts_.stages += pairs_.counts;
 }
 
-// Pairs in the order of the bodies that brought them, none left out. They come in the order of the other body.
-void Realisation::join_in_order(BodyId first, WrappingNumbers& numbers) {
+// None left out.
+void Realisation::ask_and_join_in_order(BodyId first, WrappingNumbers& numbers) {
   ask_pairs(first, nullptr);
-  counts_.stages += pairs_.counts;
+  join_in_order(first, pairs_.pairs, numbers);
+}
+
+// Pairs, in any order, in that of the bodies that brought them, from `first` on.
+void Realisation::join_in_order(BodyId first, std::span<const ScenePair> pairs, WrappingNumbers& numbers) {
   next_.assign(std::size_t{scene_.end() - first} + 1, 0);
-  for (const ScenePair& pair : pairs_.pairs) ++next_[pair.b - first + 1];
+  for (const ScenePair& pair : pairs) ++next_[pair.b - first + 1];
   for (std::size_t k = 1; k < next_.size(); ++k) next_[k] += next_[k - 1];
-  in_order_.resize(pairs_.pairs.size());
-  for (const ScenePair& pair : pairs_.pairs) in_order_[next_[pair.b - first]++] = pair;
+  in_order_.resize(pairs.size());
+  for (const ScenePair& pair : pairs) in_order_[next_[pair.b - first]++] = pair;
   for (const ScenePair& pair : in_order_) {
     if (clusters_.join(pair.a, pair.b, pair.image) == Clusters::Joined::wrapped) note_wrapping(pair, numbers);
   }
+}
+
+// All pairs of many bodies are found together, and those of the first bodies joined as they come. If that alone wraps
+// the order was wrong, and all is done once more.
+void Realisation::place_first(std::uint32_t realisation, WrappingNumbers& numbers) {
+  const PercolationSystem::AtOnce& at_once = system_.at_once;
+  place(realisation, at_once.placed);
+  ask_pairs(0, &clusters_, at_once.in_any_order);
+  if (clusters_.any_wraps()) {
+    clusters_.reset(scene_.end());
+    ask_and_join_in_order(0, numbers);
+    return;
+  }
+  std::vector<ScenePair>& found = pairs_.pairs;
+  const auto later =
+      std::partition(found.begin(), found.end(), [&](const ScenePair& pair) { return pair.b < at_once.in_any_order; });
+  join_in_order(at_once.in_any_order, {later, found.end()}, numbers);
+  if (!clusters_.any_wraps()) news_ = found;
 }
 
 // Until a cluster wraps the order of pairs does not matter: what one of them joins another need not. In the batch that
@@ -129,49 +152,60 @@ std::optional<WrappingNumbers> Realisation::run(std::uint32_t realisation, const
                        "or smaller cubes");
     }
     if (stop && stop()) return std::nullopt;
-    place(realisation, first == 0 && system_.bodies_at_once > 0 ? system_.bodies_at_once : batch_after(first));
-    if (!has_wrapped) {
-      ask_pairs(first, &clusters_);
-      counts_.stages += pairs_.counts;
+    if (first == 0 && system_.at_once.placed > 0) {
+      place_first(realisation, numbers);
       has_wrapped = clusters_.any_wraps();
-      if (has_wrapped) {
-        clusters_.reset(scene_.end());
-        for (const ScenePair& pair : news_) clusters_.join(pair.a, pair.b, pair.image);
-      } else {
-        news_.insert(news_.end(), pairs_.pairs.begin(), pairs_.pairs.end());
+    } else {
+      place(realisation, batch_after(first));
+      if (!has_wrapped) {
+        ask_pairs(first, &clusters_);
+        has_wrapped = clusters_.any_wraps();
+        if (has_wrapped) {
+          clusters_.reset(scene_.end());
+          for (const ScenePair& pair : news_) clusters_.join(pair.a, pair.b, pair.image);
+        } else {
+          news_.insert(news_.end(), pairs_.pairs.begin(), pairs_.pairs.end());
+        }
       }
+      if (has_wrapped) ask_and_join_in_order(first, numbers);
     }
-    if (has_wrapped) join_in_order(first, numbers);
     for (const ScenePair& pair : pairs_.undecided) {
-      if (clusters_.would_change(pair.a, pair.b, pair.image)) ++counts_.n_undecided;
+      if (pair.b < numbers.all() && clusters_.would_change(pair.a, pair.b, pair.image)) ++counts_.n_undecided;
     }
   }
   return numbers;
 }
 
-// The density at which a cluster first wraps scatters about the same value in cubes of all sizes, as the size to the
-// power of -1/nu (decision 0019).
-std::uint32_t most_bodies_at_once(const PercolationSystem& system) {
-  constexpr double kOneByNu = 1.141, kErrors = 3.0, kWorthIt = 256.0;
+// The densities at which clusters first wrap, along any axis and along all, scatter about the threshold, and the second
+// is above it, by what shrinks as the size to the power of -1/nu (decision 0019).
+PercolationSystem::AtOnce best_at_once(const PercolationSystem& system) {
+  constexpr double kOneByNu = 1.141, kErrorsBelow = 3.0, kErrorsAbove = 1.5, kWorthIt = 256.0;
   double extent = 0.0;
   for (const BodyPart& part : system.placements.parts()) extent = std::fmax(extent, 2.0 * part.body.circumradius());
-  const double scale = system.edge / (kSmall * extent);
-  if (system.backend || !(system.edge >= kLarge * extent)) return 0;
+  if (system.backend || !(system.edge >= kLarge * extent)) return {};
+  const double scale = system.edge / (kSmall * extent), volumes = scale * scale * scale;
   PercolationSystem small = system;
   small.edge = kSmall * extent;
-  small.usual_bodies = static_cast<std::uint32_t>(system.usual_bodies / (scale * scale * scale));
-  small.bodies_at_once = 0;
+  small.usual_bodies = static_cast<std::uint32_t>(system.usual_bodies / volumes);
+  small.at_once = {};
   Realisation realisation(small);
-  double sum = 0.0, squares = 0.0;
+  struct Sums {
+    double mean = 0.0, square = 0.0;
+    void add(double n) {
+      mean += n / kSmallRealisations;
+      square += n * n / kSmallRealisations;
+    }
+    double scatter() const { return std::sqrt(std::fmax(square - mean * mean, 0.0)); }
+  } any, all;
   for (std::uint32_t k = 0; k < kSmallRealisations; ++k) {
-    const double n = realisation.run(k)->any();
-    sum += n;
-    squares += n * n;
+    const std::optional<WrappingNumbers> numbers = realisation.run(k);
+    any.add(numbers->any());
+    all.add(numbers->all());
   }
-  const double mean = sum / kSmallRealisations,
-               scatter = std::sqrt(std::fmax(squares / kSmallRealisations - mean * mean, 0.0)),
-               n = scale * scale * scale * (mean - kErrors * scatter * std::pow(scale, -kOneByNu));
-  return n >= kWorthIt ? static_cast<std::uint32_t>(std::fmin(n, 0.5 * system.most_bodies)) : 0;
+  const double less = std::pow(scale, -kOneByNu), first = volumes * (any.mean - kErrorsBelow * any.scatter() * less),
+               last = volumes * (any.mean + (all.mean - any.mean + kErrorsAbove * all.scatter()) * less);
+  if (!(first >= kWorthIt && last <= 0.5 * system.most_bodies)) return {};
+  return {static_cast<std::uint32_t>(last), static_cast<std::uint32_t>(first)};
 }
 
 void Realisation::place_and_join(std::uint32_t realisation, std::uint32_t n) {

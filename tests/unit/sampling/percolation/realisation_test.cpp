@@ -191,13 +191,23 @@ TEST(Realisation, HowManyBodiesArePlacedAtOnceChangesNothing) {
     ASSERT_GT(fewest, 260u);
     for (const std::uint32_t usual : {0u, most}) {
       system.usual_bodies = usual;
-      for (const std::uint32_t n : {1u, 260u, fewest - 1, fewest, (fewest + most) / 2, most + 100}) {
-        system.bodies_at_once = n;
-        EXPECT_EQ(run_realisations(system, 0, 12, 2, at_once), wanted) << n;
+      for (const auto& [placed, in_any_order] :
+           std::vector<std::pair<std::uint32_t, std::uint32_t>>{{1, 1},
+                                                                {260, 200},
+                                                                {fewest - 1, fewest - 1},
+                                                                {fewest, fewest},
+                                                                {fewest - 1, 0},
+                                                                {most + 100, fewest - 9},
+                                                                {(fewest + most) / 2, fewest - 1},
+                                                                {most, most},
+                                                                {most + 100, fewest + 20}}) {
+        system.at_once = {placed, in_any_order};
+        SCOPED_TRACE(std::to_string(placed) + ", " + std::to_string(in_any_order));
+        EXPECT_EQ(run_realisations(system, 0, 12, 2, at_once), wanted);
         for (const InstructionSet set : instruction_sets()) {
           system.instruction_set = set;
           EXPECT_EQ(run_realisations(system, 0, 2, 1, at_once), std::vector(wanted.begin(), wanted.begin() + 2))
-              << n << ' ' << name_of(set);
+              << name_of(set);
         }
         system.instruction_set = best_instruction_set();
       }
@@ -206,19 +216,19 @@ TEST(Realisation, HowManyBodiesArePlacedAtOnceChangesNothing) {
   }
 }
 
-// Of twenty realisations at most one wraps before, and it is worth placing as many at once.
-TEST(Realisation, SoManyBodiesAtOnceSeldomWrap) {
+// Of thirty realisations at most one wraps before, most end before the last, and it is worth it.
+TEST(Realisation, WhatIsPlacedAtOnceIsMostOfIt) {
   for (PercolationSystem system : {system_of({{Sphere(0.5), 1.0}}, 12.0), system_of({{Disc(0.5), 1.0}}, 11.0)}) {
-    system.bodies_at_once = most_bodies_at_once(system);
-    EXPECT_EQ(most_bodies_at_once(system), system.bodies_at_once);
+    const PercolationSystem::AtOnce at_once = system.at_once = best_at_once(system);
+    EXPECT_EQ(best_at_once(system).placed, at_once.placed);
+    EXPECT_LT(at_once.placed, at_once.in_any_order * 3 / 2);
     PercolationCounts counts;
-    const std::vector<WrappingNumbers> found = run_realisations(system, 0, 20, 2, counts);
-    EXPECT_LE(std::ranges::count_if(
-                  found, [&](const WrappingNumbers& numbers) { return numbers.any() <= system.bodies_at_once; }),
-              1);
-    for (const WrappingNumbers& numbers : found) EXPECT_LT(numbers.all(), 2 * system.bodies_at_once);
+    const std::vector<WrappingNumbers> found = run_realisations(system, 0, 30, 2, counts);
+    EXPECT_LE(std::ranges::count_if(found, [&](auto& numbers) { return numbers.any() <= at_once.in_any_order; }), 1);
+    EXPECT_LE(std::ranges::count_if(found, [&](auto& numbers) { return numbers.all() > at_once.placed; }), 8);
+    EXPECT_LT(static_cast<double>(counts.n_bodies), 30 * 1.1 * at_once.placed);
     system.edge = 5.0;
-    EXPECT_EQ(most_bodies_at_once(system), 0u) << "small cubes are not worth it";
+    EXPECT_EQ(best_at_once(system).placed, 0u) << "small cubes are not worth it";
   }
 }
 
