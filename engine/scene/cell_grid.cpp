@@ -19,8 +19,13 @@ void CellGrid::build(const SceneBodies& bodies, double reach, bool by_boxes, int
   extents_.reset();
   if (by_boxes) extents_ = bodies.bounds(0).extents;
   const Vec3d reaches = by_boxes ? (1.0 + 0x1p-18) * *extents_ : Vec3d{reach, reach, reach};
-  layout_ = CellLayout::make(bodies.box(), bounds, bodies.largest_offset(), reaches, by_boxes ? bodies.size()/2:bodies.size());
+  layout_ = CellLayout::make(bodies.box(), bounds, bodies.largest_offset(), reaches, bodies.size());
   shifts_.assign(layout_.box, layout_.n_images);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int m = layout_.stencil[axis];
+    moved_[axis].clear();
+    for (int at = -m; at < layout_.n_cells[axis] + m; ++at) moved_[axis].push_back(layout_.moved(axis, 0, at));
+  }
   sort(bodies, n_threads);
   sorted_.fill(bodies, order_, 3.0 * shifts_.largest_shift(), by_boxes, n_threads);
   cut_into_parts();
@@ -105,10 +110,10 @@ void CellGrid::cut_into_parts() {
 void CellGrid::rows_of(int y, int z, std::vector<Row>& rows) const {
   rows.clear();
   for (int dz = 0; dz <= layout_.stencil[2]; ++dz) {
-    const CellLayout::Moved to_z = layout_.moved(2, z, dz);
+    const CellLayout::Moved to_z = moved(2, z + dz);
     if (!to_z.is_any) continue;
     for (int dy = dz == 0 ? 0 : -layout_.stencil[1]; dy <= layout_.stencil[1]; ++dy) {
-      const CellLayout::Moved to_y = layout_.moved(1, y, dy);
+      const CellLayout::Moved to_y = moved(1, y + dy);
       if (!to_y.is_any) continue;
       Row row{layout_.number({0, to_y.cell, to_z.cell}), {0, to_y.image, to_z.image}, 0, {}, dz == 0 && dy == 0};
       row.shift = shifts_.number(row.image);
@@ -142,7 +147,7 @@ void CellGrid::add_copies(int x, const Row& row, std::vector<NearRange>& ranges)
     last = std::min(last, n_x - 1);
   }
   while (first <= last) {
-    const CellLayout::Moved copy = layout_.moved(0, 0, first);
+    const CellLayout::Moved copy = moved(0, first);
     const int n = std::min(last - first + 1, n_x - copy.cell);
     const std::uint32_t number = shifts_.number({copy.image, row.image[1], row.image[2]});
     const std::size_t from = row.start + static_cast<std::size_t>(copy.cell);

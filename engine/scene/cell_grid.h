@@ -4,6 +4,7 @@
 // neighbours in a row are one range.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -48,6 +49,10 @@ class CellGrid {
   };
   static constexpr std::size_t kCellsABucket = 4096;
 
+  // CellLayout::moved of the cells about those of the grid.
+  const CellLayout::Moved& moved(std::size_t axis, int at) const {
+    return moved_[axis][static_cast<std::size_t>(at + layout_.stencil[axis])];
+  }
   void sort(const SceneBodies& bodies, int n_threads);
   void sort_bucket(std::size_t bucket);
   void cut_into_parts();
@@ -74,6 +79,7 @@ class CellGrid {
 
   CellLayout layout_;
   std::optional<Vec3d> extents_;  // of boxes
+  std::array<std::vector<CellLayout::Moved>, 3> moved_;
   SortedBodies sorted_;
   ShiftTable shifts_;
   LargeVector<std::uint32_t> starts_;  // of each cell, and the end

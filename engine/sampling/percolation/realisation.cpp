@@ -179,7 +179,7 @@ std::optional<WrappingNumbers> Realisation::run(std::uint32_t realisation, const
 // The densities at which clusters first wrap, along any axis and along all, scatter about the threshold, and the second
 // is above it, by what shrinks as the size to the power of -1/nu (decision 0019).
 PercolationSystem::AtOnce best_at_once(const PercolationSystem& system) {
-  constexpr double kOneByNu = 1.141, kErrorsBelow = 3.0, kErrorsAbove = 1.5, kWorthIt = 256.0;
+  constexpr double kOneByNu = 1.141, kErrorsBelow = 3.0, kErrorsAbove = 2.2, kWorthIt = 256.0;
   double extent = 0.0;
   for (const BodyPart& part : system.placements.parts()) extent = std::fmax(extent, 2.0 * part.body.circumradius());
   if (system.backend || !(system.edge >= kLarge * extent)) return {};
