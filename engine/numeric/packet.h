@@ -9,6 +9,12 @@
 #include "engine/numeric/registers.h"
 #include "engine/numeric/vec3.h"
 
+// Of one set there are kernels that may fuse operations and kernels that may not, and of two functions of one name the
+// linker would keep one: what both take is in a namespace of how they round besides, which the build names.
+#ifndef VEX_ROUNDING
+#define VEX_ROUNDING unfused
+#endif
+
 namespace vex {
 namespace VEX_ISA {
 

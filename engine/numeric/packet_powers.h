@@ -4,11 +4,6 @@
 
 #include "engine/numeric/packet.h"
 
-// As in packet_core.h.
-#ifndef VEX_ROUNDING
-#define VEX_ROUNDING unfused
-#endif
-
 namespace vex {
 namespace VEX_ISA {
 inline namespace VEX_ROUNDING {

@@ -10,6 +10,7 @@
 #include "engine/numeric/rounding.h"
 #include "engine/query/search/contact_choice.h"
 #include "engine/query/search/contact_face.h"
+#include "engine/query/search/difference.h"
 #include "engine/query/search/planar_polygon.h"
 #include "engine/query/search/probed_face.h"
 
@@ -258,7 +259,7 @@ void find_contacts(const ConvexBody& a, const ConvexBody& b, const Transformd& a
   const double searched = searched_accuracy(a, b, found);
   if (searched > 1e-6 * (size + std::fabs(found.signed_distance))) return;
   // The curved ones first: most have no face, and then nothing else is asked.
-  const Vec3d normal_b = a_from_b.direction_to_b(found.normal);
+  const Vec3d normal_b = turned_to_b(a_from_b, found.normal);
   const Vec3d nearest_a = found.point_a - a.ball_radius() * found.normal,
               nearest_b = found.point_b_in_b + b.ball_radius() * normal_b;
   const double angle = asked.feature_angle;

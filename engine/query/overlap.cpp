@@ -7,10 +7,25 @@
 #include "engine/query/exact/extended_overlap.h"
 #include "engine/query/exact/placed_forms.h"
 #include "engine/query/search/overlap_filter.h"
+#include "engine/query/search/separation_search.h"
 #include "engine/query/separation_with_verdict.h"
 
 namespace vex {
 namespace {
+
+// Of bodies without exact forms, at poses like those whose directions are vertices' and edges', the search for a point
+// in both may end by rounding, or never, however deep they are in each other: then the distance's bounds tell.
+void decide_by_distance(SeparationQuery query, int max_support_calls, OverlapAnswer& answer) {
+  query.settings.max_support_calls = max_support_calls;
+  const Separation found = search_in_double(query, nullptr).separation;
+  answer.n_support_calls += found.n_support_calls;
+  if (found.lower > 0.0) {
+    answer.verdict = Verdict::disjoint(DecidedBy::gjk);
+    answer.separating_dir = found.normal;
+  } else if (found.upper < 0.0) {
+    answer.verdict = Verdict::overlap(DecidedBy::gjk);
+  }
+}
 
 // What the filter leaves open goes to the exact forms. `witnesses`: null, or what receives those of an overlap, of one
 // that the filter has proven too. `placed`: the forms where they are there already, or null.
@@ -21,7 +36,10 @@ OverlapAnswer decide(const ConvexBody& a, const ConvexBody& b, const Transformd&
   if (!is_open && !(answer.verdict.outcome == Outcome::overlap && witnesses != nullptr)) return answer;
   const std::optional<PlacedForms> made = placed == nullptr ? placed_forms(a, b, a_from_b) : std::nullopt;
   const PlacedForms* const forms = made ? &*made : placed;
-  if (forms == nullptr) return answer;
+  if (forms == nullptr) {
+    if (is_open) decide_by_distance({a, b, a_from_b, SeparationGoal::signed_distance, {}}, max_support_calls, answer);
+    return answer;
+  }
   if (forms->are_rounded_polytopes()) {
     const ExactOverlap exact = exact_overlap(*forms);
     if (is_open) {

@@ -42,7 +42,8 @@ struct BackendKind {
 
 /// The engine's own: `overlap` of engine/query/overlap.h, with packets of the instruction set before it where there is
 /// a kernel for the pair. The outcomes are the same for every set; which stage spoke may differ within rounding of
-/// contact, where the sets' searches leave different poses open.
+/// contact, where the sets' searches leave different poses open. Of a pair without exact forms nothing decides what all
+/// searches leave open: so near to contact one set may say `undecided` where another one proves something.
 BackendKind gjk_backend(InstructionSet set = best_instruction_set());
 /// The same with this kernel, or none where it is null.
 BackendKind gjk_backend_with(PacketKernel kernel);

@@ -8,6 +8,7 @@
 #include "engine/numeric/errors.h"
 #include "engine/query/exact/placed_forms.h"
 #include "engine/query/search/separation_search.h"
+#include "engine/query/separation_certificate.h"
 #include "engine/query/separation_from_guess.h"
 #include "engine/query/separation_with_verdict.h"
 #include "engine/support/combinators.h"
@@ -100,25 +101,6 @@ Separation extended_beside(const SeparationQuery& query, const PlacedForms& plac
   return result;
 }
 
-Separation separation(const SeparationQuery& query, WarmStart* warm_start, std::optional<OverlapAnswer>& known) {
-  const SearchedSeparation searched = search_in_double(query, warm_start);
-  const Separation& in_double = searched.separation;
-  if (query.goal == SeparationGoal::distance && !in_double.has_witnesses && !searched.is_out_of_range) {
-    // The cores seem to overlap. If they do, that is all that is asked.
-    const Separation seen = concluded(query, DecidedBy::gjk, nothing_but({}, in_double.n_support_calls), known);
-    if (seen.verdict.outcome == Outcome::overlap) return seen;
-    SeparationQuery of_both = query;
-    of_both.goal = SeparationGoal::signed_distance;
-    return separation(of_both, warm_start, known);
-  }
-  const double wanted = part_of_size(query, query.settled_gap(), in_double);
-  if (is_settled(query, searched, wanted)) return concluded(query, DecidedBy::gjk, in_double, known);
-  const std::optional<PlacedForms> placed = placed_forms(query.a, query.b, query.a_from_b);
-  if (!placed) return concluded(query, DecidedBy::gjk, in_double, known);
-  return concluded(query, DecidedBy::double_double, extended_beside(query, *placed, in_double, wanted), known,
-                   &*placed);
-}
-
 // Whether the points are opposite each other along the normal and as far apart as is said, to `accuracy`.
 bool points_are_opposite(const SeparationQuery& query, const Separation& found, double accuracy) {
   const double coordinates = norm_1(found.point_a) + norm_1(found.point_b) + norm_1(query.a_from_b.translation);
@@ -135,6 +117,35 @@ bool normal_shows_distance(const SeparationQuery& query, const Separation& found
   return dot(found.normal, of_b - of_a) >= found.signed_distance - accuracy - rounding;
 }
 
+// Whether points and normal are what `check_certificate` takes for what was promised.
+bool is_as_promised(const SeparationQuery& query, const Separation& found) {
+  const double accuracy = promised_accuracy(query.a, query.b, found);
+  return points_are_opposite(query, found, accuracy) && normal_shows_distance(query, found, accuracy);
+}
+
+Separation separation(const SeparationQuery& query, WarmStart* warm_start, std::optional<OverlapAnswer>& known) {
+  const SearchedSeparation searched = search_in_double(query, warm_start);
+  const Separation& in_double = searched.separation;
+  if (query.goal == SeparationGoal::distance && !in_double.has_witnesses && !searched.is_out_of_range) {
+    // The cores seem to overlap. If they do, that is all that is asked.
+    const Separation seen = concluded(query, DecidedBy::gjk, nothing_but({}, in_double.n_support_calls), known);
+    if (seen.verdict.outcome == Outcome::overlap) return seen;
+    SeparationQuery of_both = query;
+    of_both.goal = SeparationGoal::signed_distance;
+    return separation(of_both, warm_start, known);
+  }
+  const double wanted = part_of_size(query, query.settled_gap(), in_double);
+  if (is_settled(query, searched, wanted)) return concluded(query, DecidedBy::gjk, in_double, known);
+  const std::optional<PlacedForms> placed = placed_forms(query.a, query.b, query.a_from_b);
+  if (!placed) {
+    Separation found = concluded(query, DecidedBy::gjk, in_double, known);
+    found.is_rough = !is_as_promised(query, found);
+    return found;
+  }
+  return concluded(query, DecidedBy::double_double, extended_beside(query, *placed, in_double, wanted), known,
+                   &*placed);
+}
+
 Separation answer_of(const SeparationQuery& query, WarmStart* warm_start, std::optional<OverlapAnswer>& known) {
   require_usable(query.settings);
   Separation found = separation(query, warm_start, known);
@@ -143,16 +154,14 @@ Separation answer_of(const SeparationQuery& query, WarmStart* warm_start, std::o
     found = nothing_but(Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding), found.n_support_calls);
     return found;
   }
-  const double promised = part_of_size(query, query.relative_gap(1e-12, 1e-9), found);
-  found.is_rough = found.has_witnesses && !(found.upper - found.lower <= promised);
-  // A search that was cut short may have its lower bound from another direction than that of its nearest points, and
-  // these not opposite each other. Of one that wanted few digits the verdict may have moved the value from its points.
+  const double usual = query.are_rounded_polytopes() ? 1e-12 : 1e-9;
+  const double asked = part_of_size(query, std::max(query.settings.relative_gap, usual), found);
+  found.is_rough = found.has_witnesses && (found.is_rough || !(found.upper - found.lower <= asked));
+  // A search that was cut short, or wanted few digits, may have its lower bound from another direction than that of its
+  // nearest points, and these not opposite each other; and the verdict may have moved the value from its points.
   const bool is_cut_short = query.settings.max_support_calls < kMaxSupportCalls;
-  if (found.has_witnesses && !found.is_rough && (is_cut_short || query.settings.relative_gap > kRoughGap)) {
-    found.is_rough = !points_are_opposite(query, found, promised);
-  }
-  if (found.has_witnesses && !found.is_rough && is_cut_short) {
-    found.is_rough = !normal_shows_distance(query, found, promised);
+  if (found.has_witnesses && !found.is_rough && (is_cut_short || query.settings.relative_gap > usual)) {
+    found.is_rough = !is_as_promised(query, found);
     found.n_support_calls += 2;
   }
   return found;

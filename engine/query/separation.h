@@ -28,9 +28,10 @@ struct Separation {
   double signed_distance = 0.0, lower = -HUGE_VAL, upper = HUGE_VAL;
   /// Whether upper - lower is more than was asked for (`relative_gap`; where that is 0, 1e-12 of |signed distance| +
   /// R_A + R_B for polytopes and 1e-9 for curved bodies): a search was given up, `max_distance` ended it, or rounding
-  /// left no more; or, of a search with few `max_support_calls`, whether the normal shows less than the value by more
-  /// than that, or the points are not opposite each other along it to as much. Value and points are then as rough as
-  /// the bounds, and the normal may show less than `lower`.
+  /// left no more; or, of a search with few `max_support_calls` or digits (`relative_gap`), or of bodies without exact
+  /// forms, the normal shows less than the value, or the points are not opposite each other along it, by more than that
+  /// part and more than the bounds are apart (`promised_accuracy`). Value and points are then as rough as the bounds,
+  /// or as `relative_gap`, and the normal may show less than `lower`.
   bool is_rough = false;
   /// False where a query has nothing to tell but the verdict: `distance` of bodies that overlap, `penetration_depth` of
   /// bodies that do not. Normal and points are zero then, and of the bounds one is infinite.

@@ -70,6 +70,7 @@ class Validation {
     add_axes();
     for (std::size_t k = 0; k < settings.n_directions; ++k) add(directions.any());
     for (std::size_t k = 0; k < settings.n_directions; k += 4) add_hard(&directions);
+    add_ties_of_powers();
     for (const Asked& asked : asked_) {
       end_if_interrupted();
       check_alone(asked);
@@ -144,6 +145,26 @@ class Validation {
     }
   }
 
+  /// A power that is nearly 1 or nearly infinite differs from that in a few directions alone: where the heights of two
+  /// semi-axes are the same, or those of the ellipse across and of the axis along.
+  void add_ties_of_powers() {
+    const std::optional<PowerForm> powers = body_.power_form();
+    if (!powers) return;
+    const Vec3d axes = scaled(powers->semi_axes);
+    const double root = 1.0 / dual_norm(1.0, 1.0, powers->across);
+    const double across[][2] = {{1.0, 0.0}, {0.0, 1.0}, {root, root}, {root, -root}};
+    for (const auto& [u, v] : across) {
+      for (const double w : {0.0, 1.0, -1.0}) {
+        for (double beside = 0.0; beside < 1.0; beside = beside == 0.0 ? 0x1p-48 : 16.0 * beside) {
+          const Vec3d tie{u / axes.x, v / axes.y, w / axes.z};
+          add({tie.x * (1.0 + beside), tie.y, tie.z});
+          add({tie.x, tie.y * (1.0 + beside), tie.z});
+          add({-tie.x, tie.y, tie.z * (1.0 + beside)});
+        }
+      }
+    }
+  }
+
   void check_alone(const Asked& asked) {
     const auto& [dir, length, point] = asked;
     const Vec3<Exact> at = exactly(point);
@@ -192,14 +213,15 @@ class Validation {
     return height;
   }
 
+  static double dual_norm(double u, double v, double p) {
+    const double largest = std::max(u, v);
+    if (!(largest > 0.0) || p == 1.0) return largest;
+    const double dual = std::isinf(p) ? 1.0 : p / (p - 1.0);
+    return largest * std::pow(1.0 + std::pow(std::min(u, v) / largest, dual), 1.0 / dual);
+  }
+
   /// In double, as such a body's own mapping.
   double height_of_powers(const PowerForm& powers, const Vec3d& dir) const {
-    const auto dual_norm = [](double u, double v, double p) {
-      const double largest = std::max(u, v);
-      if (!(largest > 0.0) || p == 1.0) return largest;
-      const double dual = p / (p - 1.0);
-      return largest * std::pow(1.0 + std::pow(std::min(u, v) / largest, dual), 1.0 / dual);
-    };
     const Vec3d axes = scaled(powers.semi_axes);
     const double across = dual_norm(axes.x * std::fabs(dir.x), axes.y * std::fabs(dir.y), powers.across);
     return dual_norm(across, axes.z * std::fabs(dir.z), powers.along);

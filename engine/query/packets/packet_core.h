@@ -5,12 +5,6 @@
 #include "engine/numeric/packet_powers.h"
 #include "engine/query/packets/core_form.h"
 
-// Kernels that may fuse operations and those that may not take their functions from here, and the linker would keep one
-// of two that have one name: the build names how they round.
-#ifndef VEX_ROUNDING
-#define VEX_ROUNDING unfused
-#endif
-
 namespace vex {
 namespace VEX_ISA {
 inline namespace VEX_ROUNDING {

@@ -339,7 +339,7 @@ RaySearch::Touch RaySearch::touch() const {
   }
   touch.point_a = times_power_of_two(core_a, -exponent_) + a_.ball_radius() * outwards;
   touch.point_b = times_power_of_two(core_b, -exponent_) - b_.ball_radius() * outwards;
-  touch.point_b_in_b = own_b - b_.ball_radius() * a_from_b_.direction_to_b(outwards);
+  touch.point_b_in_b = own_b - b_.ball_radius() * turned_to_b(a_from_b_, outwards);
   return touch;
 }
 

@@ -24,7 +24,7 @@ void set_points(Separation& result, const Transformd& a_from_b, const Difference
   result.point_a = cores.a + radius_a * result.normal;
   result.point_b = cores.b - radius_b * result.normal;
   result.point_b_in_b = cores.own_b;
-  if (radius_b > 0.0) result.point_b_in_b = cores.own_b - radius_b * a_from_b.direction_to_b(result.normal);
+  if (radius_b > 0.0) result.point_b_in_b = cores.own_b - radius_b * turned_to_b(a_from_b, result.normal);
 }
 
 class DoubleSearch {

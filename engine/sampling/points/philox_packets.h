@@ -8,10 +8,6 @@
 #include "engine/numeric/packet.h"
 #include "engine/sampling/points/random_stream.h"
 
-#ifndef VEX_ROUNDING
-#define VEX_ROUNDING unfused
-#endif
-
 namespace vex {
 namespace VEX_ISA {
 inline namespace VEX_ROUNDING {

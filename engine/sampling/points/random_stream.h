@@ -19,8 +19,8 @@ enum class Stream : std::uint32_t {
   pilot = 2,                // of choices that must not depend on what a run draws
   scene = 3,                // of the bodies of a random scene (apps/vex_scene); index is the body
   percolation = 4,          // of bodies placed one after another (placements.h)
-  virial_trees = 5,         // of the trees that bodies of a cluster make (virial_integrand.h); index is the cluster
-  virial_orientations = 6,  // of bodies of clusters, where each is turned by a law (virial_integrand.h)
+  virial_trees = 5,         // of the trees that bodies of a cluster make (cluster_drawer.h); index is the cluster
+  virial_orientations = 6,  // of bodies of clusters, where each is turned by a law (cluster_drawer.h)
 };
 
 /// A block of 128 bits: a function of (seed, stream, index, block).

@@ -182,6 +182,45 @@ TEST(Validate, PowersOfAnotherBody) {
   EXPECT_FALSE(has(validate(Superball(2.0, 1.0)), Claim::power_form));
 }
 
+// An exponent a little above the least one, said to be that: they differ near two directions alone.
+class NearlyFlatPowers : public Superellipsoid {
+ public:
+  NearlyFlatPowers(double excess, bool across)
+      : Superellipsoid(1.0, 0.7, 0.5, 0.5 * (across ? 1.0 + excess : 2.0), 0.5 * (across ? 2.0 : 1.0 + excess)),
+        across_(across) {}
+  PowerForm power_form() const {
+    PowerForm form = Superellipsoid::power_form();
+    (across_ ? form.across : form.along) = 1.0;
+    return form;
+  }
+
+ private:
+  bool across_;
+};
+
+TEST(Validate, PowersThatAreOthersInFewDirections) {
+  for (const double excess : {1e-3, 1e-5, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11}) {
+    for (const bool across : {false, true}) {
+      for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        ValidationSettings settings;
+        settings.seed = seed;
+        EXPECT_TRUE(has(validate(NearlyFlatPowers(excess, across), settings), Claim::power_form)) << excess << across;
+      }
+    }
+  }
+}
+
+// A box, which has both exponents infinite.
+struct InfinitePowers : Box {
+  using Box::Box;
+  PowerForm power_form() const { return {{0.5, 1.0, 1.5}, HUGE_VAL, HUGE_VAL}; }
+};
+
+TEST(Validate, InfinitePowersAreABoxs) {
+  EXPECT_FALSE(has(validate(InfinitePowers(1.0, 2.0, 3.0)), Claim::power_form));
+  EXPECT_TRUE(has(validate(InfinitePowers(1.0, 2.0, 3.1)), Claim::power_form));
+}
+
 struct WrongRolling : Ellipsoid {
   using Ellipsoid::Ellipsoid;
   double rolling_radius() const { return 1.0; }
