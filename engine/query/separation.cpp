@@ -117,10 +117,20 @@ bool normal_shows_distance(const SeparationQuery& query, const Separation& found
   return dot(found.normal, of_b - of_a) >= found.signed_distance - accuracy - rounding;
 }
 
-// Whether points and normal are what `check_certificate` takes for what was promised.
-bool is_as_promised(const SeparationQuery& query, const Separation& found) {
+// Whether points or normal are worse than what `check_certificate` takes for what was promised. Of a search with few
+// digits, or that was cut short, the lower bound may be from another direction than that of its nearest points, these
+// need not be opposite each other, and the verdict may have moved the value from them. `searched`, if given, may know
+// what the normal shows.
+bool is_worse_than_promised(const SeparationQuery& query, Separation& found,
+                            const SearchedSeparation* searched = nullptr) {
+  if (!found.has_witnesses) return false;
   const double accuracy = promised_accuracy(query.a, query.b, found);
-  return points_are_opposite(query, found, accuracy) && normal_shows_distance(query, found, accuracy);
+  if (!points_are_opposite(query, found, accuracy)) return true;
+  if (searched != nullptr && searched->tells_missing) {
+    return searched->missing + (found.signed_distance - searched->separation.signed_distance) > accuracy;
+  }
+  found.n_support_calls += 2;
+  return !normal_shows_distance(query, found, accuracy);
 }
 
 Separation separation(const SeparationQuery& query, WarmStart* warm_start, std::optional<OverlapAnswer>& known) {
@@ -135,15 +145,18 @@ Separation separation(const SeparationQuery& query, WarmStart* warm_start, std::
     return separation(of_both, warm_start, known);
   }
   const double wanted = part_of_size(query, query.settled_gap(), in_double);
-  if (is_settled(query, searched, wanted)) return concluded(query, DecidedBy::gjk, in_double, known);
-  const std::optional<PlacedForms> placed = placed_forms(query.a, query.b, query.a_from_b);
-  if (!placed) {
+  const bool is_coarse = query.settings.relative_gap > query.usual_gap();
+  if (is_settled(query, searched, wanted)) {
     Separation found = concluded(query, DecidedBy::gjk, in_double, known);
-    found.is_rough = !is_as_promised(query, found);
+    if (is_coarse) found.is_rough = is_worse_than_promised(query, found, &searched);
     return found;
   }
-  return concluded(query, DecidedBy::double_double, extended_beside(query, *placed, in_double, wanted), known,
-                   &*placed);
+  const std::optional<PlacedForms> placed = placed_forms(query.a, query.b, query.a_from_b);
+  Separation found = placed ? concluded(query, DecidedBy::double_double,
+                                        extended_beside(query, *placed, in_double, wanted), known, &*placed)
+                            : concluded(query, DecidedBy::gjk, in_double, known);
+  if (!placed || is_coarse) found.is_rough = is_worse_than_promised(query, found);
+  return found;
 }
 
 Separation answer_of(const SeparationQuery& query, WarmStart* warm_start, std::optional<OverlapAnswer>& known) {
@@ -154,16 +167,10 @@ Separation answer_of(const SeparationQuery& query, WarmStart* warm_start, std::o
     found = nothing_but(Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding), found.n_support_calls);
     return found;
   }
-  const double usual = query.are_rounded_polytopes() ? 1e-12 : 1e-9;
-  const double asked = part_of_size(query, std::max(query.settings.relative_gap, usual), found);
+  const double asked = part_of_size(query, std::max(query.settings.relative_gap, query.usual_gap()), found);
   found.is_rough = found.has_witnesses && (found.is_rough || !(found.upper - found.lower <= asked));
-  // A search that was cut short, or wanted few digits, may have its lower bound from another direction than that of its
-  // nearest points, and these not opposite each other; and the verdict may have moved the value from its points.
   const bool is_cut_short = query.settings.max_support_calls < kMaxSupportCalls;
-  if (found.has_witnesses && !found.is_rough && (is_cut_short || query.settings.relative_gap > usual)) {
-    found.is_rough = !is_as_promised(query, found);
-    found.n_support_calls += 2;
-  }
+  if (is_cut_short && !found.is_rough) found.is_rough = is_worse_than_promised(query, found);
   return found;
 }
 Separation answer_of(const SeparationQuery& query, WarmStart* warm_start) {

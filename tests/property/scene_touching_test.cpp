@@ -119,8 +119,8 @@ TEST(TouchingBodies, OfAnySizeAndPlaceAreFoundOneByOne) {
   std::mt19937_64 random(5);
   std::size_t n_pairs = 0;
   for (const double size : {1e-90, 1.0, 1e70}) {
-    for (const double out : {0.0, 1e5, 1e13}) {
-      for (const double spread : {3.0, 1e3, 1e6}) {
+    for (const double out : {0.0, 1e13}) {
+      for (const double spread : {3.0, 1e6}) {
         for (const char* const shape : {"sphere:1", "box:1,2,3", "capsule:2,0.3"}) {
           SCOPED_TRACE(shape + (" " + std::to_string(size)) + ' ' + std::to_string(out) + ' ' + std::to_string(spread));
           const ConvexBody body = scaled(parse_shape(shape), size);
@@ -156,7 +156,7 @@ TEST(TouchingBodies, OfAnySizeAndPlaceAreFoundOneByOne) {
       }
     }
   }
-  EXPECT_GT(n_pairs, 1000u);
+  EXPECT_GT(n_pairs, 400u);
 }
 
 TEST(TouchingBodies, AreApartAndWithinADistanceToTheLastBit) {

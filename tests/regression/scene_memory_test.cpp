@@ -147,7 +147,7 @@ struct FailingBox : Box {
 // Pairs that bounds had not told apart were taken for apart from then on, while their bodies rested.
 TEST(SceneMemory, NothingIsKeptOfAQueryThatEndedByAnException) {
   int n_failed = 0;
-  for (int call = 1; call < 200; call += 3) {
+  for (int call = 1; call < 200; ++call) {
     int calls_left = 0;
     Scene scene({.skin = 0.5});
     const ShapeId shape = scene.add_shape(ConvexBody(FailingBox(1.0, 0.6, 0.4, &calls_left)));

@@ -28,10 +28,11 @@ struct CoreSearchSettings {
 /// What was found of the cores. With the default values: that they overlap, and no more.
 template <class L, class Point>
 struct CoreSeparation {
-  Vec3<L> normal;      // unit
-  L distance;          // signed, along it
-  Interval<L> bounds;  // of the signed distance of the cores, rounding included
-  L missing{0.0};      // of the distance, in what the normal alone shows
+  Vec3<L> normal;              // unit
+  L distance;                  // signed, along it
+  Interval<L> bounds;          // of the signed distance of the cores, rounding included
+  L missing{0.0};              // of the distance, in what the normal alone shows,
+  bool tells_missing = false;  // where this is true
   WeightedPoints<L, Point> points;
   bool has_normal = false;
   bool is_capped = false;  // more support calls would bring the bounds nearer
@@ -62,6 +63,7 @@ class CoreSearch {
       found_.has_normal = norm_1(found_.normal) > L(0.0);
       found_.distance = square_root(descent_.simplex.square());
       found_.missing = descent_.missing;
+      found_.tells_missing = descent_.end == Descent::End::converged || descent_.end == Descent::End::stalled;
       found_.points = descent_.simplex.points();
       return;
     }

@@ -30,7 +30,7 @@ struct NearestDescent {
   Vec3<L> normal_of_lower;  // unit, the one that has shown `lower`; zero where none has
   L lower{0.0};             // of the distance, rounding included; negative where nothing is known
   L upper{0.0};
-  L missing{0.0};  // where stalled: of the simplex' distance, in what `normal` alone shows
+  L missing{0.0};  // where converged or stalled: of the simplex' distance, in what `normal` alone shows
   int n_support_calls = 0;
 };
 
@@ -77,6 +77,7 @@ NearestDescent<L, Point> descend_to_origin(const Difference& difference, const V
       return result;
     }
     if (length - in_front <= wanted(length)) {
+      result.missing = length - in_front;
       result.end = End::converged;
       return result;
     }

@@ -150,6 +150,7 @@ class DoubleSearch {
     result.n_support_calls = (memory ? memory->n_support_calls() : n_calls_before) + search.n_support_calls();
     searched.is_capped = core.is_capped;
     searched.missing = core.missing;
+    searched.tells_missing = core.tells_missing;
     if (core.is_capped && search.wants_depth() && core.bounds.lower > -HUGE_VAL) look_for_shorter_way(core, result);
   }
 

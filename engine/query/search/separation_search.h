@@ -21,6 +21,8 @@ struct SeparationQuery {
 
   double circumradii() const { return a.circumradius() + b.circumradius(); }
   bool are_rounded_polytopes() const { return a.is_rounded_polytope() && b.is_rounded_polytope(); }
+  /// What is promised of bounds where nothing else is asked for, of |signed distance| + R_A + R_B.
+  double usual_gap() const { return are_rounded_polytopes() ? 1e-12 : 1e-9; }
   /// How near bounds are brought, of |signed distance| + R_A + R_B: as near as is asked for, but no nearer than this.
   double relative_gap(double of_polytopes, double of_curved) const {
     return std::max(settings.relative_gap, are_rounded_polytopes() ? of_polytopes : of_curved);
@@ -44,7 +46,8 @@ struct SearchedSeparation {
   Separation separation;
   bool is_out_of_range = false;  // nothing was searched: the pair is too large or too small for double precision
   bool is_capped = false;        // more support calls would bring the bounds nearer
-  double missing = 0.0;          // of the distance, in what the normal alone shows
+  double missing = 0.0;          // of the distance, in what the normal alone shows,
+  bool tells_missing = false;    // where this is true
   /// What rounding alone leaves between bounds is more than was asked for, as of bodies far from the origins of their
   /// frames: the search shows a direction to begin with, and no more.
   bool is_coarse = false;

@@ -27,10 +27,17 @@ std::vector<ShapeId> add_shapes(const Placements& placements, Scene& scene) {
   return shapes;
 }
 
+// Bodies of one size are best in a grid, whatever they are, as those that come one at a time are; what is chosen anew
+// for each realisation would be the same.
 SceneSettings scene_settings(const PercolationSystem& system) {
+  double smallest = HUGE_VAL, largest = 0.0;
+  for (const BodyPart& part : system.placements.parts()) {
+    smallest = std::fmin(smallest, part.body.circumradius());
+    largest = std::fmax(largest, part.body.circumradius());
+  }
   SceneSettings settings;
   settings.instruction_set = system.instruction_set;
-  settings.broad_phase = BroadPhase::grid;  // as for the bodies that come one at a time
+  settings.broad_phase = largest <= 2.0 * smallest ? BroadPhase::grid : BroadPhase::tree;
   return settings;
 }
 

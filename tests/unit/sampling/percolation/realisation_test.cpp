@@ -232,6 +232,18 @@ TEST(Realisation, WhatIsPlacedAtOnceIsMostOfIt) {
   }
 }
 
+// Few large bodies among many small ones: in a grid for the large ones every small one would look at hundreds.
+TEST(Realisation, OfUnlikeSizesLooksAtFewPairs) {
+  PercolationSystem system = system_of({{Sphere(1.0), 0.01}, {Sphere(0.2), 1.0}}, 8.0);
+  PercolationCounts one_by_one, at_once;
+  const std::vector<WrappingNumbers> wanted = run_realisations(system, 0, 2, 1, one_by_one);
+  system.at_once = {wanted[0].all() + 100, wanted[0].any() / 2};
+  EXPECT_EQ(run_realisations(system, 0, 2, 1, at_once), wanted);
+  EXPECT_GT(at_once.n_bodies, 2000u);
+  EXPECT_LT(at_once.n_seen(), 20 * at_once.n_bodies);
+  EXPECT_LT(at_once.stages[SceneStage::balls].seen, 60 * at_once.n_bodies);
+}
+
 TEST(Realisation, SizesAndSeedsDrawOtherBodies) {
   PercolationSystem system = system_of({{Sphere(0.5), 1.0}}, 5.0);
   PercolationCounts counts;
