@@ -259,7 +259,7 @@ void find_contacts(const ConvexBody& a, const ConvexBody& b, const Transformd& a
   const double searched = searched_accuracy(a, b, found);
   if (searched > 1e-6 * (size + std::fabs(found.signed_distance))) return;
   // The curved ones first: most have no face, and then nothing else is asked.
-  const Vec3d normal_b = turned_to_b(a_from_b, found.normal);
+  const Vec3d normal_b = unit_seen_from_b(a_from_b, found.normal);
   const Vec3d nearest_a = found.point_a - a.ball_radius() * found.normal,
               nearest_b = found.point_b_in_b + b.ball_radius() * normal_b;
   const double angle = asked.feature_angle;

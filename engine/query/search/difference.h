@@ -8,13 +8,11 @@
 
 namespace vex {
 
-/// A vector of A's frame as B sees it, as long as it was: a pose's rotation is one to within Pose::kRotationTolerance
+/// A unit vector of A's frame as B sees it, and as long: a pose's rotation is one to within Pose::kRotationTolerance
 /// only, and what is that much too long leads off a ball. The root is a series, off by 10^-16 of itself.
-inline Vec3d turned_to_b(const Transformd& a_from_b, const Vec3d& v) {
-  const Vec3d turned = a_from_b.direction_to_b(v);
-  const double square = dot(v, v);
-  if (!(square > 0.0)) return turned;
-  const double longer = (dot(turned, turned) - square) / square;
+inline Vec3d unit_seen_from_b(const Transformd& a_from_b, const Vec3d& unit) {
+  const Vec3d turned = a_from_b.direction_to_b(unit);
+  const double longer = dot(turned, turned) - 1.0;
   return (1.0 - longer * (0.5 - 0.375 * longer)) * turned;
 }
 

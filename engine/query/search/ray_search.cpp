@@ -327,7 +327,7 @@ RaySearch::Touch RaySearch::touch() const {
     const DifferencePoint& corner = contact_[k % n_contact_];
     n_without_gain = met.add({corner.at - time * dir_, &corner}, false) ? 0 : n_without_gain + 1;
   }
-  Vec3d core_a, core_b, own_b, outwards;
+  Vec3d core_a, core_b, own_b, outwards, from_b;
   for (int k = 0; k < met.size(); ++k) {
     const double weight = met.weight(k);
     const DifferencePoint& corner = *met.point(k).corner;
@@ -335,11 +335,13 @@ RaySearch::Touch RaySearch::touch() const {
     core_b = core_b + weight * corner.core_b;
     own_b = own_b + weight * corner.own_b;
     // With the balls along the corners' own directions what is between the corners is where the bodies meet.
-    outwards = outwards + weight * unit_along(corner.dir);
+    const Vec3d unit = unit_along(corner.dir);
+    outwards = outwards + weight * unit;
+    from_b = from_b + weight * unit_seen_from_b(a_from_b_, unit);
   }
   touch.point_a = times_power_of_two(core_a, -exponent_) + a_.ball_radius() * outwards;
   touch.point_b = times_power_of_two(core_b, -exponent_) - b_.ball_radius() * outwards;
-  touch.point_b_in_b = own_b - b_.ball_radius() * turned_to_b(a_from_b_, outwards);
+  touch.point_b_in_b = own_b - b_.ball_radius() * from_b;
   return touch;
 }
 

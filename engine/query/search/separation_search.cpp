@@ -24,7 +24,7 @@ void set_points(Separation& result, const Transformd& a_from_b, const Difference
   result.point_a = cores.a + radius_a * result.normal;
   result.point_b = cores.b - radius_b * result.normal;
   result.point_b_in_b = cores.own_b;
-  if (radius_b > 0.0) result.point_b_in_b = cores.own_b - radius_b * turned_to_b(a_from_b, result.normal);
+  if (radius_b > 0.0) result.point_b_in_b = cores.own_b - radius_b * unit_seen_from_b(a_from_b, result.normal);
 }
 
 class DoubleSearch {
@@ -48,7 +48,8 @@ class DoubleSearch {
     result.is_out_of_range = !is_usual(error_);
     if (result.is_out_of_range) return result;
     result.is_coarse = is_coarse_;
-    if (!answer_without_search(result.separation)) search_with(warm_start, result);
+    result.tells_missing = answer_without_search(result.separation);  // nothing
+    if (!result.tells_missing) search_with(warm_start, result);
     return result;
   }
 
@@ -132,6 +133,7 @@ class DoubleSearch {
           if (memory) memory->forget();
           take(*deepest, result);
           result.n_support_calls = n_calls_before + search.n_support_calls();
+          searched.tells_missing = true;  // nothing
           return;
         }
       }
