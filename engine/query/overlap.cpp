@@ -19,12 +19,9 @@ void decide_by_distance(SeparationQuery query, int max_support_calls, OverlapAns
   query.settings.max_support_calls = max_support_calls;
   const Separation found = search_in_double(query, nullptr).separation;
   answer.n_support_calls += found.n_support_calls;
-  if (found.lower > 0.0) {
-    answer.verdict = Verdict::disjoint(DecidedBy::gjk);
-    answer.separating_dir = found.normal;
-  } else if (found.upper < 0.0) {
-    answer.verdict = Verdict::overlap(DecidedBy::gjk);
-  }
+  // No direction is told: the one that has shown the lower bound need not be the normal.
+  if (found.lower > 0.0) answer.verdict = Verdict::disjoint(DecidedBy::gjk);
+  if (found.upper < 0.0) answer.verdict = Verdict::overlap(DecidedBy::gjk);
 }
 
 // What the filter leaves open goes to the exact forms. `witnesses`: null, or what receives those of an overlap, of one
