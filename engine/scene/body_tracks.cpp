@@ -1,4 +1,5 @@
 // How the bodies of a scene move.
+#include <bit>
 #include <cmath>
 
 #include "engine/scene/scene_bodies.h"
@@ -7,8 +8,16 @@ namespace vex {
 namespace {
 
 bool differ(const Vec3d& a, const Vec3d& b) { return (a.x != b.x) | (a.y != b.y) | (a.z != b.z); }
-bool is_turned(const Transformd& a, const Transformd& b) {
-  return differ(a.row_x, b.row_x) | differ(a.row_y, b.row_y) | differ(a.row_z, b.row_z);
+
+// Bit for bit, which takes no branches; `kept` is of the table of poses.
+bool is_turned(const double* kept, const Transformd& pose) {
+  std::uint64_t off = 0;
+  for (const Vec3d* const row : {&pose.row_x, &pose.row_y, &pose.row_z}) {
+    const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+    off |= (bits(kept[0]) ^ bits(row->x)) | (bits(kept[1]) ^ bits(row->y)) | (bits(kept[2]) ^ bits(row->z));
+    kept += 4;
+  }
+  return off != 0;
 }
 
 // Seen from the centre, no point of a ball of this radius moves farther: of the matrices' difference the Frobenius norm
@@ -68,7 +77,7 @@ void SceneBodies::set_any_pose(BodyId body, const Transformd& given) {
   const Vec3d centre_from = centres_[body];
   ImageOffset image;
   // A rotation that is there already has been checked.
-  const bool turns = is_turned(given, from);
+  const bool turns = is_turned(poses_.data() + kNumbersABody * std::size_t{body}, given);
   const Transformd kept = turns ? checked(shape, given, &image) : placed(shape, given, &image);
   place(body, kept);
   if (image_[body] != image) image_[body] = image;
@@ -91,22 +100,27 @@ void SceneBodies::set_poses(BodyId first, std::span<const Pose> poses) {
   for (std::size_t k = 0; k < poses.size(); ++k) {
     const BodyId body = first + static_cast<BodyId>(k);
     const Transformd& given = poses[k].a_from_b();
-    const ShapeBounds& bounds = bounds_[shape_of_[body]];
-    const Vec3d centre = centre_of(given, bounds.centre), step = centre - centres_[body];
-    const Transformd before = pose(body);
-    const bool turns = !is_tracked || is_turned(given, before);
+    const ShapeBounds& bounds = bounds_of(body);
+    double* const kept = poses_.data() + kNumbersABody * std::size_t{body};
+    const Vec3d centre_from = centres_[body], centre = centre_of(given, bounds.centre), step = centre - centre_from;
     const bool stays = box_ ? box_->surely_holds(centre, kInside) && (!is_tracked || box_->surely_holds(step, kInside))
                             : norm_1(centre) <= kFarthest;
+    const bool turns = is_turned(kept, given);
     if (!stays || (turns && !is_turned_well(given))) {
       set_any_pose(body, given);
       continue;
     }
-    const Vec3d centre_from = centres_[body];
     centres_[body] = centre;
-    if (is_tracked && (turns || differ(given.translation, before.translation))) {
-      add_to_track(body, centre_from, step, turns ? most_turned(before, given, bounds.radius) : 0.0);
+    if (is_tracked && (turns || differ(given.translation, {kept[3], kept[7], kept[11]}))) {
+      add_to_track(body, centre_from, step, turns ? most_turned(pose(body), given, bounds.radius) : 0.0);
     }
-    write_pose(poses_.data(), body, given);
+    if (turns) {
+      write_pose(poses_.data(), body, given);
+    } else {
+      kept[3] = given.translation.x;
+      kept[7] = given.translation.y;
+      kept[11] = given.translation.z;
+    }
     ImageOffset& image = image_[body];
     if ((image[0] | image[1] | image[2]) != 0) image = {};
   }

@@ -59,8 +59,7 @@ inline PairMemory::Known PairMemory::Known::at_rest(const std::array<double, 2>&
   return known;
 }
 inline bool PairMemory::Known::has_travels(const std::array<double, 2>& travels) const {
-  return kind == Kind::at_rest && limit == travels[0] &&
-         std::memcmp(hull.axis.data(), &travels[1], sizeof(double)) == 0;
+  return limit == travels[0] && std::memcmp(hull.axis.data(), &travels[1], sizeof(double)) == 0;
 }
 
 inline ImageOffset PairMemory::image(const Listed& pair) const {
@@ -226,6 +225,7 @@ void PairMemory::look(std::size_t block, PairSearch& search) {
   unmoved.seen += end - first;
   unmoved.settled += (end - first) - n_due;
   for (std::size_t j = 0; j < n_due; ++j) {
+    if (j + 2 * kAhead < n_due) __builtin_prefetch(&listed_[first + due[j + 2 * kAhead]]);
     if (j + kAhead < n_due) {
       const std::size_t ahead = first + due[j + kAhead];
       bodies_->prefetch_track(listed_[ahead].a);
@@ -240,7 +240,7 @@ void PairMemory::look(std::size_t block, PairSearch& search) {
     if (still > 0.0) {
       until_[k] = clock_when(still);
       ++unmoved.settled;
-    } else if (known.has_travels(travels(pair))) {
+    } else if (known.kind == Known::Kind::at_rest && known.has_travels(travels(pair))) {
       ++unmoved.settled;
     } else {
       ++balls.seen;

@@ -59,6 +59,7 @@ class PairMemory final : public PairKeeper {
     double limit = 0.0;
 
     static Known at_rest(const std::array<double, 2>& travels);
+    // Of one at rest.
     bool has_travels(const std::array<double, 2>& travels) const;
   };
   static_assert(sizeof(Known) == 32);

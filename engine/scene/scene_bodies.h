@@ -71,7 +71,8 @@ class SceneBodies {
   const std::optional<PeriodicBox>& box() const { return box_; }
   const std::vector<ConvexBody>& shapes() const { return shapes_; }
   const ShapeBounds& bounds(ShapeId shape) const { return bounds_[shape]; }
-  const ShapeBounds& bounds_of(BodyId body) const { return bounds_[shape_of_[body]]; }
+  /// Where all bodies have one shape nothing is looked up here and there in memory.
+  const ShapeBounds& bounds_of(BodyId body) const { return bounds_[bounds_.size() == 1 ? 0 : shape_of_[body]]; }
   std::size_t size() const { return n_; }
   BodyId end() const { return static_cast<BodyId>(shape_of_.size() - 1); }
   bool has(BodyId body) const { return body < end() && shape_of_[body] != kNoShape; }
