@@ -41,4 +41,21 @@ struct KnownHull {
   }
 };
 
+/// A triangle in the difference, seen from that of the centres, in floats. Nothing is asked of its shape.
+struct KnownFacet {
+  std::array<std::array<float, 3>, 3> corners{};
+
+  /// A point of it, in the direction of x where the triangle is: a mean of its corners with weights that are not below
+  /// 0, whatever rounding makes of them. Where there is none, nothing.
+  Vec3d towards(const Vec3d& x) const {
+    const Vec3d p = KnownHull::vector(corners[0]), q = KnownHull::vector(corners[1]), r = KnownHull::vector(corners[2]);
+    const Vec3d across = cross(p, q);
+    const double side = dot(across, r) < 0.0 ? -1.0 : 1.0;
+    const double of_p = std::fmax(side * dot(cross(q, r), x), 0.0), of_q = std::fmax(side * dot(cross(r, p), x), 0.0),
+                 of_r = std::fmax(side * dot(across, x), 0.0), all = of_p + of_q + of_r;
+    if (!(all > 0.0)) return {};
+    return (of_p / all) * p + ((of_q / all) * q + (of_r / all) * r);
+  }
+};
+
 }  // namespace vex

@@ -1,8 +1,8 @@
+// The list of remembered pairs.
 #include "engine/scene/pair_memory.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 #include "engine/numeric/interruption.h"
@@ -11,13 +11,6 @@
 
 namespace vex {
 namespace {
-
-// Of lengths, as kStretch of scene_bodies.cpp: what rotations that are ones to within 2e-7 change, twice over.
-constexpr double kLess = 1.0 - 0x1p-18;
-
-// A pair whose inscribed balls are at least this share of the circumscribed ones is known by them, too; a point of its
-// difference is then taken for one that is nearer to the centres by so much (E26).
-constexpr double kLeastCore = 0x1p-4, kLessOfTip = 1.0 - 0x1p-14;
 
 // So many entries of any values, with room for a few more: a list that grows a little stays where it is.
 template <class Vector>
@@ -29,55 +22,7 @@ void resize_with_room(Vector& entries, std::size_t n) {
   entries.resize(n);
 }
 
-// The numbers, counted from `first`, of those of which something is true; how many. Whether it is true is as good as
-// random: each number is written in any case.
-template <class IsTrue>
-std::size_t numbers_of(std::size_t first, std::size_t end, std::uint32_t* numbers, const IsTrue& is_true) {
-  std::size_t n = 0;
-  for (std::size_t k = first; k < end; ++k) {
-    numbers[n] = static_cast<std::uint32_t>(k - first);
-    n += is_true(k) ? 1u : 0u;
-  }
-  return n;
-}
-
 }  // namespace
-
-inline Vec3d PairMemory::way(const Listed& pair) const {
-  return bodies_->tracked(pair.b).centre - bodies_->tracked(pair.a).centre + shifts_.shift(pair.shift);
-}
-inline double PairMemory::turned(const Listed& pair) const {
-  return bodies_->tracked(pair.a).turned + bodies_->tracked(pair.b).turned;
-}
-inline std::array<double, 2> PairMemory::travels(const Listed& pair) const {
-  return {bodies_->travel(pair.a), bodies_->travel(pair.b)};
-}
-
-inline PairMemory::Known PairMemory::Known::at_rest(const std::array<double, 2>& travels) {
-  Known known{Kind::at_rest, {}, travels[0]};
-  std::memcpy(known.hull.axis.data(), &travels[1], sizeof(double));
-  return known;
-}
-inline bool PairMemory::Known::has_travels(const std::array<double, 2>& travels) const {
-  return limit == travels[0] && std::memcmp(hull.axis.data(), &travels[1], sizeof(double)) == 0;
-}
-
-inline ImageOffset PairMemory::image(const Listed& pair) const {
-  const ImageOffset& then = shifts_.image(pair.shift);
-  if (!(bodies_->has_crossed(pair.a) | bodies_->has_crossed(pair.b))) return then;
-  return image_sum(then, image_difference(bodies_->crossed(pair.b), bodies_->crossed(pair.a)));
-}
-
-inline double PairMemory::left(const Known& known, const Listed& pair, const Vec3d& way) const {
-  if (known.kind == Known::Kind::nothing || known.kind == Known::Kind::at_rest) return 0.0;
-  const double most = known.kind == Known::Kind::ball ? norm(way - KnownHull::vector(known.hull.axis))
-                                                      : known.hull.most_of(way, known.kind == Known::Kind::half_space);
-  return (known.limit - turned(pair)) - most;
-}
-
-// What the clock may grow to, at least, while what is above 0 now shrinks by no more than it grows: below it by no less
-// than its rounding, so that the sum's is covered.
-inline double PairMemory::clock_when(double left) const { return (clock_ + left) * (1.0 - 0x1p-52); }
 
 void PairMemory::build(SceneBodies& bodies, const BroadPhases& phases, const SceneKernel& kernel, double skin,
                        int n_threads) {
@@ -153,10 +98,12 @@ void PairMemory::find_pairs_within_skin(const BroadPhases& phases, const SceneKe
 
 void PairMemory::list(bool keeps_old) {
   known_before_.swap(known_);
+  facet_before_.swap(facet_);
   until_before_.swap(until_);
   overlaps_before_.swap(overlaps_);
   const std::size_t n = listed_.size(), n_before = keeps_old ? listed_before_.size() : 0;
   resize_with_room(known_, n);
+  resize_with_room(facet_, n);
   resize_with_room(until_, n);
   resize_with_room(overlaps_, n);
   std::size_t at = 0;
@@ -171,6 +118,7 @@ void PairMemory::list(bool keeps_old) {
       continue;
     }
     known_[k] = known_before_[at];
+    if (known_[k].kind == Known::Kind::hull_and_facet) facet_[k] = facet_before_[at];
     overlaps_[k] = overlaps_before_[at];
     const bool is_same_copy = image(pair) == shifts_.image(pair.shift);
     carry_over(pair, is_same_copy, known_[k]);
@@ -199,60 +147,6 @@ bool PairMemory::holds(SceneBodies& bodies, double skin) {
   return 2.0 * travel.since_track < skin * kLess;
 }
 
-bool PairMemory::keep_what_balls_tell(std::uint64_t tag, const Vec3d& way) {
-  const Listed& pair = listed_[tag];
-  const double distance = norm(way);
-  const ShapeBounds& of_a = bodies_->bounds_of(pair.a);
-  const ShapeBounds& of_b = bodies_->bounds_of(pair.b);
-  const double apart = distance * kLess - (of_a.radius + of_b.radius) - rounding_;
-  const double inside = (of_a.inner_radius + of_b.inner_radius) - distance / kLess - rounding_;
-  if (apart > 0.0) {
-    keep_apart(tag, (1.0 / distance) * way, apart);
-  } else if (inside > 0.0) {
-    if (!keep_around_core(tag, way, Vec3d{}, 0.0)) keep_overlap(tag, Vec3d{}, inside);
-  } else {
-    return false;
-  }
-  return true;
-}
-
-void PairMemory::look(std::size_t block, PairSearch& search) {
-  const std::size_t first = block * kBlock, end = std::min(first + kBlock, listed_.size());
-  std::uint32_t due[kBlock];
-  const std::size_t n_due = numbers_of(first, end, due, [&](std::size_t k) { return !(until_[k] > clock_); });
-  SceneCounts::Stage& unmoved = search.counts[SceneStage::unmoved];
-  SceneCounts::Stage& balls = search.counts[SceneStage::balls];
-  unmoved.seen += end - first;
-  unmoved.settled += (end - first) - n_due;
-  for (std::size_t j = 0; j < n_due; ++j) {
-    if (j + 2 * kAhead < n_due) __builtin_prefetch(&listed_[first + due[j + 2 * kAhead]]);
-    if (j + kAhead < n_due) {
-      const std::size_t ahead = first + due[j + kAhead];
-      bodies_->prefetch_track(listed_[ahead].a);
-      bodies_->prefetch_track(listed_[ahead].b);
-      __builtin_prefetch(&known_[ahead]);
-    }
-    const std::size_t k = first + due[j];
-    const Listed& pair = listed_[k];
-    const Known& known = known_[k];
-    const Vec3d from_a_to_b = way(pair);
-    const double still = left(known, pair, from_a_to_b);
-    if (still > 0.0) {
-      until_[k] = clock_when(still);
-      ++unmoved.settled;
-    } else if (known.kind == Known::Kind::at_rest && known.has_travels(travels(pair))) {
-      ++unmoved.settled;
-    } else {
-      ++balls.seen;
-      if (keep_what_balls_tell(k, from_a_to_b)) {
-        ++balls.settled;
-      } else {
-        search.ask(pair.a, pair.b, shifts_.number(image(pair)), k);
-      }
-    }
-  }
-}
-
 // The list is in the order of the images that the bodies had when it was made. Where bodies have crossed faces since,
 // all copies of a pair's second body are other ones, by the same lattice vector, so that they stand in order still.
 void PairMemory::collect(int n_threads, std::vector<ScenePair>& out) {
@@ -276,63 +170,6 @@ void PairMemory::collect(int n_threads, std::vector<ScenePair>& out) {
       to[j].image = image(pair);
     }
   });
-}
-
-// `left`: by how much the clock may grow before the pair is looked at.
-void PairMemory::keep(std::uint64_t tag, bool overlaps, double left) {
-  overlaps_[tag] = overlaps ? 1 : 0;
-  until_[tag] = left > 0.0 ? clock_when(left) : -HUGE_VAL;
-}
-
-void PairMemory::keep_as_it_stands(std::uint64_t tag, Outcome outcome) {
-  known_[tag] = outcome == Outcome::undecided ? Known{} : Known::at_rest(travels(listed_[tag]));
-  keep(tag, outcome == Outcome::overlap, 0.0);
-}
-
-// What is left is taken of what is kept, roundings to floats and all.
-bool PairMemory::keep_if_it_has(std::uint64_t tag, Known::Kind kind, const KnownHull& hull, double limit,
-                                const Vec3d& way, double least) {
-  const Known known{kind, hull, next_below(limit + turned(listed_[tag]))};
-  const double left = this->left(known, listed_[tag], way);
-  if (!(left > std::fmax(least, rounding_))) return false;
-  known_[tag] = known;
-  keep(tag, kind != Known::Kind::half_space, left);
-  return true;
-}
-
-void PairMemory::keep_apart(std::uint64_t tag, const Vec3d& unit_dir, double clearance) {
-  const Listed& pair = listed_[tag];
-  const Vec3d from_a_to_b = way(pair);
-  const KnownHull plane{KnownHull::floats(-unit_dir), 1.0f, 0.0f};
-  // No two points of the bodies are farther from each other than this.
-  const double reach = norm(from_a_to_b) + bodies_->bounds_of(pair.a).radius + bodies_->bounds_of(pair.b).radius;
-  const double of_floats = norm(KnownHull::vector(plane.axis) + unit_dir) * reach;
-  const double left = clearance * kLess - rounding_ - of_floats;
-  const double limit = plane.most_of(from_a_to_b, true) + left;
-  if (!keep_if_it_has(tag, Known::Kind::half_space, plane, limit, from_a_to_b, 0.0)) {
-    keep_as_it_stands(tag, Outcome::disjoint);
-  }
-}
-
-void PairMemory::keep_overlap(std::uint64_t tag, const Vec3d& point, double clearance) {
-  const Vec3d from_a_to_b = way(listed_[tag]);
-  const double left = clearance * kLess - rounding_;
-  if (keep_around_core(tag, from_a_to_b, kLessOfTip * (from_a_to_b + point), 0.5 * left)) return;
-  const KnownHull ball{KnownHull::floats(from_a_to_b), 1.0f, 0.0f};
-  const double of_floats = norm(KnownHull::vector(ball.axis) - from_a_to_b);
-  if (!keep_if_it_has(tag, Known::Kind::ball, ball, left - of_floats, from_a_to_b, 0.0)) {
-    keep_as_it_stands(tag, Outcome::overlap);
-  }
-}
-
-// Of a pair whose difference has this tip, seen from that of the centres: where that leaves more than `least`.
-bool PairMemory::keep_around_core(std::uint64_t tag, const Vec3d& way, const Vec3d& tip, double least) {
-  const Listed& pair = listed_[tag];
-  const ShapeBounds& of_a = bodies_->bounds_of(pair.a);
-  const ShapeBounds& of_b = bodies_->bounds_of(pair.b);
-  const double core = of_a.inner_radius + of_b.inner_radius;
-  if (!(core > kLeastCore * (of_a.radius + of_b.radius))) return false;
-  return keep_if_it_has(tag, Known::Kind::hull, KnownHull::around_core(core, tip), core - rounding_, way, least);
 }
 
 }  // namespace vex

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "engine/scene/broad_phases.h"
@@ -40,27 +41,37 @@ class PairMemory final : public PairKeeper {
 
   void keep_as_it_stands(std::uint64_t tag, Outcome outcome) override;
   void keep_apart(std::uint64_t tag, const Vec3d& unit_dir, double clearance) override;
-  void keep_overlap(std::uint64_t tag, const Vec3d& point, double clearance) override;
+  void keep_overlap(std::uint64_t tag, const Vec3d& point, const std::array<Vec3d, 3>& corners,
+                    double clearance) override;
 
  private:
   static constexpr std::size_t kBlock = 4096;
+  // Of lengths, as kStretch of scene_bodies.cpp: what rotations that are ones to within 2e-7 change, twice over.
+  static constexpr double kLess = 1.0 - 0x1p-18;
   // What is left of a pair's clearance is `limit` less what both have turned, and less how far the way from a to b has
   // come towards what bounds it.
-  struct Known {
+  struct alignas(32) Known {
     enum class Kind : std::uint32_t {
       nothing,
-      half_space,  // the plane between the bodies: the way along its axis, which leads from b to a
-      hull,        // of what is known of the difference, about the ball: the most of the way along its normals
-      ball,        // the way's distance from `hull.axis`
-      at_rest,     // none is known: the pair is as it is while neither has moved, by their travels
+      half_space,      // the plane between the bodies: the way along its axis, which leads from b to a
+      hull,            // of what is known of the difference, about the ball: the most of the way along its normals
+      hull_and_facet,  // and a triangle in the difference, for another tip
+      ball,            // the way's distance from `hull.axis`
+      at_rest,         // none is known: the pair is as it is while neither has moved, by their travels
     };
     Kind kind = Kind::nothing;
     KnownHull hull;  // or travels, bit for bit
     double limit = 0.0;
 
-    static Known at_rest(const std::array<double, 2>& travels);
+    static Known at_rest(const std::array<double, 2>& travels) {
+      Known known{Kind::at_rest, {}, travels[0]};
+      std::memcpy(known.hull.axis.data(), &travels[1], sizeof(double));
+      return known;
+    }
     // Of one at rest.
-    bool has_travels(const std::array<double, 2>& travels) const;
+    bool has_travels(const std::array<double, 2>& travels) const {
+      return limit == travels[0] && std::memcmp(hull.axis.data(), &travels[1], sizeof(double)) == 0;
+    }
   };
   static_assert(sizeof(Known) == 32);
   // A pair of the list: its place there is that of its bodies' numbers and of the shift's.
@@ -76,6 +87,17 @@ class PairMemory final : public PairKeeper {
   void find_pairs_within_skin(const BroadPhases& phases, const SceneKernel& kernel, int n_threads);
   void list(bool keeps_old);
   void carry_over(const Listed& pair, bool is_same_copy, Known& known) const;
+  // The numbers, counted from `first`, of those of which something is true; how many. Whether it is true is as good as
+  // random: each number is written in any case.
+  template <class IsTrue>
+  static std::size_t numbers_of(std::size_t first, std::size_t end, std::uint32_t* numbers, const IsTrue& is_true) {
+    std::size_t n = 0;
+    for (std::size_t k = first; k < end; ++k) {
+      numbers[n] = static_cast<std::uint32_t>(k - first);
+      n += is_true(k) ? 1u : 0u;
+    }
+    return n;
+  }
   // From a's centre to that of b's copy.
   Vec3d way(const Listed& pair) const;
   double turned(const Listed& pair) const;
@@ -89,6 +111,10 @@ class PairMemory final : public PairKeeper {
   bool keep_if_it_has(std::uint64_t tag, Known::Kind kind, const KnownHull& hull, double limit, const Vec3d& way,
                       double least);
   bool keep_around_core(std::uint64_t tag, const Vec3d& way, const Vec3d& tip, double least);
+  void keep_ball(std::uint64_t tag, const Vec3d& way, double radius);
+  double core_of(const Listed& pair) const;
+  bool renew_hull(std::size_t k, const Vec3d& way);
+  void look_closer(std::size_t k, const Vec3d& way, PairSearch& search);
 
   bool is_there_ = false;
   double skin_ = 0.0;
@@ -101,16 +127,33 @@ class PairMemory final : public PairKeeper {
   // whether it overlaps.
   LargeVector<Listed> listed_;
   LargeVector<Known> known_;
+  LargeVector<KnownFacet> facet_;
   LargeVector<double> until_;
   LargeVector<std::uint8_t> overlaps_;
   // Memory that is kept: for the last list, and for what the parts of the broad phase find.
   LargeVector<Listed> listed_before_;
   LargeVector<Known> known_before_;
+  LargeVector<KnownFacet> facet_before_;
   LargeVector<double> until_before_;
   LargeVector<std::uint8_t> overlaps_before_;
   std::vector<std::vector<Listed>> found_;
   std::vector<std::uint32_t> next_;
   std::vector<std::size_t> n_overlaps_;  // of each block; then those before it
 };
+
+inline Vec3d PairMemory::way(const Listed& pair) const {
+  return bodies_->tracked(pair.b).centre - bodies_->tracked(pair.a).centre + shifts_.shift(pair.shift);
+}
+inline double PairMemory::turned(const Listed& pair) const {
+  return bodies_->tracked(pair.a).turned + bodies_->tracked(pair.b).turned;
+}
+inline std::array<double, 2> PairMemory::travels(const Listed& pair) const {
+  return {bodies_->travel(pair.a), bodies_->travel(pair.b)};
+}
+inline ImageOffset PairMemory::image(const Listed& pair) const {
+  const ImageOffset& then = shifts_.image(pair.shift);
+  if (!(bodies_->has_crossed(pair.a) | bodies_->has_crossed(pair.b))) return then;
+  return image_sum(then, image_difference(bodies_->crossed(pair.b), bodies_->crossed(pair.a)));
+}
 
 }  // namespace vex

@@ -300,11 +300,15 @@ void PairSearch::keep_clearance(const Pairs& asked, std::size_t row, std::size_t
     keeper_->keep_as_it_stands(asked.tag[row], overlaps ? Outcome::overlap : Outcome::disjoint);
     return;
   }
-  const Vec3d in_a{clearances_->where[0][k], clearances_->where[1][k], clearances_->where[2][k]};
   const Transformd a = SceneBodies::pose_at(question_.poses, asked.a[row]);
-  const Vec3d where{dot(a.row_x, in_a), dot(a.row_y, in_a), dot(a.row_z, in_a)};
+  const auto in_scene = [&](const Vec3d& v) -> Vec3d { return {dot(a.row_x, v), dot(a.row_y, v), dot(a.row_z, v)}; };
+  const Vec3d in_a{clearances_->where[0][k], clearances_->where[1][k], clearances_->where[2][k]};
+  const Vec3d where = in_scene(in_a);
   if (answers_[k] == PacketAnswer::overlap) {
-    keeper_->keep_overlap(asked.tag[row], where, clearance);
+    const auto corner = [&](std::size_t c) {
+      return in_scene({clearances_->corners[c][k], clearances_->corners[c + 1][k], clearances_->corners[c + 2][k]});
+    };
+    keeper_->keep_overlap(asked.tag[row], where, {corner(0), corner(3), corner(6)}, clearance);
   } else {
     keeper_->keep_apart(asked.tag[row], (1.0 / norm(in_a)) * where, clearance);
   }

@@ -37,9 +37,10 @@ class PairKeeper {
   virtual void keep_as_it_stands(std::uint64_t tag, Outcome outcome) = 0;
   /// Along this unit vector, which leads from a to b in the scene's frame, the bodies are at least so far apart.
   virtual void keep_apart(std::uint64_t tag, const Vec3d& unit_dir, double clearance) = 0;
-  /// Their Minkowski difference, a's points less b's, has a ball of this radius about the origin, and this point, in
-  /// the scene's frame.
-  virtual void keep_overlap(std::uint64_t tag, const Vec3d& point, double clearance) = 0;
+  /// Their Minkowski difference, a's points less b's, has a ball of this radius about the origin, and these points, in
+  /// the scene's frame: one beyond the origin, and the corners of a triangle there.
+  virtual void keep_overlap(std::uint64_t tag, const Vec3d& point, const std::array<Vec3d, 3>& corners,
+                            double clearance) = 0;
 };
 
 /// Keeps what it makes of kinds of pairs from one query to the next, for one margin.

@@ -105,7 +105,7 @@ class SceneBodies {
   double travel(BodyId body) const { return travel_[body]; }
   /// `centre` is where the centre would be, had the body not been moved into the box again: `crossed` lattice vectors
   /// from where it is, where it is in another box than it was.
-  struct Track {
+  struct alignas(32) Track {  // in one line of memory
     Vec3d centre;
     double turned = 0.0;
   };

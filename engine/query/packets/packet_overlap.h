@@ -72,6 +72,9 @@ struct PacketClearances {
   /// supports are at least `length` apart; of overlapping ones a point of A - B, from about the difference of their
   /// centres beyond the origin.
   double where[3][PacketOverlap::kStride];
+  /// Of overlapping ones: three more points of A - B, by coordinates; the line from about the difference of their
+  /// centres through the origin meets the triangle between them.
+  double corners[9][PacketOverlap::kStride];
   /// Of overlapping bodies A - B has a ball of this radius about the origin. Not below 0.
   double length[PacketOverlap::kStride];
 };

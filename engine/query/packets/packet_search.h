@@ -48,6 +48,8 @@ class PacketSearch {
         const std::uint64_t row = code >> 2;
         for (std::size_t c = 0; c < 3; ++c) clearances->where[c][row] = ended_clearance_[c][k];
         clearances->length[row] = ended_clearance_[3][k] > 0.0 ? ended_clearance_[3][k] : 0.0;
+        if ((code & 3u) != static_cast<std::uint64_t>(PacketAnswer::overlap)) continue;
+        for (std::size_t c = 0; c < 9; ++c) clearances->corners[c][row] = ended_corners_[c][k];
       }
     }
   }
@@ -113,17 +115,25 @@ class PacketSearch {
   }
   static constexpr auto kNothingMore = [](std::size_t, const Vec&, const L&, const L&) {};
 
-  // The trials at k: a row, times four, and its answer, open till it ends; and the clearance that it leaves. Numbers
-  // that a loop counts up are its own variables: a member would be read again after each store.
-  template <bool kTells>
+  // The trials at k: a row, times four, and its answer, open till it ends; and the clearance that it leaves, with the
+  // corners of the portal where it is one of overlapping bodies. Numbers that a loop counts up are its own variables: a
+  // member would be read again after each store.
+  template <bool kTells, class... Corners>
   void end(std::size_t& n_ended, std::size_t k, const Bits& code, const Mask& ends, const Mask& apart,
-           const Mask& inside) {
+           const Mask& inside, const Corners&... corners) {
     const Compaction<W> move(ends);
     const Bits answer = (bits_of(apart) & Bits(static_cast<std::uint64_t>(PacketAnswer::disjoint))) |
                         (bits_of(inside) & Bits(static_cast<std::uint64_t>(PacketAnswer::overlap)));
     move.store(ended_ + n_ended, from_bits(code | answer));
     if constexpr (kTells) {
       for (std::size_t c = 0; c < 4; ++c) move.store(ended_clearance_[c] + n_ended, L::load(clearance_[c] + k));
+      std::size_t column = 0;
+      const auto put = [&](const Vec& corner) {
+        move.store(ended_corners_[column++] + n_ended, corner.x);
+        move.store(ended_corners_[column++] + n_ended, corner.y);
+        move.store(ended_corners_[column++] + n_ended, corner.z);
+      };
+      (put(corners), ...);
     }
     n_ended += static_cast<std::size_t>(move.n());
   }
@@ -309,7 +319,7 @@ class PacketSearch {
       }
       const Mask onward = but_not(both(usual, load_mask(advances_ + k)), ends);
       const Bits code = bits_of(L::load(portals_[kCode] + k));
-      end<kTells>(n_ended, k, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), inside);
+      end<kTells>(n_ended, k, code, but_not(Mask::first(n - k), onward), load_mask(apart_ + k), inside, left, right, w);
       const Compaction<W> passed(onward);
       if constexpr (kTells) {
         passed.store(portal_clearance_ + n_portal, clearance);
@@ -326,7 +336,7 @@ class PacketSearch {
   // Pose, code, points. A step reads a packet before it writes one, and writes no farther than it has read.
   alignas(64) double wedges_[19][kColumn] = {};
   alignas(64) double portals_[22][kColumn] = {};
-  alignas(64) double ended_[kColumn] = {}, ended_clearance_[4][kColumn] = {};
+  alignas(64) double ended_[kColumn] = {}, ended_clearance_[4][kColumn] = {}, ended_corners_[9][kColumn] = {};
   // Of a step: support points, truth values as the bits of doubles, and directions with the clearance that they show.
   alignas(64) double w_[3][kColumn] = {}, apart_[kColumn] = {}, onward_[kColumn] = {}, advances_[kColumn] = {};
   alignas(64) double clearance_[4][kColumn] = {}, portal_clearance_[kColumn] = {},

@@ -85,5 +85,43 @@ TEST(KnownHull, OfAHalfSpaceIsTheWayAlongItsAxis) {
   }
 }
 
+// Seen along any direction the point is among the corners, also of triangles that are lines or points; and it is in the
+// direction that is asked for where the triangle is.
+TEST(KnownFacet, HasAPointTowardsAnyDirection) {
+  std::mt19937_64 random(4);
+  int n_towards = 0, n_none = 0;
+  for (int k = 0; k < 20000; ++k) {
+    std::array<Vec3d, 3> corner;
+    for (Vec3d& c : corner) c = random_direction(random);
+    if (k % 10 == 1) corner[2] = 0.5 * (corner[0] + corner[1]);
+    if (k % 10 == 2) corner[1] = corner[0];
+    KnownFacet facet;
+    for (std::size_t c = 0; c < 3; ++c) facet.corners[c] = KnownHull::floats(corner[c]);
+    double weights[3], all = 0.0;
+    for (double& w : weights) all += w = random_in_unit_interval(random);
+    const bool is_met = k % 2 == 0;
+    Vec3d x = random_direction(random);
+    if (is_met) x = (weights[0] / all) * corner[0] + ((weights[1] / all) * corner[1] + (weights[2] / all) * corner[2]);
+    const Vec3d point = facet.towards(x);
+    if (norm_1(point) == 0.0) {
+      ++n_none;
+      continue;
+    }
+    for (int j = 0; j < 20; ++j) {
+      const Vec3d n = random_direction(random);
+      const double most = std::max({dot(n, corner[0]), dot(n, corner[1]), dot(n, corner[2])});
+      ASSERT_LE(dot(n, point), most + 1e-6);
+    }
+    const double volume = std::fabs(dot(cross(corner[0], corner[1]), corner[2]));
+    if (!is_met || volume < 0.01) continue;
+    ++n_towards;
+    ASSERT_LT(norm(cross(point, x)), 1e-4 * norm(point) * norm(x));
+    ASSERT_GT(dot(point, x), 0.0);
+  }
+  EXPECT_GT(n_towards, 5000);
+  EXPECT_GT(n_none, 500);
+  EXPECT_EQ(norm_1(KnownFacet{}.towards({1.0, 2.0, 3.0})), 0.0);
+}
+
 }  // namespace
 }  // namespace vex

@@ -186,13 +186,22 @@ void expect_in_difference(const ConvexBody& a, const ConvexBody& b, const Transf
   }
 }
 
+// Whether the ray from 0 along `dir` meets the triangle, or nearly so.
+bool meets(const std::array<Vec3d, 3>& corners, const Vec3d& dir) {
+  const auto weight = [&](std::size_t k) { return dot(cross(corners[(k + 1) % 3], corners[(k + 2) % 3]), dir); };
+  const double side = dot(cross(corners[0], corners[1]), corners[2]) < 0.0 ? -1.0 : 1.0;
+  const double w[] = {side * weight(0), side * weight(1), side * weight(2)};
+  const double all = w[0] + w[1] + w[2];
+  return all > 0.0 && std::min({w[0], w[1], w[2]}) > -0.01 * all;
+}
+
 // What a clearance claims is looked at by support points alone where bodies are apart, and by the depth's proven bound
 // where they overlap; and it is worth something.
 TEST(PacketOverlap, HasTheClearancesItClaims) {
   std::mt19937_64 random(12);
   for (const InstructionSet set : kernel_sets()) {
     const std::vector<ConvexBody> bodies = packet_bodies();
-    long n_apart = 0, n_inside = 0, n_worth_apart = 0, n_worth_inside = 0, n_beyond = 0;
+    long n_apart = 0, n_inside = 0, n_worth_apart = 0, n_worth_inside = 0, n_beyond = 0, n_met = 0;
     for (const ConvexBody& a : bodies) {
       for (const ConvexBody& b : bodies) {
         const std::unique_ptr<PacketOverlap> packets = make_packet_overlap(packet_kernel(set), a, b);
@@ -217,6 +226,13 @@ TEST(PacketOverlap, HasTheClearancesItClaims) {
             const Vec3d point{clearances->where[0][k], clearances->where[1][k], clearances->where[2][k]};
             expect_in_difference(a, b, pose, point, random);
             n_beyond += norm(point) > 0.2 * depth ? 1 : 0;
+            std::array<Vec3d, 3> corners;
+            for (std::size_t c = 0; c < 3; ++c) {
+              const auto& at = clearances->corners;
+              corners[c] = {at[3 * c][k], at[3 * c + 1][k], at[3 * c + 2][k]};
+              expect_in_difference(a, b, pose, corners[c], random);
+            }
+            n_met += meets(corners, pose(b.centre()) - a.centre()) ? 1 : 0;
             continue;
           }
           const Vec3d dir{clearances->where[0][k], clearances->where[1][k], clearances->where[2][k]};
@@ -233,6 +249,7 @@ TEST(PacketOverlap, HasTheClearancesItClaims) {
     EXPECT_GT(n_worth_apart, n_apart / 2) << name_of(set);
     EXPECT_GT(n_worth_inside, n_inside / 2) << name_of(set);
     EXPECT_GT(n_beyond, n_inside / 2) << name_of(set);
+    EXPECT_GT(n_met, n_inside * 9 / 10) << name_of(set);
   }
 }
 
