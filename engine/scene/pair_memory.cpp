@@ -98,7 +98,6 @@ void PairMemory::find_pairs_within_skin(const BroadPhases& phases, const SceneKe
 
 void PairMemory::list(bool keeps_old) {
   known_before_.swap(known_);
-  facet_before_.swap(facet_);
   until_before_.swap(until_);
   overlaps_before_.swap(overlaps_);
   const std::size_t n = listed_.size(), n_before = keeps_old ? listed_before_.size() : 0;
@@ -118,7 +117,7 @@ void PairMemory::list(bool keeps_old) {
       continue;
     }
     known_[k] = known_before_[at];
-    if (known_[k].kind == Known::Kind::hull_and_facet) facet_[k] = facet_before_[at];
+    if (known_[k].kind == Known::Kind::hull_and_facet) known_[k].kind = Known::Kind::hull;
     overlaps_[k] = overlaps_before_[at];
     const bool is_same_copy = image(pair) == shifts_.image(pair.shift);
     carry_over(pair, is_same_copy, known_[k]);

@@ -127,13 +127,12 @@ class PairMemory final : public PairKeeper {
   // whether it overlaps.
   LargeVector<Listed> listed_;
   LargeVector<Known> known_;
-  LargeVector<KnownFacet> facet_;
+  LargeVector<KnownFacet> facet_;  // no list takes it over from the one before: to ask again costs no more
   LargeVector<double> until_;
   LargeVector<std::uint8_t> overlaps_;
   // Memory that is kept: for the last list, and for what the parts of the broad phase find.
   LargeVector<Listed> listed_before_;
   LargeVector<Known> known_before_;
-  LargeVector<KnownFacet> facet_before_;
   LargeVector<double> until_before_;
   LargeVector<std::uint8_t> overlaps_before_;
   std::vector<std::vector<Listed>> found_;
