@@ -28,13 +28,15 @@ double most_turned(const Transformd& from, const Transformd& to, double radius) 
          radius * (1.0 + 0x1p-18);
 }
 
-// A body's travel and one step more, from one centre to another. Rounded up, so that what was added between two times
-// is at most the difference, however small the steps are; and larger than it was, so that it tells whether the body has
-// moved.
+// Rounded up: what was added between two times is at most the difference, however small the terms are.
+double more_than_sum(double sum, double by) { return (sum + by) * (1.0 + 0x1p-51); }
+
+// A body's travel and one step more, from one centre to another: larger than it was, so that it tells whether the body
+// has moved.
 double farther(double travel, const Vec3d& step, const Vec3d& from, const Vec3d& to, double turned) {
   const double rounding = 0x1p-46 * (norm_1(to) + norm_1(from) + norm_1(step));
   const double by = norm(step) * (1.0 + 0x1p-18) + turned + rounding + kTrifle;
-  return (travel + by) * (1.0 + 0x1p-51);
+  return more_than_sum(travel, by);
 }
 
 }  // namespace
@@ -54,7 +56,7 @@ void SceneBodies::track() {
 inline void SceneBodies::add_to_track(BodyId body, const Vec3d& centre_from, const Vec3d& step, double turned) {
   Track& track = tracks_[body];
   track.centre = has_crossed(body) ? centres_[body] + box_->shift(crossed_[body]) : centres_[body];
-  track.turned += turned;
+  if (turned > 0.0) track.turned = more_than_sum(track.turned, turned);
   travel_[body] = farther(travel_[body], step, centre_from, centres_[body], turned);
 }
 

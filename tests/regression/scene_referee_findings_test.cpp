@@ -12,6 +12,7 @@
 #include "engine/query/overlap.h"
 #include "engine/query/separation.h"
 #include "engine/scene/scene.h"
+#include "shapes/box.h"
 #include "shapes/polytope.h"
 #include "shapes/sphere.h"
 
@@ -228,6 +229,45 @@ TEST(SceneReferee, CopiesOfABodyAreOneShape) {
     for (const ConvexBody& body : bodies) scene.add(body, Transformd{});
   }
   EXPECT_EQ(scene.n_shapes(), 100u);
+}
+
+Transformd turned_about_z(double angle, const Vec3d& place = {}) {
+  return {{std::cos(angle), -std::sin(angle), 0.0}, {std::sin(angle), std::cos(angle), 0.0}, {0.0, 0.0, 1.0}, place};
+}
+
+// Turns that are smaller than the last place of what a body has turned already add up: the sum was rounded to nearest,
+// and stayed where it was. A rod turns towards a cube that is 1.2e-12 above it, or away from one that is as deep in it.
+TEST(SceneReferee, OfManyTurnsTooSmallForTheirSumNoneIsLost) {
+  for (const bool meets_first : {false, true}) {
+    const double depth = meets_first ? 1e-11 : 0.0, per_move = meets_first ? -1e-16 : 1e-16;
+    const ConvexBody rod = meets_first ? Box(2.0, 0.0625, 0.0625) : Box(2.0, 0.1, 0.1);
+    const ConvexBody block = Box(0.5, meets_first ? 0.5625 + 2.0 * depth : 0.5, 0.5);
+    const Vec3d place = meets_first ? Vec3d{1.0, 0.3125, 0.0} : Vec3d{0.8, 0.05 + 0.25 + 1.2e-12, 0.0};
+    Scene scene({.skin = 6.0});
+    scene.add(rod, turned_about_z(0.0));
+    scene.add(block, turned_about_z(0.0, place));
+    ScenePairs found;
+    scene.overlapping_pairs(found);
+    for (const double angle : {0.37, 0.0, 0.37, 0.0}) scene.move(0, turned_about_z(angle));
+    scene.overlapping_pairs(found);
+    ASSERT_EQ(found.pairs.size(), meets_first ? 1u : 0u);
+    int n_moves = 0;
+    double angle = 0.0;
+    for (; n_moves < 1500000; ++n_moves) {
+      angle = per_move * n_moves;
+      scene.move(0, turned_about_z(angle));
+      if (n_moves % 1000 != 0) continue;
+      scene.overlapping_pairs(found);
+      Scene fresh;
+      fresh.add(rod, turned_about_z(angle));
+      fresh.add(block, turned_about_z(0.0, place));
+      ScenePairs truth;
+      fresh.overlapping_pairs(truth);
+      ASSERT_EQ(found.pairs, truth.pairs) << n_moves;
+      if (truth.pairs.empty() == meets_first) break;
+    }
+    EXPECT_LT(n_moves, 1500000) << "the verdict never changes";
+  }
 }
 
 }  // namespace
