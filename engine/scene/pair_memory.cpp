@@ -117,7 +117,6 @@ void PairMemory::list(bool keeps_old) {
       continue;
     }
     known_[k] = known_before_[at];
-    if (known_[k].kind == Known::Kind::hull_and_facet) known_[k].kind = Known::Kind::hull;
     overlaps_[k] = overlaps_before_[at];
     const bool is_same_copy = image(pair) == shifts_.image(pair.shift);
     carry_over(pair, is_same_copy, known_[k]);
@@ -128,8 +127,9 @@ void PairMemory::list(bool keeps_old) {
 // Into the tracks that begin now, where nothing has turned and nothing has crossed a face yet. The shift of a body that
 // had crossed one leads to another copy there. A clearance is about the way from centre to centre, whichever copy that
 // leads to; what is known of a pair at rest, and until when a pair need not be looked at, is about one copy. Limits are
-// rounded to the safe side, however often.
+// rounded to the safe side, however often. Facets are of one list.
 void PairMemory::carry_over(const Listed& pair, bool is_same_copy, Known& known) const {
+  if (known.kind == Known::Kind::hull_and_facet) known.kind = Known::Kind::hull;
   if (known.kind != Known::Kind::at_rest) {
     const double both = turned(pair);
     if (both > 0.0) known.limit = next_below(known.limit - both);

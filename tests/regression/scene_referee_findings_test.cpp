@@ -236,7 +236,8 @@ Transformd turned_about_z(double angle, const Vec3d& place = {}) {
 }
 
 // Turns that are smaller than the last place of what a body has turned already add up: the sum was rounded to nearest,
-// and stayed where it was. A rod turns towards a cube that is 1.2e-12 above it, or away from one that is as deep in it.
+// and stayed where it was. A rod turns towards a cube that is 1.2e-12 above it, or away from one that is 1e-11 deep in
+// it.
 TEST(SceneReferee, OfManyTurnsTooSmallForTheirSumNoneIsLost) {
   for (const bool meets_first : {false, true}) {
     const double depth = meets_first ? 1e-11 : 0.0, per_move = meets_first ? -1e-16 : 1e-16;
