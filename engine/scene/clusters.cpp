@@ -10,23 +10,24 @@
 namespace vex {
 
 void Clusters::reset(std::size_t n) {
-  nodes_.resize(n);
-  for (std::size_t k = 0; k < n; ++k) nodes_[k] = {static_cast<BodyId>(k), {}};
-  size_.assign(n, 1);
-  wraps_.assign(n, 0);
-  n_clusters_ = n;
+  nodes_.clear();
+  size_.clear();
+  wraps_.clear();
+  n_clusters_ = 0;
+  add(n);
   any_wraps_ = false;
   undecided.clear();
   counts = {};
 }
 
-BodyId Clusters::add() {
-  const BodyId body = static_cast<BodyId>(nodes_.size());
-  nodes_.emplace_back().parent = body;
-  size_.push_back(1);
-  wraps_.push_back(0);
-  ++n_clusters_;
-  return body;
+BodyId Clusters::add(std::size_t n) {
+  const BodyId first = static_cast<BodyId>(nodes_.size()), end = first + static_cast<BodyId>(n);
+  nodes_.resize(end);
+  for (BodyId body = first; body < end; ++body) nodes_[body].parent = body;
+  size_.resize(end, 1);
+  wraps_.resize(end, 0);
+  n_clusters_ += n;
+  return first;
 }
 
 void Clusters::leave_out(BodyId body) {

@@ -28,8 +28,8 @@ class Clusters {
   /// How many numbers there are, those that are left out among them.
   std::size_t size() const { return nodes_.size(); }
 
-  /// One more body.
-  BodyId add();
+  /// So many more bodies, the number of the first of which it tells.
+  BodyId add(std::size_t n = 1);
   /// No body has this number, nor has it been joined with any other one.
   void leave_out(BodyId body);
 

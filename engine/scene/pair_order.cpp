@@ -11,10 +11,16 @@ namespace {
 // Below this many pairs a comparison sort is as fast.
 constexpr std::size_t kFew = 4096;
 constexpr std::size_t kBodiesABucket = 4096;
+// Counting costs more than comparing where there are so many bodies a pair.
+constexpr std::size_t kManyBodies = 16;
+constexpr std::size_t kMostCounted = ~std::uint32_t{0};
 
-// Pairs of one body.
-bool comes_before(const ScenePair& p, const ScenePair& q) { return p.b != q.b ? p.b < q.b : p.image < q.image; }
+// Pairs that have one of their bodies in common, by the other one.
+template <BodyId ScenePair::*kOther>
 void sort_run(std::span<ScenePair> pairs) {
+  const auto comes_before = [](const ScenePair& p, const ScenePair& q) {
+    return p.*kOther != q.*kOther ? p.*kOther < q.*kOther : p.image < q.image;
+  };
   if (pairs.size() > 16) {
     std::sort(pairs.begin(), pairs.end(), comes_before);
     return;
@@ -27,22 +33,29 @@ void sort_run(std::span<ScenePair> pairs) {
   }
 }
 
-// Pairs whose first bodies are `first` and the next kBodiesABucket - 1.
-void sort_bucket(std::span<ScenePair> pairs, BodyId first) {
-  if (pairs.size() >> 32 != 0) return std::sort(pairs.begin(), pairs.end());  // more than is counted here
-  static thread_local std::vector<ScenePair> unsorted;                        // memory that a thread keeps
-  unsorted.assign(pairs.begin(), pairs.end());
-  std::uint32_t next[kBodiesABucket] = {};
-  for (const ScenePair& pair : unsorted) ++next[pair.a - first];
+// Counting sort by the numbers of one of the bodies, `first` being the lowest, then each body's pairs by comparison.
+// `next` has an entry of 0 for each number.
+template <BodyId ScenePair::*kBody, BodyId ScenePair::*kOther>
+void sort_by(BodyId first, std::span<const ScenePair> unsorted, std::span<std::uint32_t> next, ScenePair* to) {
+  for (const ScenePair& pair : unsorted) ++next[pair.*kBody - first];
   std::uint32_t sum = 0;
   for (std::uint32_t& place : next) sum += std::exchange(place, sum);
-  for (const ScenePair& pair : unsorted) pairs[next[pair.a - first]++] = pair;
+  for (const ScenePair& pair : unsorted) to[next[pair.*kBody - first]++] = pair;
   // What was the next place of a body's pairs is now the end of them.
   std::size_t begin = 0;
   for (const std::size_t end : next) {
-    if (end - begin > 1) sort_run(pairs.subspan(begin, end - begin));
+    if (end - begin > 1) sort_run<kOther>({to + begin, end - begin});
     begin = end;
   }
+}
+
+// Pairs whose first bodies are `first` and the next kBodiesABucket - 1.
+void sort_bucket(std::span<ScenePair> pairs, BodyId first) {
+  if (pairs.size() > kMostCounted) return std::sort(pairs.begin(), pairs.end());
+  static thread_local std::vector<ScenePair> unsorted;  // memory that a thread keeps
+  unsorted.assign(pairs.begin(), pairs.end());
+  std::uint32_t next[kBodiesABucket] = {};
+  sort_by<&ScenePair::a, &ScenePair::b>(first, unsorted, next, pairs.data());
 }
 
 }  // namespace
@@ -86,6 +99,20 @@ void sort_pairs(std::span<PairSearch> searches, LargeVector<ScenePair> PairSearc
     const std::size_t first = bucket == 0 ? 0 : end_of[bucket - 1];
     sort_bucket({out.data() + first, end_of[bucket] - first}, static_cast<BodyId>(bucket * kBodiesABucket));
   });
+}
+
+void sort_by_second(std::span<const ScenePair> found, BodyId first, BodyId end, std::vector<ScenePair>& out) {
+  const std::size_t n = std::size_t{end} - first;
+  if (found.size() < n / kManyBodies || found.size() > kMostCounted) {
+    out.assign(found.begin(), found.end());
+    std::sort(out.begin(), out.end(),
+              [](const ScenePair& p, const ScenePair& q) { return p.b != q.b ? p.b < q.b : p < q; });
+    return;
+  }
+  static thread_local std::vector<std::uint32_t> next;  // memory that a thread keeps
+  next.assign(n, 0);
+  out.resize(found.size());
+  sort_by<&ScenePair::b, &ScenePair::a>(first, found, next, out.data());
 }
 
 }  // namespace vex

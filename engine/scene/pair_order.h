@@ -12,4 +12,7 @@ namespace vex {
 void sort_pairs(std::span<PairSearch> searches, LargeVector<ScenePair> PairSearch::*list, BodyId end, int n_threads,
                 std::vector<ScenePair>& out);
 
+/// Pairs whose second bodies have numbers from `first` to below `end`, in the order of these; then by a, and image.
+void sort_by_second(std::span<const ScenePair> found, BodyId first, BodyId end, std::vector<ScenePair>& out);
+
 }  // namespace vex

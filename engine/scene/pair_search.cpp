@@ -43,7 +43,6 @@ void PairSearch::begin(const PairQuestion& question, PairKeeper* keeper) {
   question_ = question;
   keeper_ = keeper;
   joined = nullptr;
-  joined_below = kNoBody;
   judge = nullptr;
   near.n = 0;
   near.n_seen = 0;
@@ -134,12 +133,11 @@ void PairSearch::add_overlap(const Pairs& asked, std::size_t row) {
   add_pair(pairs, asked, row);
   if (joined == nullptr) return;
   const ScenePair& pair = pairs.back();
-  if (pair.b >= joined_below) return;
   if (joined->join(pair.a, pair.b, pair.image) == Clusters::Joined::closed) pairs.pop_back();
 }
 
 bool PairSearch::is_joined(const ScenePair& pair) {
-  if (pair.b >= joined_below || !joined->knows(pair.a, pair.b, pair.image)) return false;
+  if (!joined->knows(pair.a, pair.b, pair.image)) return false;
   ++counts[SceneStage::joined].settled;
   return true;
 }

@@ -65,8 +65,6 @@ class PairSearch {
   /// Not null: pairs that are proven to overlap are joined here, and what is in one cluster already is not tested. To
   /// be set after `begin`.
   Clusters* joined = nullptr;
-  /// ... but for pairs of bodies from this number on. Set by `begin` to what no body has.
-  BodyId joined_below = kNoBody;
   /// Not null: what it says of a pair is the verdict. To be set after `begin`.
   const PairJudge* judge = nullptr;
 

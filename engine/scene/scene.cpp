@@ -27,6 +27,7 @@ const ConvexBody& Scene::shape(ShapeId shape) const {
 
 BodyId Scene::add(ShapeId shape, const Pose& pose, const ImageOffset& moved) { return impl_->add(shape, pose, moved); }
 BodyId Scene::add(const ConvexBody& body, const Pose& pose) { return impl_->add(impl_->add_shape(body), pose, {}); }
+void Scene::add(ShapeId shape, std::span<const Pose> poses) { impl_->add(shape, poses); }
 void Scene::remove(BodyId body) { impl_->remove(body); }
 void Scene::clear() { impl_->clear(); }
 void Scene::expect(std::size_t n_bodies) { impl_->expect(n_bodies); }

@@ -68,6 +68,8 @@ class Scene {
   /// before, as a body of a scene that was stored: `image` tells of both.
   BodyId add(ShapeId shape, const Pose& world_from_body, const ImageOffset& moved = {});
   BodyId add(const ConvexBody& body, const Pose& world_from_body);
+  /// One body at each pose, in their order: as fast as they can come. Where one is refused none is added.
+  void add(ShapeId shape, std::span<const Pose> world_from_body);
   void remove(BodyId body);
   /// Removes all bodies; shapes stay, and memory is kept for the next ones.
   void clear();
@@ -105,13 +107,12 @@ class Scene {
   /// The pairs of one body: it is `a` or `b`, as in overlapping_pairs.
   void overlaps_of(BodyId body, ScenePairs& out);
   /// What bodies that were added one after another met: the pairs of each body from `first` on with those before it,
-  /// and with its own copies. One thread does it. `joined`, where there is one, knows all bodies and what those before
-  /// `first` are joined by; it is told of each pair, does not have those tested that it joins already, with this image,
-  /// and the results are the pairs that changed it, in the order in which they did, not sorted. `judge`, where there is
-  /// one, decides all pairs whose circumscribed balls may meet instead of the engine; they count as `scalar`. Pairs of
-  /// bodies from `joined_below` on `joined` is not told of, nor asked about: they are all among the results.
-  void overlaps_of_added(BodyId first, ScenePairs& out, Clusters* joined = nullptr, const PairJudge* judge = nullptr,
-                         BodyId joined_below = kNoBody);
+  /// and with its own copies, in the order of these bodies: by b, a, image. One thread does it. `joined`, where there
+  /// is one, knows all bodies and what those before `first` are joined by; it is told of each pair, does not have those
+  /// tested that it joins already, with this image, and the results are the pairs that changed it, in the order in
+  /// which they did. `judge`, where there is one, decides all pairs whose circumscribed balls may meet instead of the
+  /// engine; they count as `scalar`.
+  void overlaps_of_added(BodyId first, ScenePairs& out, Clusters* joined = nullptr, const PairJudge* judge = nullptr);
   /// The bodies that a visitor overlaps, which are `b`; `a` is kNoBody.
   void overlaps_of(const ConvexBody& visitor, const Pose& world_from_body, ScenePairs& out);
   /// Whether this body would overlap any other one if it were at that pose: a trial move. Nothing is moved.

@@ -171,8 +171,59 @@ Transformd SceneBodies::placed(ShapeId shape, const Transformd& given, ImageOffs
   return box_->surely_holds(centre, kInside) ? given : wrapped(given, bounds_[shape].centre, image);
 }
 
-BodyId SceneBodies::add(ShapeId shape, const Pose& pose, const ImageOffset& moved) {
+void SceneBodies::require_shape(ShapeId shape) const {
   if (shape >= shapes_.size()) throw UsageError("a scene has no shape " + std::to_string(shape) + " - add it first");
+}
+
+void SceneBodies::prepare_for(ShapeId shape, std::span<const Pose> poses) {
+  require_shape(shape);
+  make_room(shape_of_, poses.size());
+  make_room(poses_, kNumbersABody * poses.size());
+  make_room(centres_, poses.size());
+  make_room(image_, poses.size());
+  ImageOffset image;
+  for (const Pose& pose : poses) checked(shape, pose.a_from_b(), &image);
+}
+
+// Columns are made longer first, and `shape_of_`, which tells how many bodies there are, last: what is behind its end
+// in the others when an exception ends it is overwritten by the next one. What most poses need stands side by side.
+void SceneBodies::append(ShapeId shape, std::span<const Pose> poses, const ImageOffset& moved) {
+  require_shape(shape);
+  const std::size_t first = end(), n = first + poses.size();
+  if (n > kNoBody - 1) throw UsageError("a scene holds fewer than 2^32 - 1 bodies - make several");
+  make_room(shape_of_, poses.size());
+  poses_.resize(kNumbersABody * (n + 1));
+  centres_.resize(n);
+  image_.resize(n);
+  const Vec3d own_centre = bounds_[shape].centre;
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const Transformd& given = poses[k].a_from_b();
+    const Vec3d centre = centre_of(given, own_centre);
+    const bool is_turned = !is_upright(given);
+    if (is_turned) may_be_turned_ = true;
+    const bool stays = box_ ? box_->surely_holds(centre, kInside) : norm_1(centre) <= kFarthest;
+    if (!stays || (is_turned && !is_turned_well(given))) {
+      ImageOffset image;
+      const Transformd kept = checked(shape, given, &image);
+      write_pose(poses_.data(), first + k, kept);
+      centres_[first + k] = centre_of(kept, own_centre);
+      image_[first + k] = image_sum(image, moved);
+      continue;
+    }
+    write_pose(poses_.data(), first + k, given);
+    centres_[first + k] = centre;
+    image_[first + k] = moved;
+  }
+  shape_of_.back() = shape;
+  shape_of_.resize(n, shape);
+  shape_of_.push_back(kNoShape);
+  is_tracked_ = false;
+  n_of_shape_[shape] += poses.size();
+  n_ += poses.size();
+}
+
+BodyId SceneBodies::add(ShapeId shape, const Pose& pose, const ImageOffset& moved) {
+  require_shape(shape);
   constexpr int kMostMoved = 1 << 30;  // with what it is moved by now no overflow
   for (const int by : moved) {
     if (by < -kMostMoved || by > kMostMoved || (!box_ && by != 0)) {
@@ -180,29 +231,18 @@ BodyId SceneBodies::add(ShapeId shape, const Pose& pose, const ImageOffset& move
                        ") - give one from -2^30 to 2^30, and 0 in open space");
     }
   }
+  if (free_.empty()) {
+    append(shape, {&pose, 1}, moved);
+    return end() - 1;
+  }
   ImageOffset image;
   const Transformd kept = checked(shape, pose.a_from_b(), &image);
-  image = image_sum(image, moved);
-  BodyId body = end();
-  if (free_.empty()) {
-    if (body == kNoBody - 1) throw UsageError("a scene holds fewer than 2^32 - 1 bodies - make several");
-    make_room(shape_of_, 1);
-    make_room(image_, 1);
-    make_room(poses_, kNumbersABody);
-    make_room(centres_, 1);
-    shape_of_.back() = shape;
-    shape_of_.push_back(kNoShape);
-    image_.push_back(image);
-    poses_.resize(poses_.size() + kNumbersABody);
-    centres_.emplace_back();
-    is_tracked_ = false;
-  } else {
-    std::pop_heap(free_.begin(), free_.end(), std::greater<>());
-    body = free_.back();
-    free_.pop_back();
-    shape_of_[body] = shape;
-    image_[body] = image;
-  }
+  std::pop_heap(free_.begin(), free_.end(), std::greater<>());
+  const BodyId body = free_.back();
+  free_.pop_back();
+  shape_of_[body] = shape;
+  image_[body] = image_sum(image, moved);
+  may_be_turned_ = true;
   place(body, kept);
   ++n_of_shape_[shape];
   ++n_;
@@ -216,6 +256,7 @@ bool SceneBodies::are_told_by_boxes() const {
   const Vec3d& e = bounds_.front().extents;
   const double width = 2.0 * bounds_.front().radius;
   if (!((e.x / width) * (e.y / width) * (e.z / width) < kBallOfCube)) return false;
+  if (!may_be_turned_) return true;
   for (BodyId body = 0; body < end(); ++body) {
     if (has(body) && !is_upright(pose(body))) return false;
   }
@@ -291,7 +332,7 @@ void SceneBodies::clear() {
   poses_.resize(kNumbersABody);
   centres_.clear();
   image_.clear();
-  is_tracked_ = false;
+  is_tracked_ = may_be_turned_ = false;
   free_.clear();
   n_ = 0;
 }

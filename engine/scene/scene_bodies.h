@@ -61,11 +61,20 @@ class SceneBodies {
   static void check_size(const ConvexBody& body);
   static void check_rotation(const Transformd& pose);
   BodyId add(ShapeId shape, const Pose& pose, const ImageOffset& moved = {});
+  /// Behind the last body. Where one is refused none is added.
+  void append(ShapeId shape, std::span<const Pose> poses, const ImageOffset& moved);
+  /// So that none of these is refused, nor lacks memory, when they are added one by one. Throws.
+  void prepare_for(ShapeId shape, std::span<const Pose> poses);
   void remove(BodyId body);
   /// All of them. The shapes stay, and memory is kept.
   void clear();
-  void set_pose(BodyId body, const Pose& pose) { set_poses(body, {&pose, 1}); }
-  /// Of this body and those behind it.
+  void set_pose(BodyId body, const Pose& pose) {
+    expect_turns();
+    set_poses(body, {&pose, 1});
+  }
+  /// To be called before set_poses.
+  void expect_turns() { may_be_turned_ = true; }
+  /// Of this body and those behind it, by several threads.
   void set_poses(BodyId first, std::span<const Pose> poses);
 
   const std::optional<PeriodicBox>& box() const { return box_; }
@@ -141,6 +150,7 @@ class SceneBodies {
   static constexpr double kFarthest = 1e100;
   // Whether check_rotation has nothing against it; NaN fails.
   static bool is_turned_well(const Transformd& pose);
+  void require_shape(ShapeId shape) const;
   void place(BodyId body, const Transformd& pose);
   Transformd placed(ShapeId shape, const Transformd& given, ImageOffset* image) const;
   void set_any_pose(BodyId body, const Transformd& given);
@@ -162,6 +172,7 @@ class SceneBodies {
   LargeVector<ImageOffset> crossed_;  // of those that have
   std::vector<BodyId> free_;          // a heap, the lowest first
   std::size_t n_ = 0;
+  bool may_be_turned_ = false;  // some body is not upright, or may not be
 };
 
 inline Transformd SceneBodies::pose_at(const double* poses, std::size_t place) {

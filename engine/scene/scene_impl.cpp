@@ -47,6 +47,18 @@ BodyId Scene::Impl::add(ShapeId shape, const Pose& pose, const ImageOffset& move
   return body;
 }
 
+// Where numbers are free below the last body's they are taken one by one.
+void Scene::Impl::add(ShapeId shape, std::span<const Pose> poses) {
+  if (bodies_.size() == bodies_.end()) {
+    bodies_.append(shape, poses, {});
+    phases_.bodies_changed();
+    memory_.forget();
+    return;
+  }
+  bodies_.prepare_for(shape, poses);
+  for (const Pose& pose : poses) add(shape, pose, {});
+}
+
 // Where memory gives out they are made anew.
 void Scene::Impl::keep_in_cells(BodyId body) {
   are_cells_true_ = false;
@@ -126,6 +138,7 @@ void Scene::Impl::move_all(std::span<const Pose> poses) {
                      " - give one pose for each number, in a scene without gaps");
   }
   phases_.poses_changed();
+  bodies_.expect_turns();
   are_cells_true_ = false;
   const int n_threads = settings_.n_threads;
   on_threads(n_threads, [&](int thread) {

@@ -22,6 +22,7 @@ class Scene::Impl {
 
   ShapeId add_shape(const ConvexBody& body);
   BodyId add(ShapeId shape, const Pose& pose, const ImageOffset& moved);
+  void add(ShapeId shape, std::span<const Pose> poses);
   void remove(BodyId body);
   void clear();
   void expect(std::size_t n_bodies);
@@ -44,7 +45,7 @@ class Scene::Impl {
   PairSearch& find_pairs_of(BodyId body, const Transformd& pose);
 
   /// The pairs of each body from `first` on with those before it; the search that has found them.
-  PairSearch& find_pairs_of_added(BodyId first, Clusters* joined, BodyId joined_below, const PairJudge* judge);
+  PairSearch& find_pairs_of_added(BodyId first, Clusters* joined, const PairJudge* judge);
 
   /// The tree of the bodies as they are.
   const BodyTree& tree();

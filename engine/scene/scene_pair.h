@@ -63,7 +63,8 @@ struct SceneCounts {
 /// A caller's own test of two shapes, b's at this pose in a's frame.
 using PairJudge = std::function<Outcome(ShapeId a, ShapeId b, const Transformd& a_from_b)>;
 
-/// A caller's buffer: it is overwritten by each query that takes it, and keeps its memory. Sorted by a, b, image.
+/// A caller's buffer: it is overwritten by each query that takes it, and keeps its memory. Sorted by a, b, image, but
+/// for Scene::overlaps_of_added.
 struct ScenePairs {
   std::vector<ScenePair> pairs;      // proven to overlap, or to be within the distance
   std::vector<ScenePair> undecided;  // neither is proven: curved bodies that touch to within rounding, or bodies within

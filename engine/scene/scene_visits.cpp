@@ -4,6 +4,7 @@
 
 #include "engine/numeric/errors.h"
 #include "engine/numeric/interruption.h"
+#include "engine/scene/pair_order.h"
 #include "engine/scene/scene_impl.h"
 
 namespace vex {
@@ -109,8 +110,7 @@ void Scene::Impl::find_pairs_one_by_one(BodyId first, const BallCellsOfScene& ce
   }
 }
 
-PairSearch& Scene::Impl::find_pairs_of_added(BodyId first, Clusters* joined, BodyId joined_below,
-                                             const PairJudge* judge) {
+PairSearch& Scene::Impl::find_pairs_of_added(BodyId first, Clusters* joined, const PairJudge* judge) {
   // To sort all bodies costs more than to ask for each only where there are few.
   constexpr std::size_t kMany = 256;
   const BallCellsOfScene* cells = nullptr;
@@ -122,7 +122,6 @@ PairSearch& Scene::Impl::find_pairs_of_added(BodyId first, Clusters* joined, Bod
     single_.begin(question_of_cells(*cells));
   }
   single_.joined = joined;
-  single_.joined_below = joined_below;
   single_.judge = judge;
   if (cells == nullptr) {
     find_all_pairs(single_);
@@ -138,18 +137,21 @@ void Scene::overlaps_of(BodyId body, ScenePairs& out) {
   take_sorted(impl_->find_pairs_of(body, pose(body)), out);
 }
 
-void Scene::overlaps_of_added(BodyId first, ScenePairs& out, Clusters* joined, const PairJudge* judge,
-                              BodyId joined_below) {
+void Scene::overlaps_of_added(BodyId first, ScenePairs& out, Clusters* joined, const PairJudge* judge) {
   if (joined != nullptr && joined->size() < end()) {
     throw UsageError("clusters know of " + std::to_string(joined->size()) +
                      " bodies, and the scene has numbers up to " + std::to_string(end()) +
                      " - add the missing ones to the clusters first");
   }
-  const PairSearch& search = impl_->find_pairs_of_added(first, joined, joined_below, judge);
-  if (joined == nullptr) return take_sorted(search, out);
-  out.pairs.assign(search.pairs.begin(), search.pairs.end());
-  out.undecided.assign(search.undecided.begin(), search.undecided.end());
+  const PairSearch& search = impl_->find_pairs_of_added(first, joined, judge);
   out.counts = search.counts;
+  if (joined == nullptr) {
+    sort_by_second(search.pairs, first, end(), out.pairs);
+    sort_by_second(search.undecided, first, end(), out.undecided);
+  } else {
+    out.pairs.assign(search.pairs.begin(), search.pairs.end());
+    out.undecided.assign(search.undecided.begin(), search.undecided.end());
+  }
 }
 
 Outcome Scene::would_overlap(BodyId body, const Pose& world_from_body) {

@@ -81,7 +81,9 @@ TEST(SceneExamples, InTheOrderOfTheGuide) {
   const vex::ShapeId stick = growing.add_shape(vex::Capsule(4.0, 0.5));
   vex::Clusters joined;
   joined.reset(0);  // of no bodies yet
-  for (const vex::Transformd& place : poses) growing.add(stick, place), joined.add();
+  const std::vector<vex::Pose> many(poses.begin(), poses.end());
+  growing.add(stick, many);  // all of them, or none where one is refused
+  joined.add(many.size());
   growing.overlaps_of_added(0, found, &joined);  // joined knows the pairs now; found.pairs are those that changed it
   growing.clear();                               // its bodies: shapes and memory stay
   // [end]

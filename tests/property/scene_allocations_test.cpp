@@ -172,6 +172,8 @@ TEST(SceneAllocations, WhereMemoryGivesOutTheSceneIsWhatItSaysItIs) {
         const Pose pose = place();
         const std::size_t n_before = scene.size();
         const std::uint64_t choice = scene.size() > 30 ? 0 : random() % 5;
+        const std::vector<Pose> poses = {pose, place()};
+        const bool is_many = step % 2 == 0;
         n_until_none = step % 3 == 0 ? -1 : static_cast<std::int64_t>(random() % (choice == 4 ? 40 : 6));
         bool is_refused = false;
         try {
@@ -179,14 +181,16 @@ TEST(SceneAllocations, WhereMemoryGivesOutTheSceneIsWhatItSaysItIs) {
           if (choice == 1 && scene.has(body)) scene.move(body, pose);
           if (choice == 2 && scene.has(body)) scene.overlaps_of(body, found);
           if (choice == 3) scene.overlapping_pairs(found);
-          if (choice == 4) scene.add(bodies[static_cast<std::size_t>(step) % bodies.size()], pose);
+          const ConvexBody& added = bodies[static_cast<std::size_t>(step) % bodies.size()];
+          if (choice == 4 && is_many) scene.add(scene.add_shape(added), poses);
+          if (choice == 4 && !is_many) scene.add(added, pose);
         } catch (const std::bad_alloc&) {
           is_refused = true;
         }
         n_until_none = -1;
         n_refused += is_refused ? 1 : 0;
         if (choice == 4) {
-          EXPECT_EQ(scene.size(), n_before + (is_refused ? 0 : 1));
+          EXPECT_EQ(scene.size(), n_before + (is_refused ? 0 : is_many ? 2 : 1));
         }
         if (choice == 0 && is_refused) {
           EXPECT_EQ(scene.size(), n_before);

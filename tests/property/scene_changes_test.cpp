@@ -2,6 +2,7 @@
 // between, answers as brute force does of what is in it now, and as a scene made of that from nothing.
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <map>
 
 #include "tests/referees/random_poses.h"
@@ -23,8 +24,8 @@ class ChangingScene {
     const BodyId body = end == 0 ? 0 : static_cast<BodyId>(random_() % end);
     const bool is_there = scene_->has(body);
     switch (random_() % 8) {
-      case 0:
-      case 1: add(); break;
+      case 0: add(); break;
+      case 1: add_some(); break;
       case 2:
         if (is_there && scene_->size() > 2) scene_->remove(body);
         break;
@@ -65,6 +66,25 @@ class ChangingScene {
     const BodyId free = lowest_free();
     const BodyId got = scene_->add(made_.bodies[random_() % made_.bodies.size()], random_place(made_, random_));
     EXPECT_EQ(got, free);
+  }
+  // At once, and where they are is what they would be one by one.
+  void add_some() {
+    const ConvexBody& body = made_.bodies[random_() % made_.bodies.size()];
+    std::vector<Pose> poses;
+    for (std::uint64_t k = random_() % 4; k > 0; --k) poses.emplace_back(random_place(made_, random_));
+    std::vector<BodyId> numbers;
+    for (BodyId number = 0; numbers.size() < poses.size(); ++number) {
+      if (!scene_->has(number)) numbers.push_back(number);
+    }
+    scene_->add(scene_->add_shape(body), poses);
+    Scene alone = made_.box ? Scene(*made_.box) : Scene();
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      const BodyId one = alone.add(body, poses[k]);
+      EXPECT_EQ(scene_->shape_of(numbers[k]), scene_->add_shape(body));
+      EXPECT_EQ(scene_->image(numbers[k]), alone.image(one));
+      const Transformd its = scene_->pose(numbers[k]), wanted = alone.pose(one);
+      EXPECT_EQ(std::memcmp(&its, &wanted, sizeof(its)), 0);
+    }
   }
   BodyId lowest_free() const {
     BodyId free = 0;

@@ -51,6 +51,22 @@ TEST_F(SceneRefuses, PosesThatAreNone) {
     EXPECT_THROW(scene_.move(0, pose), InputError);
     EXPECT_THROW((void)scene_.would_overlap(0, pose), InputError);
   }
+  // Of many none is added where one is refused, also where a number is free.
+  const ShapeId cube = scene_.add_shape(kRefusedCube);
+  for (const bool has_gap : {false, true}) {
+    const Transformd first = scene_.pose(0);
+    if (has_gap) scene_.remove(0);
+    for (const Transformd& pose : {at(kNan, 0, 0), rough_pose()}) {
+      std::vector<Pose> poses(4);
+      poses[2] = Pose::unchecked(pose);
+      EXPECT_THROW(scene_.add(cube, poses), InputError);
+      EXPECT_EQ(scene_.size(), has_gap ? 2u : 3u);
+      EXPECT_EQ(scene_.end(), 3u);
+      EXPECT_EQ(fault_of_pairs(scene_, every_pair(scene_)), "");
+    }
+    if (has_gap) scene_.add(kRefusedCube, first);
+  }
+  scene_.add(cube, std::span<const Pose>());
   Transformd rotated = at(0, 0, 0);
   rotated.row_x.x = kNan;
   EXPECT_THROW(scene_.add(kRefusedCube, rotated), InputError);
@@ -74,6 +90,7 @@ TEST_F(SceneRefuses, NumbersThatNoBodyHas) {
     EXPECT_THROW((void)scene_.would_overlap(body, Pose()), UsageError);
     EXPECT_THROW((void)scene_.shape(body), UsageError);
     EXPECT_THROW(scene_.add(ShapeId{body}, Pose()), UsageError);
+    EXPECT_THROW(scene_.add(ShapeId{body}, std::vector<Pose>(2)), UsageError);
   }
   Scene other;
   const BodyId removed = other.add(kRefusedCube, Pose());

@@ -8,6 +8,7 @@
 #include <random>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "shapes/any_shape.h"
 #include "tests/referees/random_poses.h"
@@ -67,6 +68,14 @@ class UprightScene {
 
   void fill(std::size_t n) {
     for (std::size_t k = 0; k < n; ++k) scene_->add(body_, place());
+  }
+  // A turned one among upright ones, which are added together.
+  void fill_turned() {
+    std::vector<Pose> poses;
+    for (int k = 0; k < 8; ++k) poses.emplace_back(place());
+    const Transformd turned = random_rotation(random_);
+    poses[random_() % 8] = Transformd{turned.row_x, turned.row_y, turned.row_z, place().translation};
+    scene_->add(scene_->add_shape(body_), poses);
   }
 
   void judge(const std::string& what) {
@@ -144,6 +153,13 @@ TEST(UprightBodies, AreFoundAsByBruteForce) {
       scene.clear();
       made.fill(n);
       made.judge("from nothing again");
+      std::vector<Pose> poses;
+      for (BodyId k = 0; k < scene.end(); ++k) poses.emplace_back(k == 2 ? turned : scene.pose(k));
+      scene.move_all(poses);
+      made.judge("one is turned by a move of all");
+      scene.clear();
+      made.fill_turned();
+      made.judge("one of many is turned");
     }
   }
   EXPECT_GT(n_pairs, 2500u);

@@ -253,6 +253,7 @@ std::string fault_of_clusters(Scene& scene, const EveryPair& every, double dista
 std::string fault_of_added(Scene& scene, const EveryPair& every, BodyId first) {
   const auto of_added = [first](std::vector<ScenePair> pairs) {
     std::erase_if(pairs, [first](const ScenePair& pair) { return pair.b < first; });
+    std::ranges::stable_sort(pairs, {}, &ScenePair::b);
     return pairs;
   };
   ScenePairs found;

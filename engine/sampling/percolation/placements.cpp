@@ -51,16 +51,16 @@ std::uint64_t index_of(const RealisationId& id, std::uint32_t k) {
 Placements::Placed Placements::operator()(const RealisationId& id, std::uint32_t k, double edge) const {
   Point u{};
   draw_unit_cube(seed_, Stream::percolation, index_of(id, k), std::span(u).first(n_drawn_));
-  Placed placed;
-  place_at(u, edge, placed);
-  return placed;
+  const std::uint32_t part = part_at(u);
+  return {part, Pose::unchecked(pose_at(u, part, edge))};
 }
 
 void Placements::many(const RealisationId& id, std::uint32_t first, std::uint32_t n, double edge, InstructionSet set,
-                      std::vector<Placed>& out) const {
+                      Many& out) const {
   constexpr std::size_t kStride = kAtOnce + TrialPoints::kSpare;
   double columns[(kDimension + 1) * kStride];
-  out.resize(n);
+  out.part.resize(n);
+  out.world_from_body.resize(n);
   for (std::uint32_t begin = 0; begin < n; begin += kAtOnce) {
     const std::uint32_t n_here = std::min(kAtOnce, n - begin);
     draw_unit_cubes(set, seed_, Stream::percolation, index_of(id, first + begin), static_cast<int>(n_drawn_), n_here,
@@ -68,21 +68,22 @@ void Placements::many(const RealisationId& id, std::uint32_t first, std::uint32_
     Point u{};
     for (std::uint32_t k = 0; k < n_here; ++k) {
       for (std::size_t c = 0; c < n_drawn_; ++c) u[c] = columns[c * kStride + k];
-      place_at(u, edge, out[begin + k]);
+      const std::uint32_t part = out.part[begin + k] = part_at(u);
+      out.world_from_body[begin + k] = Pose::unchecked(pose_at(u, part, edge));
     }
   }
 }
 
 // Position, rotation, and of a mixture the part; what is not drawn is not used.
-void Placements::place_at(const Point& u, double edge, Placed& placed) const {
-  placed.part = 0;
-  if (parts_.size() > 1) {
-    const auto at = std::upper_bound(up_to_.begin(), up_to_.end() - 1, u[6]);
-    placed.part = static_cast<std::uint32_t>(at - up_to_.begin());
-  }
+std::uint32_t Placements::part_at(const Point& u) const {
+  if (parts_.size() == 1) return 0;
+  return static_cast<std::uint32_t>(std::upper_bound(up_to_.begin(), up_to_.end() - 1, u[6]) - up_to_.begin());
+}
+
+Transformd Placements::pose_at(const Point& u, std::uint32_t part, double edge) const {
   const std::span<const double> turn = std::span<const double>(u).subspan(3, 3);
   Transformd rotation;
-  if (is_ball_[placed.part]) {
+  if (is_ball_[part]) {
     rotation = Transformd{};
   } else if (orientations_.uniform_polar_angle) {
     const SinCos<double> theta = sincospi(u[3]);
@@ -91,7 +92,7 @@ void Placements::place_at(const Point& u, double edge, Placed& placed) const {
     rotation = orientations_.law.rotation_of_body(turn);
   }
   const Vec3d centre{edge * (u[0] - 0.5), edge * (u[1] - 0.5), edge * (u[2] - 0.5)};
-  placed.world_from_body = Pose::unchecked(vex::placed(rotation, centre, parts_[placed.part].body.centre()));
+  return placed(rotation, centre, parts_[part].body.centre());
 }
 
 }  // namespace vex

@@ -50,8 +50,12 @@ class Placements {
   /// The bodies first, ..., first + n - 1, drawn by packets: the same bits. `kAtOnce` of them stay in a core's fastest
   /// cache.
   static constexpr std::uint32_t kAtOnce = 96;
+  struct Many {
+    std::vector<std::uint32_t> part;
+    std::vector<Pose> world_from_body;
+  };
   void many(const RealisationId& realisation, std::uint32_t first, std::uint32_t n, double edge, InstructionSet set,
-            std::vector<Placed>& out) const;
+            Many& out) const;
 
   const std::vector<BodyPart>& parts() const { return parts_; }
   const BodyOrientations& orientations() const { return orientations_; }
@@ -60,7 +64,8 @@ class Placements {
  private:
   static constexpr std::size_t kDimension = 7;  // coordinates of a body, at most
   using Point = std::array<double, kDimension>;
-  void place_at(const Point& u, double edge, Placed& placed) const;
+  std::uint32_t part_at(const Point& u) const;
+  Transformd pose_at(const Point& u, std::uint32_t part, double edge) const;
 
   std::vector<BodyPart> parts_;
   std::vector<double> up_to_;         // sums of the fractions, of 1

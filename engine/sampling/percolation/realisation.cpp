@@ -80,12 +80,17 @@ void Realisation::begin() {
 
 void Realisation::place(std::uint32_t realisation, std::uint32_t n) {
   counts_.n_bodies += n;
-  for (std::uint32_t left = n; left > 0; left -= static_cast<std::uint32_t>(placed_.size())) {
+  clusters_.add(n);
+  const std::vector<std::uint32_t>& part = placed_.part;
+  for (std::uint32_t left = n; left > 0; left -= static_cast<std::uint32_t>(part.size())) {
     system_.placements.many({system_.size, realisation}, scene_.end(), std::min(left, Placements::kAtOnce),
                             system_.edge, system_.instruction_set, placed_);
-    for (const Placements::Placed& placed : placed_) {
-      scene_.add(shapes_[placed.part], placed.world_from_body);
-      clusters_.add();
+    // Those of one kind that follow each other are added together.
+    for (auto begin = part.begin(), end = begin; begin != part.end(); begin = end) {
+      end = std::find_if(begin, part.end(), [of = *begin](std::uint32_t one) { return one != of; });
+      scene_.add(shapes_[*begin],
+                 std::span(placed_.world_from_body)
+                     .subspan(static_cast<std::size_t>(begin - part.begin()), static_cast<std::size_t>(end - begin)));
     }
   }
 }
@@ -101,50 +106,22 @@ void Realisation::note_wrapping(const ScenePair& pair, WrappingNumbers& numbers)
   }
 }
 
-void Realisation::ask_pairs(BodyId first, Clusters* joined, BodyId joined_below) {
-  scene_.overlaps_of_added(first, pairs_, joined, judge_ ? &judge_ : nullptr, joined_below);
+void Realisation::ask_pairs(BodyId first, Clusters* joined) {
+  scene_.overlaps_of_added(first, pairs_, joined, judge_ ? &judge_ : nullptr);
   counts_.stages += pairs_.counts;
 }
 
-// None left out.
+// None left out, and in the order of the bodies that brought them.
 void Realisation::ask_and_join_in_order(BodyId first, WrappingNumbers& numbers) {
   ask_pairs(first, nullptr);
-  join_in_order(first, pairs_.pairs, numbers);
-}
-
-// Pairs, in any order, in that of the bodies that brought them, from `first` on.
-void Realisation::join_in_order(BodyId first, std::span<const ScenePair> pairs, WrappingNumbers& numbers) {
-  next_.assign(std::size_t{scene_.end() - first} + 1, 0);
-  for (const ScenePair& pair : pairs) ++next_[pair.b - first + 1];
-  for (std::size_t k = 1; k < next_.size(); ++k) next_[k] += next_[k - 1];
-  in_order_.resize(pairs.size());
-  for (const ScenePair& pair : pairs) in_order_[next_[pair.b - first]++] = pair;
-  for (const ScenePair& pair : in_order_) {
+  for (const ScenePair& pair : pairs_.pairs) {
     if (clusters_.join(pair.a, pair.b, pair.image) == Clusters::Joined::wrapped) note_wrapping(pair, numbers);
   }
 }
 
-// All pairs of many bodies are found together, and those of the first bodies joined as they come. If that alone wraps
-// the order was wrong, and all is done once more.
-void Realisation::place_first(std::uint32_t realisation, WrappingNumbers& numbers) {
-  const PercolationSystem::AtOnce& at_once = system_.at_once;
-  place(realisation, at_once.placed);
-  ask_pairs(0, &clusters_, at_once.in_any_order);
-  if (clusters_.any_wraps()) {
-    clusters_.reset(scene_.end());
-    ask_and_join_in_order(0, numbers);
-    return;
-  }
-  std::vector<ScenePair>& found = pairs_.pairs;
-  const auto later =
-      std::partition(found.begin(), found.end(), [&](const ScenePair& pair) { return pair.b < at_once.in_any_order; });
-  join_in_order(at_once.in_any_order, {later, found.end()}, numbers);
-  if (!clusters_.any_wraps()) news_ = found;
-}
-
-// Until a cluster wraps the order of pairs does not matter: what one of them joins another need not. In the batch that
-// first brings a wrap it does, and from there on; so that batch is done once more, from the clusters before it, which
-// are made of what had changed them.
+// Most bodies may come at once. In a batch, until a cluster wraps, the order of pairs does not matter: what one of them
+// joins another need not. In the batch that first brings a wrap it does, and from there on; so that batch is done once
+// more, from the clusters before it, which are made of what had changed them.
 std::optional<WrappingNumbers> Realisation::run(std::uint32_t realisation, const StopQuestion& stop) {
   if (realisation >= kMostRealisations)
     throw UsageError("there are more than 2^26 realisations of a size - give fewer");
@@ -159,23 +136,20 @@ std::optional<WrappingNumbers> Realisation::run(std::uint32_t realisation, const
                        "or smaller cubes");
     }
     if (stop && stop()) return std::nullopt;
-    if (first == 0 && system_.at_once.placed > 0) {
-      place_first(realisation, numbers);
-      has_wrapped = clusters_.any_wraps();
-    } else {
-      place(realisation, batch_after(first));
-      if (!has_wrapped) {
-        ask_pairs(first, &clusters_);
-        has_wrapped = clusters_.any_wraps();
-        if (has_wrapped) {
-          clusters_.reset(scene_.end());
-          for (const ScenePair& pair : news_) clusters_.join(pair.a, pair.b, pair.image);
-        } else {
-          news_.insert(news_.end(), pairs_.pairs.begin(), pairs_.pairs.end());
-        }
+    const bool is_at_once = first == 0 && system_.at_once > 0;
+    place(realisation, is_at_once ? system_.at_once : batch_after(first));
+    bool is_in_order = is_at_once || has_wrapped;
+    if (!is_in_order) {
+      ask_pairs(first, &clusters_);
+      is_in_order = clusters_.any_wraps();
+      if (is_in_order) {
+        clusters_.reset(scene_.end());
+        for (const ScenePair& pair : news_) clusters_.join(pair.a, pair.b, pair.image);
       }
-      if (has_wrapped) ask_and_join_in_order(first, numbers);
     }
+    if (is_in_order) ask_and_join_in_order(first, numbers);
+    has_wrapped = clusters_.any_wraps();
+    if (!has_wrapped) news_.insert(news_.end(), pairs_.pairs.begin(), pairs_.pairs.end());
     for (const ScenePair& pair : pairs_.undecided) {
       if (pair.b < numbers.all() && clusters_.would_change(pair.a, pair.b, pair.image)) ++counts_.n_undecided;
     }
@@ -185,34 +159,28 @@ std::optional<WrappingNumbers> Realisation::run(std::uint32_t realisation, const
 
 // The densities at which clusters first wrap, along any axis and along all, scatter about the threshold, and the second
 // is above it, by what shrinks as the size to the power of -1/nu (decision 0019).
-PercolationSystem::AtOnce best_at_once(const PercolationSystem& system) {
-  constexpr double kOneByNu = 1.141, kErrorsBelow = 3.0, kErrorsAbove = 2.2, kWorthIt = 256.0;
+std::uint32_t best_at_once(const PercolationSystem& system) {
+  constexpr double kOneByNu = 1.141, kErrorsAbove = 2.2, kWorthIt = 256.0;
   double extent = 0.0;
   for (const BodyPart& part : system.placements.parts()) extent = std::fmax(extent, 2.0 * part.body.circumradius());
-  if (system.backend || !(system.edge >= kLarge * extent)) return {};
+  if (system.backend || !(system.edge >= kLarge * extent)) return 0;
   const double scale = system.edge / (kSmall * extent), volumes = scale * scale * scale;
   PercolationSystem small = system;
   small.edge = kSmall * extent;
   small.usual_bodies = static_cast<std::uint32_t>(system.usual_bodies / volumes);
-  small.at_once = {};
+  small.at_once = 0;
   Realisation realisation(small);
-  struct Sums {
-    double mean = 0.0, square = 0.0;
-    void add(double n) {
-      mean += n / kSmallRealisations;
-      square += n * n / kSmallRealisations;
-    }
-    double scatter() const { return std::sqrt(std::fmax(square - mean * mean, 0.0)); }
-  } any, all;
+  double any = 0.0, all = 0.0, square = 0.0;  // means
   for (std::uint32_t k = 0; k < kSmallRealisations; ++k) {
     const std::optional<WrappingNumbers> numbers = realisation.run(k);
-    any.add(numbers->any());
-    all.add(numbers->all());
+    const double of_all = numbers->all();
+    any += numbers->any() / double{kSmallRealisations};
+    all += of_all / double{kSmallRealisations};
+    square += of_all * of_all / double{kSmallRealisations};
   }
-  const double less = std::pow(scale, -kOneByNu), first = volumes * (any.mean - kErrorsBelow * any.scatter() * less),
-               last = volumes * (any.mean + (all.mean - any.mean + kErrorsAbove * all.scatter()) * less);
-  if (!(first >= kWorthIt && last <= 0.5 * system.most_bodies)) return {};
-  return {static_cast<std::uint32_t>(last), static_cast<std::uint32_t>(first)};
+  const double scatter = std::sqrt(std::fmax(square - all * all, 0.0)), less = std::pow(scale, -kOneByNu),
+               last = volumes * (any + (all - any + kErrorsAbove * scatter) * less);
+  return last >= kWorthIt && last <= 0.5 * system.most_bodies ? static_cast<std::uint32_t>(last) : 0;
 }
 
 void Realisation::place_and_join(std::uint32_t realisation, std::uint32_t n) {

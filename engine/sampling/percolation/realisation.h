@@ -54,17 +54,14 @@ struct PercolationSystem {
   std::optional<BackendKind> backend{};
   std::uint32_t most_bodies = 1u << 30;  // a realisation that needs more is refused
   std::uint32_t usual_bodies = 0;        // about as many as one takes, or 0: it is made faster by that alone
-  /// So many bodies are placed before any pair is looked for, and pairs of the first `in_any_order` of them are joined
-  /// in any order. It changes nothing but the time, and what is counted: best is that clusters wrap between the two.
-  struct AtOnce {
-    std::uint32_t placed = 0, in_any_order = 0;
-  };
-  AtOnce at_once{};
+  /// So many bodies are placed before any pair is looked for, and none of their pairs is left out. It changes nothing
+  /// but the time, and what is counted.
+  std::uint32_t at_once = 0;
 };
 
-/// What serves nearly all realisations: told from some of a small cube, always the same ones. Nothing where it would
-/// not pay.
-PercolationSystem::AtOnce best_at_once(const PercolationSystem& system);
+/// With how many at once nearly all realisations end: told from some of a small cube, always the same ones. 0 where it
+/// would not pay.
+std::uint32_t best_at_once(const PercolationSystem& system);
 
 /// Whether to stop; called by several threads at once.
 using StopQuestion = std::function<bool()>;
@@ -91,10 +88,8 @@ class Realisation {
   void begin();
   void place(std::uint32_t realisation, std::uint32_t n);
   Outcome ask_backend(ShapeId a, ShapeId b, const Transformd& a_from_b);
-  void ask_pairs(BodyId first, Clusters* joined, BodyId joined_below = kNoBody);
+  void ask_pairs(BodyId first, Clusters* joined);
   void ask_and_join_in_order(BodyId first, WrappingNumbers& numbers);
-  void join_in_order(BodyId first, std::span<const ScenePair> pairs, WrappingNumbers& numbers);
-  void place_first(std::uint32_t realisation, WrappingNumbers& numbers);
   void note_wrapping(const ScenePair& pair, WrappingNumbers& numbers);
 
   const PercolationSystem& system_;
@@ -104,11 +99,8 @@ class Realisation {
   ScenePairs pairs_;
   PairJudge judge_;                                        // of a backend
   std::vector<std::unique_ptr<OverlapBackend>> backends_;  // of every two shapes
-  std::vector<ScenePair> news_;                            // what changed the clusters
-  // Memory that is kept: of place, and of join_in_order.
-  std::vector<Placements::Placed> placed_;
-  std::vector<ScenePair> in_order_;
-  std::vector<std::uint32_t> next_;
+  std::vector<ScenePair> news_;                            // what changed the clusters, all of it among them
+  Placements::Many placed_;
   PercolationCounts counts_;
 };
 

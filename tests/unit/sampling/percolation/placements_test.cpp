@@ -112,13 +112,14 @@ TEST(Placements, WhatIsNotDrawnChangesNothingElse) {
 TEST(Placements, ManyAreTheBitsOfEach) {
   const RealisationId id{3, 1234567};
   const auto expect_same = [&](const Placements& placements, InstructionSet set, std::uint32_t first, std::uint32_t n) {
-    std::vector<Placements::Placed> many;
+    Placements::Many many;
     placements.many(id, first, n, 7.0, set, many);
-    ASSERT_EQ(many.size(), n);
+    ASSERT_EQ(many.part.size(), n);
+    ASSERT_EQ(many.world_from_body.size(), n);
     for (std::uint32_t k = 0; k < n; ++k) {
       const Placements::Placed one = placements(id, first + k, 7.0);
-      ASSERT_EQ(many[k].part, one.part);
-      ASSERT_EQ(std::memcmp(&many[k].world_from_body, &one.world_from_body, sizeof(Pose)), 0);
+      ASSERT_EQ(many.part[k], one.part);
+      ASSERT_EQ(std::memcmp(&many.world_from_body[k], &one.world_from_body, sizeof(Pose)), 0);
     }
   };
   for (const InstructionSet set : instruction_sets()) {
