@@ -33,6 +33,7 @@ double price_of(const CoreForm& core) {
     case CoreForm::Kind::vertices: return 1.0 + 0.55 * static_cast<double>(core.x.size());
     case CoreForm::Kind::table: return 11.0;
     case CoreForm::Kind::powers: return 25.0;
+    case CoreForm::Kind::profile: return 8.0;
     case CoreForm::Kind::pieces: break;
   }
   double price = 2.0;

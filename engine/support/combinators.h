@@ -8,30 +8,10 @@
 #include "engine/numeric/transform.h"
 #include "engine/support/checked_input.h"
 #include "engine/support/convex_body.h"
+#include "engine/support/revolved.h"
 #include "engine/support/support_mapping.h"
 
 namespace vex {
-
-/// radius * dir / |dir|; the zero vector where dir is zero.
-template <class L>
-Vec3<L> ball_support(const L& radius, const Vec3<L>& dir) {
-  const L length = norm(dir);
-  return (radius / select(length > L(0.0), length, L(1.0))) * dir;
-}
-
-/// radius * (d_x, d_y, 0) / |(d_x, d_y)|: the rim of a disc about the z axis. The middle of the disc where dir has no
-/// such part; below 2^-450 its square would lose its digits, and the middle is as good as the rim to 2^-450 of radius.
-template <class L>
-Vec3<L> disc_support(double radius, const Vec3<L>& dir) {
-  const L across_sq = dir.x * dir.x + dir.y * dir.y;
-  const MaskOf<L> has_rim = across_sq > L(0x1p-900);
-  const L across = square_root(select(has_rim, across_sq, L(1.0)));
-  // Of a large radius, over what may be small, the quotient is no number.
-  const bool is_large = radius > 0x1p500;
-  const L scale = select(has_rim, is_large ? L(1.0) : L(radius), L(0.0)) / across;
-  const Vec3<L> rim{scale * dir.x, scale * dir.y, L(0.0)};
-  return is_large ? L(radius) * rim : rim;
-}
 
 /// Body B as it stands in A's frame, each lane under its own pose. Holds a reference: B must outlive it.
 template <class Body, class L>
@@ -122,6 +102,7 @@ class Inflated {
   double rolling_radius() const requires HasRollingRadius<Body> { return body_.rolling_radius(); }
   std::optional<Generators> generators() const requires HasGenerators<Body> { return body_.generators(); }
   std::optional<PowerForm> power_form() const requires HasPowerForm<Body> { return body_.power_form(); }
+  std::optional<ProfileForm> profile_form() const requires HasProfileForm<Body> { return body_.profile_form(); }
   std::optional<ExactForm> exact_form() const {
     std::optional<ExactForm> form;
     if constexpr (HasExactForm<Body>) form = body_.exact_form();

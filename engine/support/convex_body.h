@@ -16,6 +16,7 @@
 #include "engine/support/exact_form.h"
 #include "engine/support/generators.h"
 #include "engine/support/power_form.h"
+#include "engine/support/profile_form.h"
 #include "engine/support/support_mapping.h"
 
 namespace vex {
@@ -57,6 +58,12 @@ concept HasPowerForm = requires(const S& body) {
   { body.power_form() } -> std::convertible_to<std::optional<PowerForm>>;
 }
 &&!requires { requires is_of_older_mapping<S>(&S::power_form); };
+/// The body's core is one of revolution whose outline is arcs.
+template <class S>
+concept HasProfileForm = requires(const S& body) {
+  { body.profile_form() } -> std::convertible_to<std::optional<ProfileForm>>;
+}
+&&!requires { requires is_of_older_mapping<S>(&S::profile_form); };
 /// A polytope, or one with a ball, of many vertices has a table of directions: `direction_table` makes it, unless it is
 /// there, and returns it. Safe from several threads at once.
 template <class S>
@@ -150,6 +157,8 @@ class ConvexBody {
 
   /// The core by its powers, if it says so.
   std::optional<PowerForm> power_form() const { return model_->power_form(); }
+  /// The core by its outline, if it says so.
+  std::optional<ProfileForm> profile_form() const { return model_->profile_form(); }
 
   /// The corners of a core that is known to be the convex hull of finitely many points, as its exact form has them,
   /// made when they are first asked for; empty of other bodies, and of more corners than such a table has. Safe from
@@ -188,6 +197,7 @@ class ConvexBody {
     virtual Vec3d core_support(const Vec3d& dir) const = 0;
     virtual std::optional<ExactForm> exact_form() const = 0;
     virtual std::optional<PowerForm> power_form() const = 0;
+    virtual std::optional<ProfileForm> profile_form() const = 0;
     virtual bool may_have_direction_table() const = 0;
     virtual std::optional<DirectionTable> direction_table() const = 0;
     std::vector<Vec3d> vertices;  // of a rounded polytope's core
@@ -229,6 +239,13 @@ class ConvexBody {
     std::optional<PowerForm> power_form() const override {
       if constexpr (HasPowerForm<Shape>) {
         return shape.power_form();
+      } else {
+        return std::nullopt;
+      }
+    }
+    std::optional<ProfileForm> profile_form() const override {
+      if constexpr (HasProfileForm<Shape>) {
+        return shape.profile_form();
       } else {
         return std::nullopt;
       }

@@ -199,6 +199,12 @@ class Validation {
       broken(Claim::power_form, dir,
              (off.high < 0.0 ? -off : off) - Exact(core_error_) - Exact(0x1p-46 * expected) * one_by);
     }
+    if (const std::optional<ProfileForm> profile = body_.profile_form()) {
+      const Vec3d at_profile = std::visit([&](const auto& its) { return its.support(dir); }, *profile);
+      const Exact off = product(dir, exactly(scaled(at_profile)) - exactly(core_of(dir))) * one_by;
+      const double its_error = scaled(std::visit([](const auto& its) { return its.support_error(); }, *profile));
+      broken(Claim::profile_form, dir, (off.high < 0.0 ? -off : off) - Exact(core_error_) - Exact(its_error));
+    }
   }
 
   Vec3d core_of(const Vec3d& dir) const { return scaled(body_.core_support(dir)); }
@@ -316,6 +322,7 @@ class Validation {
       case Claim::inradius: return "the inradius is too large, " + shortest_number(body_.inradius());
       case Claim::generators: return "the core is not the sum of the generators";
       case Claim::power_form: return "the core is not the superellipsoid of the power form";
+      case Claim::profile_form: return "the core does not have the outline of the profile form";
       case Claim::rolling_radius:
         return "no ball of the rolling radius rolls in the core, " + shortest_number(body_.rolling_radius());
       case Claim::ball_part: return "the support point is not that of the core with the ball about it";
@@ -329,7 +336,7 @@ class Validation {
   double error_ = 0.0, core_error_ = 0.0;
   Vec3d centre_;
   std::vector<Asked> asked_;
-  std::array<std::optional<Violation>, 11> worst_;  // by claim
+  std::array<std::optional<Violation>, 12> worst_;  // by claim
 };
 
 }  // namespace

@@ -27,6 +27,7 @@ struct Violation {
     ball_part,       // support is the core's with the ball
     generators,      // the core is their sum
     power_form,      // the core is that superellipsoid
+    profile_form,    // the core has that outline
     rolling_radius,  // the core is another convex body with such a ball about each point
   };
   Claim claim;

@@ -1,7 +1,7 @@
 // A core of any form, for searches that are compiled once for all pairs of forms.
 #pragma once
 
-#include "engine/query/packets/packet_core.h"
+#include "engine/query/packets/packet_curved_core.h"
 
 namespace vex {
 namespace VEX_ISA {
@@ -11,7 +11,14 @@ inline namespace VEX_ROUNDING {
 class AnyCore {
  public:
   explicit AnyCore(const CoreForm& form)
-      : kind_(form.kind), box_(form), ellipsoid_(form), vertices_(form), table_(form), pieces_(form), powers_(form) {}
+      : kind_(form.kind),
+        box_(form),
+        ellipsoid_(form),
+        vertices_(form),
+        table_(form),
+        pieces_(form),
+        powers_(form),
+        profile_(form) {}
 
   template <class L>
   Vec3<L> support(const Vec3<L>& dir) const {
@@ -21,6 +28,7 @@ class AnyCore {
       case CoreForm::Kind::table: return table_.support(dir);
       case CoreForm::Kind::pieces: return pieces_.support(dir);
       case CoreForm::Kind::powers: return powers_.support(dir);
+      case CoreForm::Kind::profile: return profile_.support(dir);
       case CoreForm::Kind::vertices: break;
     }
     return vertices_.support(dir);
@@ -34,7 +42,8 @@ class AnyCore {
       case CoreForm::Kind::vertices:
       case CoreForm::Kind::table:
       case CoreForm::Kind::pieces:
-      case CoreForm::Kind::powers: break;  // alike for these
+      case CoreForm::Kind::powers:
+      case CoreForm::Kind::profile: break;  // alike for these
     }
     return vertices_.direction_to(p);
   }
@@ -45,7 +54,8 @@ class AnyCore {
       case CoreForm::Kind::vertices:
       case CoreForm::Kind::table:
       case CoreForm::Kind::pieces:
-      case CoreForm::Kind::powers: break;
+      case CoreForm::Kind::powers:
+      case CoreForm::Kind::profile: break;
     }
     return vertices_.has_direction();
   }
@@ -58,6 +68,7 @@ class AnyCore {
   TableCore table_;
   PiecesCore pieces_;
   PowersCore powers_;
+  ProfileCore profile_;
 };
 
 }  // namespace VEX_ROUNDING

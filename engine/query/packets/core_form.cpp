@@ -80,13 +80,31 @@ std::vector<CoreForm::Piece> core_pieces(const ExactForm& exact) {
   return pieces;
 }
 
-// A polytope with a table, whose vertices nobody has to copy: along an axis the farthest vertex has the coordinate.
-CoreForm table_form(const ConvexBody& body, const DirectionTable& table) {
+// Along an axis the farthest point has the coordinate.
+CoreForm form_with_bounds(const ConvexBody& body, CoreForm::Kind kind) {
   CoreForm form;
-  form.kind = CoreForm::Kind::table;
-  form.table = table;
+  form.kind = kind;
   form.upper = {body.core_support({1, 0, 0}).x, body.core_support({0, 1, 0}).y, body.core_support({0, 0, 1}).z};
   form.lower = {body.core_support({-1, 0, 0}).x, body.core_support({0, -1, 0}).y, body.core_support({0, 0, -1}).z};
+  return form;
+}
+
+// A polytope with a table, whose vertices nobody has to copy.
+CoreForm table_form(const ConvexBody& body, const DirectionTable& table) {
+  CoreForm form = form_with_bounds(body, CoreForm::Kind::table);
+  form.table = table;
+  return form;
+}
+
+// None of an egg whose squares might underflow. The mapping's own error is E2's; it is taken for several times that, as
+// that of powers is, and for the same reason (E32).
+std::optional<CoreForm> profile_form(const ConvexBody& body, const ProfileForm& profile) {
+  if (const auto* const egg = std::get_if<EggProfile>(&profile)) {
+    if (!(std::min({egg->radius, egg->below, egg->above}) >= 0x1p-100)) return std::nullopt;
+  }
+  CoreForm form = form_with_bounds(body, CoreForm::Kind::profile);
+  form.profile = profile;
+  form.support_error = 4.0 * std::visit([](const auto& its) { return its.support_error(); }, profile);
   return form;
 }
 
@@ -114,6 +132,7 @@ std::optional<CoreForm> core_form(const ConvexBody& body) {
   }
   if (std::optional<CoreForm> box = box_form(body.generators())) return box;
   if (const std::optional<PowerForm> powers = body.power_form()) return power_form(*powers);
+  if (const std::optional<ProfileForm> profile = body.profile_form()) return profile_form(body, *profile);
   const std::optional<ExactForm> exact = body.exact_form();
   if (!exact) return std::nullopt;
   CoreForm form;

@@ -19,6 +19,7 @@ struct CoreForm {
     table,      // of directions, of a polytope of more vertices
     pieces,     // few ellipsoids anywhere, flat ones, half ones and points among them
     powers,     // a superellipsoid about the origin
+    profile,    // of revolution, its outline arcs
   };
   /// {centre + D x : |x| <= 1}, D = diag(semi_axes), or of a dome the upper half.
   struct Piece {
@@ -38,7 +39,8 @@ struct CoreForm {
   std::vector<double> x, y, z;  // of vertices
   DirectionTable table;         // null where the body's numbers allow of none
   std::vector<Piece> pieces;
-  PowerCurve across, along;    // of a superellipsoid
+  PowerCurve across, along;  // of a superellipsoid
+  std::optional<ProfileForm> profile;
   double support_error = 0.0;  // of the core's own support mapping, beyond that of the body's
 };
 

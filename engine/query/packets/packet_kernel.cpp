@@ -34,7 +34,8 @@ PacketOverlap* new_packet_overlap(const PacketPairForms& forms) {
     case CoreForm::Kind::ellipsoid: return new Kernel<EllipsoidCore>(forms);
     case CoreForm::Kind::table: return new Kernel<TableCore>(forms);
     case CoreForm::Kind::pieces: return new Kernel<PiecesCore>(forms);
-    case CoreForm::Kind::powers: return new Kernel<AnyCore>(forms);  // rare
+    case CoreForm::Kind::powers:
+    case CoreForm::Kind::profile: return new Kernel<AnyCore>(forms);  // rare
     case CoreForm::Kind::vertices: break;
   }
   return new Kernel<VerticesCore>(forms);

@@ -164,8 +164,17 @@ void KernelHeights::take_vertices(const std::vector<Vec3d>& vertices) {
 }
 
 const CoreForm* KernelHeights::core() const {
-  if (!form_ || form_->kind == CoreForm::Kind::pieces || form_->kind == CoreForm::Kind::powers) return nullptr;
-  return form_->kind == CoreForm::Kind::table && form_->table.cells == nullptr ? nullptr : &*form_;
+  if (!form_) return nullptr;
+  switch (form_->kind) {
+    case CoreForm::Kind::pieces:
+    case CoreForm::Kind::powers:
+    case CoreForm::Kind::profile: return nullptr;
+    case CoreForm::Kind::table: return form_->table.cells == nullptr ? nullptr : &*form_;
+    case CoreForm::Kind::box:
+    case CoreForm::Kind::ellipsoid:
+    case CoreForm::Kind::vertices: break;
+  }
+  return &*form_;
 }
 
 void KernelHeights::of_body(const ConvexBody::Columns& dirs, std::size_t n, double* along, double* against) const {

@@ -32,7 +32,8 @@ class HeightsKernel {
       case CoreForm::Kind::table: return of_points(TableCore(*core), 0.0, false, dirs, n, along, against);
       case CoreForm::Kind::vertices: return of_vertices(VerticesCore(*core), dirs, n, along, against);
       case CoreForm::Kind::pieces:
-      case CoreForm::Kind::powers: break;  // which the body itself answers
+      case CoreForm::Kind::powers:
+      case CoreForm::Kind::profile: break;  // which the body itself answers
     }
   }
 

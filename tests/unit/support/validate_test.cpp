@@ -11,8 +11,12 @@
 #include "engine/numeric/errors.h"
 #include "engine/support/combinators.h"
 #include "shapes/box.h"
+#include "shapes/cut_sphere.h"
+#include "shapes/egg.h"
 #include "shapes/ellipsoid.h"
+#include "shapes/lens.h"
 #include "shapes/sphere.h"
+#include "shapes/spindle.h"
 #include "shapes/superellipsoid.h"
 #include "tests/referees/bodies.h"
 #include "tests/referees/polytopes.h"
@@ -219,6 +223,21 @@ struct InfinitePowers : Box {
 TEST(Validate, InfinitePowersAreABoxs) {
   EXPECT_FALSE(has(validate(InfinitePowers(1.0, 2.0, 3.0)), Claim::power_form));
   EXPECT_TRUE(has(validate(InfinitePowers(1.0, 2.0, 3.1)), Claim::power_form));
+}
+
+// Thicker than it says, by a part in 10^9.
+struct WrongProfile : Lens {
+  using Lens::Lens;
+  ProfileForm profile_form() const { return LensProfile(radius(), 0.5 * thickness() * (1.0 + 1e-9)); }
+};
+
+TEST(Validate, ProfilesOfAnotherBody) {
+  EXPECT_TRUE(has(validate(WrongProfile(1.0, 0.3)), Claim::profile_form));
+  for (const ConvexBody& body : {ConvexBody(Lens(1.0, 0.3)), ConvexBody(Lens(1.0, 1e-8)), ConvexBody(Spindle(2.0, 0.5)),
+                                 ConvexBody(Spindle(1.0, 1e-9)), ConvexBody(CutSphere(1.0, 0.3, 1e-7)),
+                                 ConvexBody(Egg(1.0, 0.5, 30.0)), ConvexBody(Egg(1e-7, 0.5, 0.3))}) {
+    for (const Violation& broken : validate(body)) ADD_FAILURE() << broken.text;
+  }
 }
 
 struct WrongRolling : Ellipsoid {

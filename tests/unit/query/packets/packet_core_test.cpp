@@ -1,7 +1,5 @@
 // The cores as they are for the machine that every set extends, two lanes to a register; four lanes here.
 #define VEX_ISA packet_core_test
-#include "engine/query/packets/packet_core.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +10,13 @@
 #include <vector>
 
 #include "engine/numeric/rounding.h"
+#include "engine/query/packets/packet_curved_core.h"
 #include "engine/support/direction_map.h"
+#include "shapes/any_shape.h"
+#include "shapes/cut_sphere.h"
+#include "shapes/egg.h"
+#include "shapes/lens.h"
+#include "shapes/spindle.h"
 #include "shapes/superellipsoid.h"
 #include "tests/referees/polytopes.h"
 #include "tests/referees/random_poses.h"
@@ -199,6 +203,51 @@ TEST(PowersCore, FindsWhatTheBodyFinds) {
     }
   }
 }
+
+TEST(ProfileCore, FindsWhatTheBodyFinds) {
+  std::mt19937_64 random(8);
+  const ConvexBody bodies[] = {Lens(1.0, 0.3),
+                               Lens(2.0, 1e-8),
+                               Lens(1e12, 2e12),
+                               Spindle(2.0, 0.5),
+                               Spindle(1e-12, 1e-20),
+                               Spindle(3.0, 1.5),
+                               CutSphere(1.0, 0.3, 0.2),
+                               CutSphere(5.0, 5.0, 1e-9),
+                               Egg(1.0, 0.5, 0.3),
+                               Egg(1e-9, 1.0, 3e6),
+                               parse_shape("rounded:0.2,lens:1,0.3")};
+  for (const ConvexBody& body : bodies) {
+    const std::optional<CoreForm> form = core_form(body);
+    ASSERT_TRUE(form && form->kind == CoreForm::Kind::profile);
+    EXPECT_GT(form->support_error, 0.9 * body.core_support_error());
+    const packet_core_test::ProfileCore core(*form);
+    for (int k = 0; k < 3000; ++k) {
+      Lanes dirs;
+      for (int lane = 0; lane < kLanes; ++lane) {
+        Vec3d d = random_direction(random);
+        if (k % 4 == 1) d = {double(random() % 3) - 1.0, double(random() % 3) - 1.0, double(random() % 3) - 1.0};
+        if (k % 4 == 2)
+          d = {d.x * std::ldexp(1.0, -int(random() % 60)), d.y, d.z * std::ldexp(1.0, -int(random() % 300))};
+        if (k % 4 == 3) d = {d.x * std::ldexp(1.0, -int(random() % 60)), 0.0, d.z};
+        if (norm(d) == 0.0) d = {0.0, 0.0, -1.0};
+        dirs.set(lane, std::ldexp(1.0, static_cast<int>(random() % 101) - 50) * d);
+      }
+      const Lanes found = lanes_of(core.support(dirs.packet()));
+      for (int lane = 0; lane < kLanes; ++lane) {
+        const Vec3d dir = dirs.at(lane), own = body.core_support(dir);
+        // Both are as near to the farthest point, so that they are nearly as far.
+        ASSERT_NEAR(dot(found.at(lane), dir), dot(own, dir), 2.0 * body.support_error() * norm_1(dir))
+            << dir.x << " " << dir.y << " " << dir.z;
+        const Vec3d other = random_direction(random);
+        ASSERT_LE(dot(found.at(lane), other),
+                  dot(body.core_support(other), other) + 2.0 * body.support_error() * norm_1(other));
+      }
+    }
+  }
+}
+
+TEST(ProfileCore, OfTinyEggsThereIsNone) { EXPECT_FALSE(core_form(Egg(1e-31, 1e-31, 1e-31))); }
 
 TEST(PiecesCore, FindsTheBestPieceOfEachLane) {
   // Those of a cylinder and a point; a flat disc's middle where the direction is along its axis.
