@@ -41,8 +41,12 @@ class CutSphere {
   Vec3d centre() const { return {0.0, 0.0, 0.125 * (profile_.above - profile_.below)}; }
   /// |x - c|^2 = R^2 + c^2 - 2 c z on the ball is largest at the nearer plane.
   double circumradius() const {
-    const double c = std::fabs(centre().z), nearer = std::min(profile_.below, profile_.above);
-    return std::sqrt(profile_.radius * profile_.radius + c * (c + 2.0 * nearer)) * (1.0 + gamma(8));
+    // Times a power of two, so that no product over- or underflows.
+    const int exponent = std::ilogb(profile_.radius);
+    const auto scaled = [exponent](double length) { return std::ldexp(length, -exponent); };
+    const double c = scaled(std::fabs(centre().z)), nearer = scaled(std::min(profile_.below, profile_.above));
+    const double r = scaled(profile_.radius);
+    return std::ldexp(std::sqrt(r * r + c * (c + 2.0 * nearer)) * (1.0 + gamma(8)), exponent);
   }
   double inradius() const {
     const double c = centre().z;

@@ -23,7 +23,7 @@ class Egg {
   Vec3<L> support(const Vec3<L>& dir) const {
     return select<L>(dir.z > L(0.0), upper_.support(dir), lower_.support(dir));
   }
-  ProfileForm profile_form() const { return EggProfile{radius(), below(), above()}; }
+  ProfileForm profile_form() const { return EggProfile(radius(), below(), above()); }
   double support_error() const { return std::max(lower_.support_error(), upper_.support_error()); }  // E2
   Vec3d centre() const { return {}; }
   double circumradius() const { return std::max(lower_.circumradius(), upper_.circumradius()); }

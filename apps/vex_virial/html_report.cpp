@@ -75,13 +75,10 @@ void add_numbers(HtmlPage& page, const VirialRun& run) {
     }
   } else {
     if (std::isfinite(run.found.b2)) {
-      rows.push_back({"B₂", "/b2",
-                      run.found.b2_std_error > 1e-11 * run.found.b2 ? with_error(run.found.b2, run.found.b2_std_error)
-                                                                    : short_number(run.found.b2, 12),
-                      "⟨V_ex⟩/2, exact: it is no result of the run."});
+      rows.push_back({"B₂", "/b2", b2_text(run.found, run.found.b2), "⟨V_ex⟩/2, exact: it is no result of the run."});
     }
     if (std::isfinite(run.found.b2_per_volume)) {
-      rows.push_back({"B₂ / V", "/b2_per_volume", short_number(run.found.b2_per_volume, 10),
+      rows.push_back({"B₂ / V", "/b2_per_volume", b2_text(run.found, run.found.b2_per_volume),
                       "The same in units of the body’s volume: 4 for spheres, more for all others."});
     }
     for (std::size_t k = 0; k < run.found.higher.size(); ++k) {

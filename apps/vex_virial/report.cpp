@@ -161,6 +161,12 @@ std::vector<EquationOfState> equations_of_state(const VirialRun& run) {
   return all;
 }
 
+std::string b2_text(const VirialCoefficients& found, double in_unit) {
+  constexpr double kAsGoodAsExact = 1e-11;
+  const double error = found.b2_relative_error();
+  return error > kAsGoodAsExact ? with_error(in_unit, error * in_unit) : short_number(in_unit, 12);
+}
+
 std::string report_text(const VirialRun& run) {
   const VirialOptions& options = run.options;
   std::string text;
@@ -172,8 +178,8 @@ std::string report_text(const VirialRun& run) {
     text += mixture_text(run);
   } else {
     if (run.found.b2_reason.empty()) {
-      text += "B2 = " + short_number(run.found.b2, 10);
-      if (!std::isnan(run.found.b2_per_volume)) text += ", B2 / V = " + short_number(run.found.b2_per_volume, 10);
+      text += "B2 = " + b2_text(run.found, run.found.b2);
+      if (!std::isnan(run.found.b2_per_volume)) text += ", B2 / V = " + b2_text(run.found, run.found.b2_per_volume);
       text += "\n";
     } else {
       text += "B2 is not known: " + run.found.b2_reason + "\n";

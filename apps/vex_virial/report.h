@@ -34,6 +34,8 @@ std::vector<EquationOfState> equations_of_state(const VirialRun& run);
 nlohmann::ordered_json coefficient_json(const VirialCoefficient& found, const std::vector<std::string>& of);
 nlohmann::ordered_json mixed_json(const MixedVirial& mixed, const std::vector<std::string>& of);
 
+/// B2, or what it is in some unit, with its error where it is not as good as exact.
+std::string b2_text(const VirialCoefficients& found, double in_unit);
 std::string report_text(const VirialRun& run);
 std::string report_json(const VirialRun& run);
 std::string picture_of(const VirialRun& run);

@@ -88,21 +88,35 @@ struct CutBallProfile {
   double radius, below, above, below_rim, above_rim;
 
  private:
-  double rim(double height) const { return std::sqrt((radius - height) * (radius + height)); }
+  // Times a power of two, so that no product over- or underflows.
+  double rim(double height) const {
+    const int exponent = std::ilogb(radius);
+    const double r = std::ldexp(radius, -exponent), h = std::ldexp(height, -exponent);
+    return std::ldexp(std::sqrt((r - h) * (r + h)), exponent);
+  }
 };
 
-/// Two half spheroids of one equator, in the plane z = 0: of sizes above 2^-100.
+/// Two half spheroids of one equator, in the plane z = 0.
 struct EggProfile {
-  double radius, below, above;
+  /// The radius at the equator, and the heights below and above it.
+  EggProfile(double equator_radius, double height_below, double height_above)
+      : radius(equator_radius), below(height_below), above(height_above) {
+    scaled = scaled_to_unit_exponent(Vec3d{radius, below, above});
+  }
 
-  /// D (D d / |D d|), D of the spheroid that the direction looks at.
+  /// D (D d / |D d|), D of the spheroid that the direction looks at; the inner D's are divided by a power of two (E14).
   template <class L>
   [[gnu::always_inline]] Vec3<L> support(const Vec3<L>& dir) const {
-    const L height = select(dir.z > L(0.0), L(above), L(below));
-    const Vec3<L> unit = ball_support(L(1.0), Vec3<L>{L(radius) * dir.x, L(radius) * dir.y, height * dir.z});
+    const MaskOf<L> looks_up = dir.z > L(0.0);
+    const L height = select(looks_up, L(above), L(below)), its_scaled = select(looks_up, L(scaled.z), L(scaled.y));
+    const Vec3<L> image{L(scaled.x) * dir.x, L(scaled.x) * dir.y, its_scaled * dir.z};
+    const Vec3<L> unit = ball_support(L(1.0), image);
     return {L(radius) * unit.x, L(radius) * unit.y, height * unit.z};
   }
   double support_error() const { return 8.0 * kUnitRoundoff * std::max({radius, below, above}); }
+
+  double radius, below, above;
+  Vec3d scaled;  // radius, below, above
 };
 
 using ProfileForm = std::variant<LensProfile, SpindleProfile, CutBallProfile, EggProfile>;

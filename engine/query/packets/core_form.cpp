@@ -96,11 +96,12 @@ CoreForm table_form(const ConvexBody& body, const DirectionTable& table) {
   return form;
 }
 
-// None of an egg whose squares might underflow. The mapping's own error is E2's; it is taken for several times that, as
-// that of powers is, and for the same reason (E32).
+// None of an egg so thin that squares might underflow. The mapping's own error is E2's; it is taken for several times
+// that, as that of powers is, and for the same reason (E32).
 std::optional<CoreForm> profile_form(const ConvexBody& body, const ProfileForm& profile) {
   if (const auto* const egg = std::get_if<EggProfile>(&profile)) {
-    if (!(std::min({egg->radius, egg->below, egg->above}) >= 0x1p-100)) return std::nullopt;
+    const double longest = std::max({egg->radius, egg->below, egg->above});
+    if (!(std::min({egg->radius, egg->below, egg->above}) >= 0x1p-100 * longest)) return std::nullopt;
   }
   CoreForm form = form_with_bounds(body, CoreForm::Kind::profile);
   form.profile = profile;

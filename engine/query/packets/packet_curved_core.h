@@ -74,7 +74,7 @@ struct ProfileCore : BoundsDirection {
     return std::visit([&](const auto& its) { return its.support(dir); }, profile);
   }
 
-  ProfileForm profile = EggProfile{1.0, 1.0, 1.0};
+  ProfileForm profile = EggProfile(1.0, 1.0, 1.0);
 };
 
 }  // namespace VEX_ROUNDING

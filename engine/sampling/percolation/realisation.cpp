@@ -128,13 +128,15 @@ std::optional<WrappingNumbers> Realisation::run(std::uint32_t realisation, const
   begin();
   WrappingNumbers numbers{{kNotYet, kNotYet, kNotYet}};
   bool has_wrapped = false;
+  const auto refuse = [this] {
+    throw UsageError("no cluster wraps around the cube along all three axes with " +
+                     std::to_string(system_.most_bodies) +
+                     " bodies in it, many times as many as a threshold should need - give bodies that overlap, or " +
+                     "smaller cubes");
+  };
   while (numbers.all() == kNotYet) {
     const std::uint32_t first = scene_.end();
-    if (first >= system_.most_bodies) {
-      throw UsageError("no cluster wraps around the cube along all three axes, though " + std::to_string(first) +
-                       " bodies are in it, many times as many as a threshold should need - give bodies that overlap, " +
-                       "or smaller cubes");
-    }
+    if (first >= system_.most_bodies) refuse();
     if (stop && stop()) return std::nullopt;
     const bool is_at_once = first == 0 && system_.at_once > 0;
     place(realisation, is_at_once ? system_.at_once : batch_after(first));
@@ -154,6 +156,7 @@ std::optional<WrappingNumbers> Realisation::run(std::uint32_t realisation, const
       if (pair.b < numbers.all() && clusters_.would_change(pair.a, pair.b, pair.image)) ++counts_.n_undecided;
     }
   }
+  if (numbers.all() > system_.most_bodies) refuse();
   return numbers;
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "engine/numeric/errors.h"
+#include "engine/query/overlap.h"
 #include "engine/support/combinators.h"
 #include "shapes/box.h"
 #include "shapes/cut_sphere.h"
@@ -237,6 +238,43 @@ TEST(Validate, ProfilesOfAnotherBody) {
                                  ConvexBody(Spindle(1.0, 1e-9)), ConvexBody(CutSphere(1.0, 0.3, 1e-7)),
                                  ConvexBody(Egg(1.0, 0.5, 30.0)), ConvexBody(Egg(1e-7, 0.5, 0.3))}) {
     for (const Violation& broken : validate(body)) ADD_FAILURE() << broken.text;
+  }
+}
+
+// Radii of rims, and an egg's image, were products that over- or underflowed.
+TEST(Validate, ProfilesOfAnySize) {
+  for (const double size : {1e-200, 1e-160, 1e160, 1e200}) {
+    for (const ConvexBody& body :
+         {ConvexBody(CutSphere(size, 0.3 * size, size)), ConvexBody(Egg(size, 0.5 * size, 2.0 * size)),
+          ConvexBody(Lens(size, 0.3 * size)), ConvexBody(Spindle(size, 0.2 * size))}) {
+      for (const Violation& broken : validate(body)) ADD_FAILURE() << size << ": " << broken.text;
+    }
+  }
+}
+
+// Far larger than what it is of: its mapping's point is not lost to an overflow.
+struct HugeEggProfile : Egg {
+  using Egg::Egg;
+  ProfileForm profile_form() const { return EggProfile(1e200, 1e200, 1e200); }
+};
+
+TEST(Validate, AHugeProfileOfASmallBody) {
+  EXPECT_TRUE(has(validate(HugeEggProfile(1.0, 0.5, 2.0)), Claim::profile_form));
+}
+
+// A sphere at the rim of a cut sphere, 10^-5 and 10^-6 of its size off contact, was said to be on the other side.
+TEST(CutSpheres, OfAnySizeAreDecidedAlike) {
+  for (const double size : {1.0, 0x1p-500, 0x1p-531, 0x1p-600, 0x1p500}) {
+    for (int k = 0; k < 40; ++k) {
+      const double b = 0.1 + 0.004 * k, rim = std::sqrt((1.0 - b) * (1.0 + b)), angle = 0.5 * std::acos(b);
+      const ConvexBody cut = CutSphere(size, b * size, b * size), ball = Sphere(0.5 * size);
+      for (const double gap : {-1e-5, -1e-6, 1e-6, 1e-5}) {
+        Transformd pose;
+        pose.translation = size * Vec3d{rim + std::sin(angle) * (0.5 + gap), 0.0, b + std::cos(angle) * (0.5 + gap)};
+        const Outcome found = overlap(cut, ball, pose).outcome;
+        ASSERT_EQ(found, gap > 0.0 ? Outcome::disjoint : Outcome::overlap) << size << " " << b << " " << gap;
+      }
+    }
   }
 }
 

@@ -247,7 +247,10 @@ TEST(ProfileCore, FindsWhatTheBodyFinds) {
   }
 }
 
-TEST(ProfileCore, OfTinyEggsThereIsNone) { EXPECT_FALSE(core_form(Egg(1e-31, 1e-31, 1e-31))); }
+TEST(ProfileCore, OfEggsThatAreThinBeyondMeasureThereIsNone) {
+  EXPECT_FALSE(core_form(Egg(1e-31, 1.0, 1.0)));
+  EXPECT_TRUE(core_form(Egg(1e-31, 1e-31, 1e-31)));
+}
 
 TEST(PiecesCore, FindsTheBestPieceOfEachLane) {
   // Those of a cylinder and a point; a flat disc's middle where the direction is along its axis.

@@ -272,6 +272,20 @@ TEST(Realisation, WhatNeverWrapsIsRefused) {
   EXPECT_THROW(Realisation{system}, UsageError);
 }
 
+// However many are placed at once, or in a batch.
+TEST(Realisation, ThatNeedsMoreBodiesThanThereMayBeIsRefused) {
+  PercolationSystem system = system_of({{Sphere(0.5), 1.0}}, 6.0);
+  const std::uint32_t needed = Realisation(system).run(0)->all();
+  ASSERT_GT(needed, 100u);
+  for (const std::uint32_t at_once : {0u, needed / 2, needed - 1, needed, 2 * needed}) {
+    system.at_once = at_once;
+    system.most_bodies = needed;
+    EXPECT_EQ(Realisation(system).run(0)->all(), needed) << at_once;
+    system.most_bodies = needed - 1;
+    EXPECT_THROW(Realisation(system).run(0), UsageError) << at_once;
+  }
+}
+
 // A checkpoint was once written only where a round of 64 realisations of every size had ended.
 TEST(Realisations, AreToldOfAsTheyAreFinished) {
   const PercolationSystem system = system_of({{Sphere(0.5), 1.0}}, 4.0);
