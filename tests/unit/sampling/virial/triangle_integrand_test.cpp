@@ -161,8 +161,12 @@ TEST(TriangleIntegrand, IsForBodiesThatAreKnownAndNotTooLong) {
   EXPECT_FALSE(TriangleIntegrand::is_for(slab, kAligned, 1.0, 0x1p-40));
   EXPECT_TRUE(TriangleIntegrand::is_for(slab, {}, 1.0, 0x1p-40));
   EXPECT_TRUE(TriangleIntegrand::is_for(Box(100.0, 1.0, 1.0), kAligned, 800.0, 0x1p-40));
-  EXPECT_TRUE(TriangleIntegrand::is_for(parse_shape("egg:1,0.3,3").body, {}, 1.0, 0x1p-40)) << "no packets";
-  EXPECT_FALSE(TriangleIntegrand::is_for(parse_shape("lens:1,0.3").body, kAligned, 1.0, 0x1p-40)) << "rays stall";
+  const ConvexBody flattened = scaled(parse_shape("lens:1,0.3"), {1.0, 1.0, 0.5}).body;
+  EXPECT_TRUE(TriangleIntegrand::is_for(flattened, {}, 1.0, 0x1p-40)) << "no packets";
+  EXPECT_FALSE(TriangleIntegrand::is_for(flattened, kAligned, 1.0, 0x1p-40)) << "rays stall";
+  for (const char* outline : {"lens:1,0.3", "spindle:1,0.3", "cut-sphere:1,1,0.2", "egg:1,0.3,3"}) {
+    EXPECT_TRUE(TriangleIntegrand::is_for(parse_shape(outline).body, kAligned, 1.0, 0x1p-40)) << outline;
+  }
   EXPECT_TRUE(TriangleIntegrand::is_for(parse_shape("superball:2,1").body, {}, 1.0, 0x1p-40)) << "packets of powers";
   EXPECT_FALSE(TriangleIntegrand::is_for(scaled(parse_shape("superball:2,1"), {1.0, 1.0, 0.5}).body, {}, 1.0, 0x1p-40))
       << "long mappings, and no packets";
