@@ -1,7 +1,10 @@
 // What a number is proven to be between.
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace vex {
 
@@ -15,7 +18,13 @@ struct Interval {
 };
 
 /// The next double: what a bound that was rounded to nearest does not exceed.
-inline double next_below(double x) { return std::nextafter(x, -HUGE_VAL); }
-inline double next_above(double x) { return std::nextafter(x, HUGE_VAL); }
+/// Doubles of one sign stand in the order of their bits, so that no library is called for it.
+inline double next_below(double x) {
+  if (!(x > -HUGE_VAL)) return x;
+  if (x == 0.0) return -std::numeric_limits<double>::denorm_min();
+  const auto bits = std::bit_cast<std::int64_t>(x);
+  return std::bit_cast<double>(bits < 0 ? bits + 1 : bits - 1);
+}
+inline double next_above(double x) { return -next_below(-x); }
 
 }  // namespace vex

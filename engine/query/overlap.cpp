@@ -15,9 +15,11 @@ namespace {
 
 // Of bodies without exact forms, at poses like those whose directions are vertices' and edges', the search for a point
 // in both may end by rounding, or never, however deep they are in each other: then the distance's bounds tell.
-void decide_by_distance(SeparationQuery query, int max_support_calls, OverlapAnswer& answer) {
-  query.settings.max_support_calls = max_support_calls;
-  const Separation found = search_in_double(query, nullptr).separation;
+void decide_by_distance(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, int max_support_calls,
+                        OverlapAnswer& answer) {
+  Separation found;
+  search_in_double({a, b, a_from_b, SeparationGoal::signed_distance, {.max_support_calls = max_support_calls}}, nullptr,
+                   found);
   answer.n_support_calls += found.n_support_calls;
   // No direction is told: the one that has shown the lower bound need not be the normal.
   if (found.lower > 0.0) answer.verdict = Verdict::disjoint(DecidedBy::gjk);
@@ -34,7 +36,7 @@ OverlapAnswer decide(const ConvexBody& a, const ConvexBody& b, const Transformd&
   const std::optional<PlacedForms> made = placed == nullptr ? placed_forms(a, b, a_from_b) : std::nullopt;
   const PlacedForms* const forms = made ? &*made : placed;
   if (forms == nullptr) {
-    if (is_open) decide_by_distance({a, b, a_from_b, SeparationGoal::signed_distance, {}}, max_support_calls, answer);
+    if (is_open) decide_by_distance(a, b, a_from_b, max_support_calls, answer);
     return answer;
   }
   if (forms->are_rounded_polytopes()) {

@@ -9,7 +9,11 @@
 namespace vex {
 
 /// Throws UsageError of settings that no query takes.
-void require_usable(const SeparationSettings& settings);
+[[noreturn]] void refuse(const SeparationSettings& settings);
+inline void require_usable(const SeparationSettings& settings) {
+  if (settings.relative_gap >= 0.0 && settings.max_distance >= 0.0 && settings.max_support_calls >= 1) return;
+  refuse(settings);
+}
 
 /// The corners, three at most, of the simplex of A - B that may be nearest to the origin. Of cores, without balls.
 struct NearestGuess {

@@ -64,7 +64,7 @@ void BodyTree::move(const SceneBodies& bodies, BodyId body) {
   tree_.move(leaf_[body], scene_box(bodies, body, margin_, 3.0 * shifts_.largest_shift()));
 }
 
-void BodyTree::sort(const SceneBodies& bodies, int n_threads) {
+void BodyTree::sort(const SceneBodies& bodies, bool with_poses, int n_threads) {
   const std::span<const std::uint32_t> leaves = tree_.order();
   place_.resize(leaves.size());
   order_.resize(leaves.size());
@@ -72,7 +72,7 @@ void BodyTree::sort(const SceneBodies& bodies, int n_threads) {
     place_[leaves[k]] = static_cast<std::uint32_t>(k);
     order_[k] = ids_[leaves[k]];
   }
-  sorted_.fill(bodies, order_, 3.0 * shifts_.largest_shift(), false, n_threads);
+  sorted_.fill(bodies, order_, 3.0 * shifts_.largest_shift(), false, with_poses, n_threads);
   if (margin_ > 0.0) sorted_.widen(margin_);
   tree_.pair_tasks(moves_, n_threads > 1 ? kTasksAThread * static_cast<std::size_t>(n_threads) : 1, tasks_);
 }

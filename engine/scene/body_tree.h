@@ -31,7 +31,7 @@ class BodyTree {
 
   /// As CellGrid has them.
   const SortedBodies& bodies() const { return sorted_; }
-  void sort(const SceneBodies& bodies, int n_threads);
+  void sort(const SceneBodies& bodies, bool with_poses, int n_threads);
   std::size_t n_parts() const { return tasks_.size(); }
   template <class Take>
   bool find_near(std::size_t part, const SceneKernel&, NearPairs& near, Take&& take) const;

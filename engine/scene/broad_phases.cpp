@@ -27,7 +27,8 @@ void BroadPhases::build_tree(const SceneBodies& bodies, double reach, double mar
   is_tree_true_ = has_tree_same_bodies_ = true;
 }
 
-void BroadPhases::prepare(const SceneBodies& bodies, const SceneSettings& settings, double reach, double margin) {
+void BroadPhases::prepare(const SceneBodies& bodies, const SceneSettings& settings, double reach, double margin,
+                          bool with_poses) {
   if (settings.broad_phase != BroadPhase::automatic) {
     chosen_ = settings.broad_phase;
     chosen_for_ = -1.0;
@@ -36,17 +37,18 @@ void BroadPhases::prepare(const SceneBodies& bodies, const SceneSettings& settin
     chosen_for_ = margin;
   }
   if (is_grid()) {
-    if (is_grid_true_ && grid_margin_ == margin) return;
+    if (is_grid_true_ && grid_margin_ == margin && (grid_.bodies().has_poses() || !with_poses)) return;
     is_grid_true_ = false;  // also where an interruption ends it
-    grid_.build(bodies, reach, margin == 0.0 && bodies.are_told_by_boxes(), settings.n_threads);
+    grid_.build(bodies, reach, margin == 0.0 && bodies.are_told_by_boxes(), with_poses, settings.n_threads);
     if (margin > 0.0) grid_.bodies().widen(margin);
     grid_margin_ = margin;
     is_grid_true_ = true;
     return;
   }
   build_tree(bodies, reach, margin, settings.n_threads);
-  if (is_tree_sorted_) return;
-  tree_.sort(bodies, settings.n_threads);
+  if (is_tree_sorted_ && (tree_.bodies().has_poses() || !with_poses)) return;
+  is_tree_sorted_ = false;
+  tree_.sort(bodies, with_poses, settings.n_threads);
   is_tree_sorted_ = true;
 }
 

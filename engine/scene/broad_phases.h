@@ -14,8 +14,10 @@ class BroadPhases {
   void poses_changed();
   void moved(const SceneBodies& bodies, BodyId body);
 
-  /// For pairs that are within `margin`, whose centres are no farther apart than `reach`: chooses and builds.
-  void prepare(const SceneBodies& bodies, const SceneSettings& settings, double reach, double margin);
+  /// For pairs that are within `margin`, whose centres are no farther apart than `reach`: chooses and builds. Poses in
+  /// the order of the bodies are needed where the pairs will be asked.
+  void prepare(const SceneBodies& bodies, const SceneSettings& settings, double reach, double margin,
+               bool with_poses = true);
   BroadPhase chosen() const { return chosen_; }
 
   // Of the chosen one.

@@ -14,7 +14,7 @@ constexpr std::size_t kMostParts = 256, kBodiesAPart = 2048;
 
 }  // namespace
 
-void CellGrid::build(const SceneBodies& bodies, double reach, bool by_boxes, int n_threads) {
+void CellGrid::build(const SceneBodies& bodies, double reach, bool by_boxes, bool with_poses, int n_threads) {
   const Aabb bounds = bodies.box() ? Aabb{} : bounds_of_centres(bodies, n_threads);
   extents_.reset();
   if (by_boxes) extents_ = bodies.bounds(0).extents;
@@ -27,7 +27,7 @@ void CellGrid::build(const SceneBodies& bodies, double reach, bool by_boxes, int
     for (int at = -m; at < layout_.n_cells[axis] + m; ++at) moved_[axis].push_back(layout_.moved(axis, 0, at));
   }
   sort(bodies, n_threads);
-  sorted_.fill(bodies, order_, 3.0 * shifts_.largest_shift(), by_boxes, n_threads);
+  sorted_.fill(bodies, order_, 3.0 * shifts_.largest_shift(), by_boxes, with_poses, n_threads);
   cut_into_parts();
 }
 

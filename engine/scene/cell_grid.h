@@ -19,7 +19,7 @@ class CellGrid {
  public:
   /// For bodies whose centres are no farther apart than `reach`; `by_boxes`: for those whose boxes meet, where
   /// SceneBodies::are_told_by_boxes. The same for any number of threads.
-  void build(const SceneBodies& bodies, double reach, bool by_boxes, int n_threads);
+  void build(const SceneBodies& bodies, double reach, bool by_boxes, bool with_poses, int n_threads);
 
   const CellLayout& layout() const { return layout_; }
   const SortedBodies& bodies() const { return sorted_; }

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "engine/numeric/interruption.h"
 #include "engine/numeric/interval.h"
+#include "engine/scene/short_sort.h"
 #include "engine/scene/threads.h"
 
 namespace vex {
@@ -63,17 +65,19 @@ void PairMemory::find_pairs_within_skin(const BroadPhases& phases, const SceneKe
   share_parts(n_threads, phases.n_parts(), [&](std::size_t part) {
     thread_local NearPairs near;
     const BodyId* const id = phases.bodies().id.data();
+    const std::uint32_t home = shifts_.home();
     near.n = 0;
     phases.find_near(part, kernel, near, [&] {
       end_if_interrupted();
+      std::vector<Listed>& found = found_[part];
+      const std::size_t n_before = found.size();
+      found.resize(n_before + near.n);
       for (std::size_t k = 0; k < near.n; ++k) {
         const BodyId a = id[near.places[k] & 0xffffffffu], b = id[near.places[k] >> 32];
         const std::uint32_t shift = number[near.shift[k]];
-        if (a > b || (a == b && shift < shifts_.home())) {
-          found_[part].push_back({b, a, static_cast<std::uint32_t>(shifts_.opposite(shift))});
-        } else {
-          found_[part].push_back({a, b, shift});
-        }
+        const bool swaps = (a > b) | ((a == b) & (shift < home));
+        found[n_before + k] = {std::min(a, b), std::max(a, b),
+                               swaps ? static_cast<std::uint32_t>(shifts_.opposite(shift)) : shift};
       }
       near.n = 0;
       return true;
@@ -91,7 +95,7 @@ void PairMemory::find_pairs_within_skin(const BroadPhases& phases, const SceneKe
   }
   for (std::size_t first = 0; first < listed_.size();) {
     const std::size_t end = next_[listed_[first].a];
-    std::sort(listed_.data() + first, listed_.data() + end);
+    sort_short(std::span(listed_.data() + first, end - first), std::less<Listed>());
     first = end;
   }
 }
@@ -121,6 +125,7 @@ void PairMemory::list(bool keeps_old) {
     const bool is_same_copy = image(pair) == shifts_.image(pair.shift);
     carry_over(pair, is_same_copy, known_[k]);
     until_[k] = is_same_copy ? next_below(until_before_[at] - clock_) : -HUGE_VAL;
+    ++at;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/scene/short_sort.h"
 #include "engine/scene/threads.h"
 
 namespace vex {
@@ -18,19 +19,9 @@ constexpr std::size_t kMostCounted = ~std::uint32_t{0};
 // Pairs that have one of their bodies in common, by the other one.
 template <BodyId ScenePair::*kOther>
 void sort_run(std::span<ScenePair> pairs) {
-  const auto comes_before = [](const ScenePair& p, const ScenePair& q) {
+  sort_short(pairs, [](const ScenePair& p, const ScenePair& q) {
     return p.*kOther != q.*kOther ? p.*kOther < q.*kOther : p.image < q.image;
-  };
-  if (pairs.size() > 16) {
-    std::sort(pairs.begin(), pairs.end(), comes_before);
-    return;
-  }
-  for (std::size_t k = 1; k < pairs.size(); ++k) {
-    const ScenePair pair = pairs[k];
-    std::size_t to = k;
-    for (; to > 0 && comes_before(pair, pairs[to - 1]); --to) pairs[to] = pairs[to - 1];
-    pairs[to] = pair;
-  }
+  });
 }
 
 // Counting sort by the numbers of one of the bodies, `first` being the lowest, then each body's pairs by comparison.

@@ -80,11 +80,15 @@ void PairSearch::orient() {
   for (std::size_t k = 0; k < n_near; ++k) {
     std::uint64_t a = near.places[k] & 0xffffffffu, b = near.places[k] >> 32, shift = near.shift[k];
     const BodyId id_a = body_at(a), id_b = body_at(b);
-    const bool swaps = id_a > id_b || (id_a == id_b && !is_positive(shifts.image(shift)));
-    const std::uint64_t first = swaps ? b : a;
-    b = swaps ? a : b;
-    a = first;
-    shift = swaps ? shifts.opposite(shift) : shift;
+    bool swaps = id_a > id_b;
+    if (id_a == id_b) [[unlikely]] {
+      swaps = !is_positive(shifts.image(shift));
+    }
+    // Which body comes first is as good as random: no branch hangs on it.
+    const std::uint64_t where_swapped = swaps ? ~std::uint64_t{0} : 0, both = (a ^ b) & where_swapped;
+    a ^= both;
+    b ^= both;
+    shift ^= (shift ^ shifts.opposite(shift)) & where_swapped;
     if (joined != nullptr) {
       ++counts[SceneStage::joined].seen;
       if (is_joined({std::min(id_a, id_b), std::max(id_a, id_b), shifts.image(shift)})) continue;

@@ -253,7 +253,7 @@ void Scene::Impl::on_searches(const PairQuestion& asked, PairKeeper* keeper,
 
 void Scene::Impl::find_remembered_pairs(ScenePairs& out) {
   if (!memory_.holds(bodies_, settings_.skin)) {
-    phases_.prepare(bodies_, settings_, checked_reach(settings_.skin), settings_.skin);
+    phases_.prepare(bodies_, settings_, checked_reach(settings_.skin), settings_.skin, false);
     memory_.build(bodies_, phases_, scene_kernel(settings_.instruction_set), settings_.skin, settings_.n_threads);
   }
   PairQuestion asked = question(0.0);

@@ -12,31 +12,40 @@ constexpr std::size_t kRoom = 16, kBodiesAShare = 4096;
 }  // namespace
 
 void SortedBodies::fill(const SceneBodies& bodies, std::span<const BodyId> order, double largest_shift, bool boxes,
-                        int n_threads) {
+                        bool with_poses, int n_threads) {
   const std::size_t n = order.size();
   id.resize(n);
   shape.resize(n);
-  poses.resize(kNumbersABody * n);
+  poses.resize(with_poses ? kNumbersABody * n : 0);
   for (LargeVector<double>* column : {&x, &y, &z, &radius}) column->resize(n + kRoom);
   const double* const from = bodies.poses().data();
   const bool is_one_shape = bodies.shapes().size() == 1;
   share_range(n_threads, n, kBodiesAShare, [&](std::size_t first, std::size_t end) {
     for (std::size_t k = first; k < end; ++k) {
       if (k + kAhead < end) {
-        const double* const next = from + kNumbersABody * order[k + kAhead];
-        __builtin_prefetch(next);
-        __builtin_prefetch(next + kNumbersABody - 1);
+        if (with_poses) {
+          const double* const next = from + kNumbersABody * order[k + kAhead];
+          __builtin_prefetch(next);
+          __builtin_prefetch(next + kNumbersABody - 1);
+        } else {
+          __builtin_prefetch(&bodies.centre(order[k + kAhead]));
+        }
         if (!is_one_shape) __builtin_prefetch(&bodies.shape_of()[order[k + kAhead]]);
       }
       const BodyId body = order[k];
       const ShapeId of = is_one_shape ? 0 : bodies.shape_of()[body];
       id[k] = body;
       shape[k] = of;
-      const double* const pose = from + kNumbersABody * body;
-      double* const to = poses.data() + kNumbersABody * k;
-      for (std::size_t j = 0; j < kNumbersABody; ++j) to[j] = pose[j];
       const ShapeBounds& bounds = bodies.bounds(of);
-      const Vec3d centre = SceneBodies::centre_of(SceneBodies::pose_at(poses.data(), k), bounds.centre);
+      Vec3d centre;
+      if (with_poses) {
+        const double* const pose = from + kNumbersABody * body;
+        double* const to = poses.data() + kNumbersABody * k;
+        for (std::size_t j = 0; j < kNumbersABody; ++j) to[j] = pose[j];
+        centre = SceneBodies::centre_of(SceneBodies::pose_at(poses.data(), k), bounds.centre);
+      } else {
+        centre = bodies.centre(body);
+      }
       x[k] = centre.x;
       y[k] = centre.y;
       z[k] = centre.z;

@@ -96,7 +96,7 @@ Row measure(SeparationGoal goal, const NamedBody& named, const BenchSettings& se
     const SeparationPoses& asked = one.walks ? motion : poses;
     const SeparationAnswer answer = one.make(asked);
     if (!answer) continue;
-    const std::size_t n_asked = n_affordable(answer, asked.a_from_b.size());
+    const std::size_t n_asked = n_affordable(answer, asked.poses.size());
     row.errors[one.name] = errors_of(answer, asked, n_asked);
     turns.push_back({one.name, n_asked, [answer, n_asked] {
                        for (std::size_t k = 0; k < n_asked; ++k) answer(k);

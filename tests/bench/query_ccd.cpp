@@ -26,7 +26,7 @@ SeparationContender depth(const char* name, const char* setting, Query query, do
             return [&poses, pair, query](std::size_t k) {
               pair->a.n_support_calls = 0;
               pair->b.n_support_calls = 0;
-              pair->b.a_from_b = &poses.a_from_b[k];
+              pair->b.a_from_b = &poses.poses[k].a_from_b();
               ccd_real_t found = 0.0;
               ccd_vec3_t dir, position;
               const bool meets = query(&pair->a, &pair->b, &pair->ccd, &found, &dir, &position) == 0;

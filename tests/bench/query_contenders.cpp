@@ -33,7 +33,7 @@ SeparationContender engine(const char* name, const char* setting, double relativ
             SeparationSettings settings;
             settings.relative_gap = relative_gap;
             return [&poses, settings](std::size_t k) {
-              return value_of(ask(poses.goal, poses.body, Pose::unchecked(poses.a_from_b[k]), settings));
+              return value_of(ask(poses.goal, poses.body, poses.poses[k], settings));
             };
           }};
 }
@@ -42,8 +42,7 @@ SeparationContender engine_in_motion(const char* name, const char* setting, bool
   return {name, setting, true, [is_warm](const SeparationPoses& poses) -> SeparationAnswer {
             const auto warm_start = std::make_shared<WarmStart>();
             return [&poses, is_warm, warm_start](std::size_t k) {
-              return value_of(ask(poses.goal, poses.body, Pose::unchecked(poses.a_from_b[k]), {},
-                                  is_warm ? warm_start.get() : nullptr));
+              return value_of(ask(poses.goal, poses.body, poses.poses[k], {}, is_warm ? warm_start.get() : nullptr));
             };
           }};
 }
@@ -87,14 +86,14 @@ std::vector<SeparationContender> separation_contenders() {
 
 SeparationPoses independent_poses(SeparationGoal goal, const ConvexBody& body, std::uint64_t seed, std::size_t n) {
   SeparationPoses poses{goal, body, {}, {}};
-  for (std::size_t n_drawn = 4 * n; poses.a_from_b.size() < n; n_drawn *= 2) {
-    poses.a_from_b.clear();
+  for (std::size_t n_drawn = 4 * n; poses.poses.size() < n; n_drawn *= 2) {
+    poses.poses.clear();
     for (const Pose& pose : stored_poses(body, seed, n_drawn)) {
-      if (overlap(body, body, pose).outcome == wanted(goal)) poses.a_from_b.push_back(pose.a_from_b());
-      if (poses.a_from_b.size() == n) break;
+      if (overlap(body, body, pose).outcome == wanted(goal)) poses.poses.push_back(pose);
+      if (poses.poses.size() == n) break;
     }
   }
-  for (const Transformd& pose : poses.a_from_b) poses.proven.push_back(ask(goal, body, pose));
+  for (const Pose& pose : poses.poses) poses.proven.push_back(ask(goal, body, pose));
   return poses;
 }
 
@@ -102,16 +101,16 @@ SeparationPoses poses_in_motion(SeparationGoal goal, const ConvexBody& body, std
   SeparationPoses poses{goal, body, {}, {}};
   const SeparationPoses starts = independent_poses(goal, body, seed, n);
   std::mt19937_64 random(seed);
-  for (const Transformd& start : starts.a_from_b) {
+  for (const Pose& start : starts.poses) {
     const Vec3d dir = random_direction(random);
     const Vec3d step = (kStep * poses.size() / norm(dir)) * dir;
     const Transformd turn = small_turn(random);
-    Transformd pose = start;
+    Transformd pose = start.a_from_b();
     for (std::size_t k = 0; k < kStepsOfAWalk; ++k) {
       if (overlap(body, body, pose).outcome != wanted(goal)) break;  // the walk has come to contact
-      poses.a_from_b.push_back(pose);
+      poses.poses.push_back(Pose::unchecked(pose));
       poses.proven.push_back(ask(goal, body, pose));
-      if (poses.a_from_b.size() == n) return poses;
+      if (poses.poses.size() == n) return poses;
       pose = turned(turn, pose);
       pose.translation = pose.translation + step;
     }

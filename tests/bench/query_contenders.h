@@ -15,7 +15,7 @@ enum class SeparationGoal { distance, depth };
 struct SeparationPoses {
   SeparationGoal goal;
   ConvexBody body;
-  std::vector<Transformd> a_from_b;
+  std::vector<Pose> poses;  // made before, as FCL has its own
   std::vector<Separation> proven;
   double size() const { return 2.0 * body.circumradius(); }
 };

@@ -47,7 +47,7 @@ SeparationContender by(const char* name, const char* setting, fcl::GJKSolverType
             if (!fcl_takes(poses.body)) return {};
             const auto pair = std::make_shared<FclPair>();
             pair->geometry = fcl_geometry(poses.body, true);
-            for (const Transformd& pose : poses.a_from_b) pair->poses.push_back(fcl_pose(pose));
+            for (const Pose& pose : poses.poses) pair->poses.push_back(fcl_pose(pose.a_from_b()));
             const auto query = poses.goal == SeparationGoal::distance ? distance_of : depth_of;
             return [pair, query, solver](std::size_t k) {
               try {

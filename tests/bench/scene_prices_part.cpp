@@ -62,15 +62,15 @@ BenchReport prices_part(const ScenePartSettings& settings) {
     for (const ConvexBody& shape : scene.shapes) bodies.add_shape(shape);
     for (std::size_t k = 0; k < scene.size(); ++k) bodies.add(scene.shape_of[k], scene.poses[k]);
     const double reach = 2.0 * bodies.largest_radius() * (1.0 + 0x1p-18);
-    const Prices of_grid =
-        prices_of<CellGrid>(bodies, settings.n_rounds, [&](CellGrid& grid) { grid.build(bodies, reach, false, 1); });
+    const Prices of_grid = prices_of<CellGrid>(bodies, settings.n_rounds,
+                                               [&](CellGrid& grid) { grid.build(bodies, reach, false, true, 1); });
     const Prices of_tree = prices_of<BodyTree>(bodies, settings.n_rounds, [&](BodyTree& tree) {
       tree.build(bodies, reach, 0.0, false, 1);
-      tree.sort(bodies, 1);
+      tree.sort(bodies, true, 1);
     });
     const Prices of_fitting = prices_of<BodyTree>(bodies, settings.n_rounds, [&](BodyTree& tree) {
       tree.build(bodies, reach, 0.0, true, 1);
-      tree.sort(bodies, 1);
+      tree.sort(bodies, true, 1);
     });
     const std::pair<const char*, const Prices*> rows[] = {
         {"grid", &of_grid}, {"tree", &of_tree}, {"tree, fitted", &of_fitting}};

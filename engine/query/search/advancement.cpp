@@ -129,7 +129,8 @@ class Advancement {
   // do, which takes as long as all the rest.
   double distance_lower_at(double time) {
     const Transformd pose = sweep_.relative_pose(time);
-    const Separation found = search_in_double({a_, b_, pose, SeparationGoal::distance, {}}, nullptr).separation;
+    Separation found;
+    search_in_double({a_, b_, pose, SeparationGoal::distance, {}}, nullptr, found);
     n_support_calls_ += found.n_support_calls;
     return found.lower;
   }

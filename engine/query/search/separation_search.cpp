@@ -43,14 +43,15 @@ class DoubleSearch {
                   query.settings.max_distance,
                   0.9375 * query.settled_gap()} {}
 
-  SearchedSeparation run(WarmStart* warm_start) const {
-    SearchedSeparation result;
-    result.is_out_of_range = !is_usual(error_);
-    if (result.is_out_of_range) return result;
-    result.is_coarse = is_coarse_;
-    result.tells_missing = answer_without_search(result.separation);  // nothing
-    if (!result.tells_missing) search_with(warm_start, result);
-    return result;
+  SearchedSeparation run(WarmStart* warm_start, Separation& result) const {
+    SearchedSeparation searched;
+    searched.is_out_of_range = !is_usual(error_);
+    if (searched.is_out_of_range) return searched;
+    searched.is_coarse = is_coarse_;
+    searched.tells_missing = answer_without_search(result);  // nothing
+    if (!searched.tells_missing) search_with(warm_start, searched, result);
+    searched.signed_distance = result.signed_distance;
+    return searched;
   }
 
  private:
@@ -92,17 +93,16 @@ class DoubleSearch {
     return true;
   }
 
-  void search_with(WarmStart* warm_start, SearchedSeparation& searched) const {
+  void search_with(WarmStart* warm_start, SearchedSeparation& searched, Separation& result) const {
     // Depths of zonotopes are looked for on all faces at once: nothing that is remembered helps there.
     if (warm_start == nullptr || (settings_.goal == SeparationGoal::depth && are_zonotopes())) {
-      return search(nullptr, searched);
+      return search(nullptr, searched, result);
     }
     WarmMemory memory(*warm_start, difference_, error_);
-    search(&memory, searched);
+    search(&memory, searched, result);
   }
 
-  void search(WarmMemory* memory, SearchedSeparation& searched) const {
-    Separation& result = searched.separation;
+  void search(WarmMemory* memory, SearchedSeparation& searched, Separation& result) const {
     const bool is_smooth = !query_.are_rounded_polytopes();
     NearestSimplex<double, CoreDifference::Point> simplex;
     int n_calls_before = 0;
@@ -209,8 +209,8 @@ bool is_known_without_search(const ConvexBody& a, const ConvexBody& b) {
   return a.generators() && b.generators() && a.generators()->n_vectors + b.generators()->n_vectors <= 2;
 }
 
-SearchedSeparation search_in_double(const SeparationQuery& query, WarmStart* warm_start) {
-  return DoubleSearch(query).run(warm_start);
+SearchedSeparation search_in_double(const SeparationQuery& query, WarmStart* warm_start, Separation& found) {
+  return DoubleSearch(query).run(warm_start, found);
 }
 
 Separation search_in_extended(const SeparationQuery& query, const PlacedForms& placed, const Vec3d& first_dir) {

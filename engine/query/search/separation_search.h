@@ -10,13 +10,13 @@
 
 namespace vex {
 
-/// What is asked of a pair.
+/// What is asked of a pair. Nothing is copied: all of it is the caller's.
 struct SeparationQuery {
   const ConvexBody& a;
   const ConvexBody& b;
   const Transformd& a_from_b;
   SeparationGoal goal;
-  SeparationSettings settings;
+  const SeparationSettings& settings;
   const NearestGuess* guess = nullptr;
 
   double circumradii() const { return a.circumradius() + b.circumradius(); }
@@ -41,12 +41,12 @@ struct SeparationQuery {
   }
 };
 
-/// Without the verdict.
+/// What is known of a search beside the separation that it found.
 struct SearchedSeparation {
-  Separation separation;
   bool is_out_of_range = false;  // nothing was searched: the pair is too large or too small for double precision
   bool is_capped = false;        // more support calls would bring the bounds nearer
-  double missing = 0.0;          // of the distance, in what the normal alone shows,
+  double signed_distance = 0.0;  // as it was found
+  double missing = 0.0;          // of that, in what the normal alone shows,
   bool tells_missing = false;    // where this is true
   /// What rounding alone leaves between bounds is more than was asked for, as of bodies far from the origins of their
   /// frames: the search shows a direction to begin with, and no more.
@@ -55,7 +55,8 @@ struct SearchedSeparation {
 
 /// Whether the distance of this pair is known without a search: of zonotopes of few vectors.
 bool is_known_without_search(const ConvexBody& a, const ConvexBody& b);
-SearchedSeparation search_in_double(const SeparationQuery& query, WarmStart* warm_start);
+/// Into `found`, which is new, all but the verdict.
+SearchedSeparation search_in_double(const SeparationQuery& query, WarmStart* warm_start, Separation& found);
 
 /// In twice the precision, along a unit vector first.
 Separation search_in_extended(const SeparationQuery& query, const PlacedForms& placed, const Vec3d& first_dir);
