@@ -26,8 +26,9 @@ namespace {
 
 const ConvexBody kA = Box(1, 2, 3), kB = Ellipsoid(1, 1, 2);
 
-enum class Way { hit_or_miss, fitted, stratified, sobol_hits };
-constexpr Way kWays[] = {Way::hit_or_miss, Way::fitted, Way::stratified, Way::sobol_hits};
+enum class WayToSave { hit_or_miss, fitted, stratified, sobol_hits };
+constexpr WayToSave kWaysToSave[] = {WayToSave::hit_or_miss, WayToSave::fitted, WayToSave::stratified,
+                                     WayToSave::sobol_hits};
 
 // Every third verdict is wrong, or none: what lists are made of.
 class Unsure final : public OverlapBackend {
@@ -44,13 +45,13 @@ class Unsure final : public OverlapBackend {
 const BackendKind kUnsure{"unsure", true,
                           [](const ConvexBody&, const ConvexBody&) { return std::make_unique<Unsure>(); }};
 
-MonteCarloSettings settings_of(Way way, std::uint64_t trials) {
+MonteCarloSettings settings_of(WayToSave way, std::uint64_t trials) {
   MonteCarloSettings settings;
   settings.stop.trials = trials;
   settings.domain = ball_domain(kA, kB);
-  if (way == Way::fitted) settings.domain = {Domain::Kind::fitted, {}, 0.0, {}, settings.domain.volume};
-  settings.stratified = way == Way::stratified;
-  if (way == Way::sobol_hits) settings.sequence = Sequence::sobol;
+  if (way == WayToSave::fitted) settings.domain = {Domain::Kind::fitted, {}, 0.0, {}, settings.domain.volume};
+  settings.stratified = way == WayToSave::stratified;
+  if (way == WayToSave::sobol_hits) settings.sequence = Sequence::sobol;
   return settings;
 }
 
@@ -63,7 +64,7 @@ RunState state_of(MonteCarloSettings settings) {
 
 std::vector<RunState> states_of_all_kinds() {
   std::vector<RunState> states = {RunState{}};
-  for (const Way way : kWays) {
+  for (const WayToSave way : kWaysToSave) {
     MonteCarloSettings settings = settings_of(way, 2000);
     states.push_back(state_of(settings));
     settings.first_trial = 64000;
@@ -147,7 +148,7 @@ TEST(RunState, DamagedTextIsRefused) {
 }
 
 TEST(RunState, NumbersThatNoRunHasAreRefused) {
-  const std::string text = run_state_text(state_of(settings_of(Way::sobol_hits, 2000)));
+  const std::string text = run_state_text(state_of(settings_of(WayToSave::sobol_hits, 2000)));
   const auto with = [&text](const std::string& before, const std::string& after) {
     const std::size_t at = text.find(before);
     EXPECT_NE(at, std::string::npos) << before;
@@ -170,7 +171,7 @@ TEST(RunState, NumbersThatNoRunHasAreRefused) {
 }
 
 TEST(RunState, ARunThatGoesOnEndsAsOneWithoutABreak) {
-  for (const Way way : kWays) {
+  for (const WayToSave way : kWaysToSave) {
     MonteCarloSettings settings = settings_of(way, 50000);
     const RunState whole = state_of(settings);
     for (const std::uint64_t n : {0u, 32u, 4096u, 31968u, 50000u}) {
@@ -194,7 +195,7 @@ TEST(RunState, ARunThatGoesOnEndsAsOneWithoutABreak) {
 TEST(RunState, ARunThatIsInterruptedAndGoesOnStopsAtTheSameTrial) {
   std::mt19937_64 random(3);
   std::size_t n_interrupted = 0;
-  for (const Way way : kWays) {
+  for (const WayToSave way : kWaysToSave) {
     MonteCarloSettings settings = settings_of(way, 1);
     settings.stop.trials.reset();
     settings.stop.relative_error = 1e-3;
@@ -227,33 +228,33 @@ TEST(RunState, ARunThatIsInterruptedAndGoesOnStopsAtTheSameTrial) {
 }
 
 TEST(RunState, AStateOfAnotherRunIsRefused) {
-  const RunState state = state_of(settings_of(Way::hit_or_miss, 1000));
+  const RunState state = state_of(settings_of(WayToSave::hit_or_miss, 1000));
   const auto refuses = [&state](MonteCarloSettings settings) {
     settings.resume = &state;
     EXPECT_THROW(run_monte_carlo(kA, kB, settings), InputError);
   };
-  refuses(settings_of(Way::fitted, 2000));
-  refuses(settings_of(Way::sobol_hits, 2000));
-  refuses(settings_of(Way::stratified, 2000));
-  refuses(settings_of(Way::hit_or_miss, 999));
-  MonteCarloSettings settings = settings_of(Way::hit_or_miss, 2000);
+  refuses(settings_of(WayToSave::fitted, 2000));
+  refuses(settings_of(WayToSave::sobol_hits, 2000));
+  refuses(settings_of(WayToSave::stratified, 2000));
+  refuses(settings_of(WayToSave::hit_or_miss, 999));
+  MonteCarloSettings settings = settings_of(WayToSave::hit_or_miss, 2000);
   settings.first_trial = 5;
   refuses(settings);
-  settings = settings_of(Way::hit_or_miss, 2000);
+  settings = settings_of(WayToSave::hit_or_miss, 2000);
   settings.cross_check = {kUnsure};
   refuses(settings);
-  settings = settings_of(Way::hit_or_miss, 2000);
+  settings = settings_of(WayToSave::hit_or_miss, 2000);
   settings.verify = true;
   refuses(settings);
   // Of 1000 trials there are 31 or 32 of each class, and the next one is of the ninth: no block begins there.
-  const RunState sobol = state_of(settings_of(Way::sobol_hits, 1000));
-  settings = settings_of(Way::sobol_hits, 2000);
+  const RunState sobol = state_of(settings_of(WayToSave::sobol_hits, 1000));
+  settings = settings_of(WayToSave::sobol_hits, 2000);
   settings.resume = &sobol;
   EXPECT_THROW(run_monte_carlo(kA, kB, settings), InputError);
 }
 
 TEST(RunState, RangesAddToOneRunInWhateverOrderTheyWereDone) {
-  for (const Way way : kWays) {
+  for (const WayToSave way : kWaysToSave) {
     const RunState whole = state_of(settings_of(way, 10000));
     std::vector<RunState> ranges;
     for (std::uint64_t first = 0; first < 10000; first += 1024) {
@@ -270,12 +271,12 @@ TEST(RunState, RangesAddToOneRunInWhateverOrderTheyWereDone) {
 }
 
 TEST(RunState, RangesBeginWithWholeClassesAndHaveNoOtherStopRule) {
-  for (const Way way : {Way::sobol_hits, Way::stratified}) {
+  for (const WayToSave way : {WayToSave::sobol_hits, WayToSave::stratified}) {
     MonteCarloSettings settings = settings_of(way, 64);
     settings.first_trial = 33;
     EXPECT_THROW(run_monte_carlo(kA, kB, settings), UsageError);
   }
-  MonteCarloSettings settings = settings_of(Way::hit_or_miss, 64);
+  MonteCarloSettings settings = settings_of(WayToSave::hit_or_miss, 64);
   settings.first_trial = 33;
   EXPECT_NO_THROW(run_monte_carlo(kA, kB, settings));
   settings.stop.relative_error = 0.1;
@@ -287,7 +288,7 @@ TEST(RunState, RangesBeginWithWholeClassesAndHaveNoOtherStopRule) {
 }
 
 TEST(RunState, IsGivenWhileTheRunGoesOn) {
-  MonteCarloSettings settings = settings_of(Way::hit_or_miss, 1);
+  MonteCarloSettings settings = settings_of(WayToSave::hit_or_miss, 1);
   settings.stop.trials.reset();
   settings.stop.seconds = 0.5;
   settings.n_threads = 2;
