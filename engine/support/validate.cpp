@@ -200,7 +200,7 @@ class Validation {
              (off.high < 0.0 ? -off : off) - Exact(core_error_) - Exact(0x1p-46 * expected) * one_by);
     }
     if (const std::optional<ProfileForm> profile = body_.profile_form()) {
-      const Vec3d at_profile = std::visit([&](const auto& its) { return its.support(dir); }, *profile);
+      const Vec3d at_profile = std::visit([&seen = dir](const auto& its) { return its.support(seen); }, *profile);
       const Exact off = product(dir, exactly(scaled(at_profile)) - exactly(core_of(dir))) * one_by;
       const double its_error = scaled(std::visit([](const auto& its) { return its.support_error(); }, *profile));
       broken(Claim::profile_form, dir, (off.high < 0.0 ? -off : off) - Exact(core_error_) - Exact(its_error));

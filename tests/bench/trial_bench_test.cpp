@@ -45,6 +45,15 @@ TEST_F(TrialBench, NamesThePeersOwnSettings) {
   }
 }
 
+TEST_F(TrialBench, ShowsEveryKindOfBody) {
+  const json rows = rows_of("kinds", {"--kinds"});
+  EXPECT_GT(rows.size(), 40u);
+  for (const json& row : rows) {
+    EXPECT_EQ(row.at("hits"), row.at("hits_of_trials")) << row.at("pair");
+    EXPECT_EQ(row.at("undecided"), 0) << row.at("pair");
+  }
+}
+
 TEST_F(TrialBench, PlotsTheCostAgainstTheVertices) {
   const json rows = rows_of("vertices", {"--vertices", "--most-vertices", "100", "--svg", "cost.svg"});
   EXPECT_EQ(rows.at(0).at("vertices"), 8);

@@ -46,6 +46,19 @@ QueryScene scene_of(const std::string& a, const std::string& b) {
   return {a, b, body_of(a), body_of(b), {}, {}, {}, HUGE_VAL};
 }
 
+// Texts are drawn one after the other, and so are all numbers: which argument of a call is evaluated first is the
+// compiler's choice, and every compiler shall make the same scenes.
+template <class Text>
+QueryScene scene_of_two(const Text& text) {
+  const std::string b = text(), a = text();
+  return scene_of(a, b);
+}
+
+// Two to the power of one of n whole numbers, from the least one up.
+double random_power(Random& random, int least, std::uint64_t n) {
+  return std::ldexp(1.0, least + static_cast<int>(random() % n));
+}
+
 double size_of_scene(const QueryScene& scene) { return scene.a.circumradius() + scene.b.circumradius(); }
 Vec3d between_centres(const QueryScene& scene) { return scene.pose(scene.b.centre()) - scene.a.centre(); }
 
@@ -61,13 +74,13 @@ void move_somewhere(QueryScene& scene, Random& random, int k) {
   // Nearly always missed, were it not aimed.
   if (k % 3 != 0) dir = 0.3 * dir - (1.0 / size_of_scene(scene)) * between_centres(scene);
   scene.motion.velocity = size_of_scene(scene) * dir;
-  const double spin = std::ldexp(1.0, static_cast<int>(random() % 6) - 3);
+  const double spin = random_power(random, -3, 6);
   scene.motion.angular_velocity = spin * random_direction(random);
   if (k % 11 == 5) scene.motion.velocity = {};
 }
 
 QueryScene ordinary(Random& random, int k) {
-  QueryScene scene = scene_of(ordinary_text(random), ordinary_text(random));
+  QueryScene scene = scene_of_two([&] { return ordinary_text(random); });
   scene.pose = random_pose(random, ball_domain(scene.a, scene.b), scene.b);
   move_somewhere(scene, random, k);
   return scene;
@@ -91,8 +104,8 @@ QueryScene thin(Random& random, int k) {
   } else {
     scene.pose = aligned_pose(scene.a, scene.b, random, k);
     // Beside each other by next to nothing.
-    scene.pose.translation.z +=
-        std::ldexp(random_in_unit_interval(random) - 0.5, -10 - static_cast<int>(random() % 45));
+    const int exponent = -10 - static_cast<int>(random() % 45);
+    scene.pose.translation.z += std::ldexp(random_in_unit_interval(random) - 0.5, exponent);
   }
   move_somewhere(scene, random, k);
   if (k % 4 == 1) scene.motion.velocity = {0.0, 0.0, k % 8 == 1 ? 1.0 : -1.0};
@@ -101,7 +114,7 @@ QueryScene thin(Random& random, int k) {
 }
 
 QueryScene touching(Random& random, int k) {
-  QueryScene scene = scene_of(ordinary_text(random), ordinary_text(random));
+  QueryScene scene = scene_of_two([&] { return ordinary_text(random); });
   scene.pose =
       k % 2 == 0 ? near_contact_pose(scene.a, scene.b, random, k / 2) : aligned_pose(scene.a, scene.b, random, k);
   move_somewhere(scene, random, k);
@@ -127,7 +140,7 @@ QueryScene leaving(Random& random, int k) {
 
 // From afar, along the plane of a contact: past it by next to nothing on either side.
 QueryScene grazing(Random& random, int k) {
-  QueryScene scene = scene_of(ordinary_text(random), ordinary_text(random));
+  QueryScene scene = scene_of_two([&] { return ordinary_text(random); });
   scene.pose = random_contact_line(scene.a, scene.b, random).turn;
   const ContactLine line = random_contact_line(scene.a, scene.b, random);
   scene.pose = line.at(scene.a, scene.b, line.contact);
@@ -137,17 +150,19 @@ QueryScene grazing(Random& random, int k) {
   const double off = (k % 2 == 0 ? 1.0 : -1.0) * std::ldexp(size_of_scene(scene), -4 - static_cast<int>(random() % 48));
   scene.pose.translation = scene.pose.translation + (off * normal - (3.0 * size_of_scene(scene) / norm(aside)) * aside);
   scene.motion.velocity = aside;
-  scene.motion.angular_velocity = std::ldexp(1.0, -static_cast<int>(random() % 30)) * random_direction(random);
+  const Vec3d axis = random_direction(random);
+  scene.motion.angular_velocity = std::ldexp(1.0, -static_cast<int>(random() % 30)) * axis;
   return scene;
 }
 
 QueryScene parallel(Random& random, int k) {
-  QueryScene scene = scene_of(ordinary_text(random), ordinary_text(random));
+  QueryScene scene = scene_of_two([&] { return ordinary_text(random); });
   scene.pose = aligned_pose(scene.a, scene.b, random, k);
   constexpr std::array<Vec3d, 6> kAxes = {
       {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {-1.0, 0.0, 0.0}, {0.0, -1.0, 0.0}, {0.0, 0.0, -1.0}}};
   scene.motion.velocity = kAxes[random() % 6];
-  scene.motion.angular_velocity = std::ldexp(1.0, static_cast<int>(random() % 4) - 2) * kAxes[random() % 6];
+  const Vec3d axis = kAxes[random() % 6];
+  scene.motion.angular_velocity = random_power(random, -2, 4) * axis;
   return scene;
 }
 
@@ -155,7 +170,7 @@ QueryScene coaxial(Random& random, int k) {
   constexpr std::array kRound = {"cylinder:1,0.5", "cone:1,0.5",     "cone:0.2,1",        "disc:0.7",
                                  "capsule:1,0.25", "hemisphere:0.8", "frustum:1,0.7,0.3", "ellipsoid:0.5,0.5,1.5",
                                  "needle:2",       "sphere:0.6"};
-  QueryScene scene = scene_of(one_of(kRound, random), one_of(kRound, random));
+  QueryScene scene = scene_of_two([&] { return one_of(kRound, random); });
   const ContactLine line(scene.a, scene.b, {}, {0.0, 0.0, k % 2 == 0 ? 1.0 : -1.0});
   scene.pose = k % 3 == 0 ? line.at(scene.a, scene.b, 2.0 * random_in_unit_interval(random) * line.contact)
                           : beside_contact(scene.a, scene.b, line, k);
@@ -200,7 +215,8 @@ QueryScene sizes(Random& random, int k) {
 // Many turns on the way, and motions of any unit of time.
 QueryScene fast(Random& random, int k) {
   QueryScene scene = ordinary(random, k);
-  scene.motion.angular_velocity = std::ldexp(1.0, 2 + static_cast<int>(random() % 6)) * random_direction(random);
+  const Vec3d axis = random_direction(random);
+  scene.motion.angular_velocity = random_power(random, 2, 6) * axis;
   const double unit = k % 3 == 0 ? std::ldexp(1.0, static_cast<int>(random() % 1200) - 600) : 1.0;
   scene.motion.velocity = unit * scene.motion.velocity;
   scene.motion.angular_velocity = unit * scene.motion.angular_velocity;
@@ -209,7 +225,8 @@ QueryScene fast(Random& random, int k) {
 
 QueryScene hulls(Random& random, int k) {
   constexpr std::array kHulls = {"hull:300", "hull:1000"};
-  QueryScene scene = scene_of(one_of(kHulls, random), k % 2 == 0 ? one_of(kHulls, random) : ordinary_text(random));
+  const std::string b = k % 2 == 0 ? one_of(kHulls, random) : ordinary_text(random), a = one_of(kHulls, random);
+  QueryScene scene = scene_of(a, b);
   scene.pose = k % 3 == 0 ? near_contact_pose(scene.a, scene.b, random, k / 3)
                           : random_pose(random, ball_domain(scene.a, scene.b), scene.b);
   move_somewhere(scene, random, k);
@@ -250,9 +267,11 @@ QueryScene displaced(Random& random, int k) {
   const ConvexBody a = body(a_text), b = body(b_text);
   QueryScene scene{a_text, b_text, a, b, {}, {}, {}, HUGE_VAL};
   switch (k % 3) {
-    case 0:
-      put_centres_apart(a, b, (2.0 * random_in_unit_interval(random)) * random_direction(random), scene.pose);
+    case 0: {
+      const Vec3d dir = random_direction(random);
+      put_centres_apart(a, b, (2.0 * random_in_unit_interval(random)) * dir, scene.pose);
       break;
+    }
     case 1: scene.pose = near_contact_pose(a, b, random, k / 3); break;
     default: scene.pose = aligned_pose(a, b, random, k); break;
   }
