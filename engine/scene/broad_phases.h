@@ -15,7 +15,7 @@ class BroadPhases {
   void moved(const SceneBodies& bodies, BodyId body);
 
   /// For pairs that are within `margin`, whose centres are no farther apart than `reach`: chooses and builds. Poses in
-  /// the order of the bodies are needed where the pairs will be asked.
+  /// the order of the bodies are needed where the pairs will be asked; what was built without them is built anew then.
   void prepare(const SceneBodies& bodies, const SceneSettings& settings, double reach, double margin,
                bool with_poses = true);
   BroadPhase chosen() const { return chosen_; }

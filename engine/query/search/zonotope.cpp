@@ -41,9 +41,9 @@ void set_points(ZonotopeSeparation& result, const DifferenceZonotope& k, const F
 }
 
 const volatile double kOne = 1.0;
-// As std::clamp between -one and one, in two instructions. Of a limit that it knows the compiler would make jumps, for
-// what is at the one is not beyond the other; processors foretell every other one of them wrongly, and a distance of
-// capsules takes a fifth longer. So it is read (kOne).
+// Between -one and one, and of what is no number -one, in two instructions. Of a limit that it knows the compiler would
+// make jumps, for what is at the one is not beyond the other; processors foretell every other one of them wrongly, and
+// a distance of capsules takes a tenth longer or more. So it is read (kOne).
 double clamped(double s, double one) {
   const double above = s > -one ? s : -one;
   return above < one ? above : one;
