@@ -17,10 +17,7 @@ namespace {
 // So many entries of any values, with room for a few more: a list that grows a little stays where it is.
 template <class Vector>
 void resize_with_room(Vector& entries, std::size_t n) {
-  if (entries.capacity() < n) {
-    entries = Vector();
-    entries.reserve(n + n / 8);
-  }
+  if (entries.capacity() < n) entries.reserve(n + n / 8);
   entries.resize(n);
 }
 
@@ -100,32 +97,38 @@ void PairMemory::find_pairs_within_skin(const BroadPhases& phases, const SceneKe
   }
 }
 
+// What is known of pairs that were listed before moves to the front of the columns, in the order of both lists, and
+// from there, the last first, to where each stands now. Other columns would be memory that no list has touched yet, and
+// it is lists that have a step take long.
 void PairMemory::list(bool keeps_old) {
-  known_before_.swap(known_);
-  until_before_.swap(until_);
-  overlaps_before_.swap(overlaps_);
   const std::size_t n = listed_.size(), n_before = keeps_old ? listed_before_.size() : 0;
+  resize_with_room(was_listed_, n);
+  std::size_t n_kept = 0;
+  for (std::size_t k = 0, at = 0; k < n; ++k) {
+    const Listed& pair = listed_[k];
+    if (n_before > 0 && k + kAhead < n) bodies_->prefetch_track(listed_[k + kAhead].b);
+    while (at < n_before && listed_before_[at] < pair) ++at;
+    was_listed_[k] = at < n_before && listed_before_[at] == pair ? 1 : 0;
+    if (was_listed_[k] == 0) continue;
+    const bool is_same_copy = image(pair) == shifts_.image(pair.shift);
+    known_[n_kept] = known_[at];
+    carry_over(pair, is_same_copy, known_[n_kept]);
+    until_[n_kept] = is_same_copy ? next_below(until_[at] - clock_) : -HUGE_VAL;
+    overlaps_[n_kept] = overlaps_[at];
+    ++n_kept;
+    ++at;
+  }
   resize_with_room(known_, n);
   resize_with_room(facet_, n);
   resize_with_room(until_, n);
   resize_with_room(overlaps_, n);
-  std::size_t at = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    const Listed& pair = listed_[k];
-    if (n_before > 0 && k + kAhead < n) bodies_->prefetch_track(listed_[k + kAhead].b);
-    while (at < n_before && listed_before_[at] < pair) ++at;
-    if (at == n_before || !(listed_before_[at] == pair)) {
-      known_[k] = {};
-      until_[k] = -HUGE_VAL;
-      overlaps_[k] = 0;
-      continue;
-    }
-    known_[k] = known_before_[at];
-    overlaps_[k] = overlaps_before_[at];
-    const bool is_same_copy = image(pair) == shifts_.image(pair.shift);
-    carry_over(pair, is_same_copy, known_[k]);
-    until_[k] = is_same_copy ? next_below(until_before_[at] - clock_) : -HUGE_VAL;
-    ++at;
+  // No more pairs before one were listed than are before it, so that none is written over before it has moved.
+  for (std::size_t k = n; k-- > 0;) {
+    const bool was_listed = was_listed_[k] != 0;
+    if (was_listed) --n_kept;
+    known_[k] = was_listed ? known_[n_kept] : Known{};
+    until_[k] = was_listed ? until_[n_kept] : -HUGE_VAL;
+    overlaps_[k] = was_listed ? overlaps_[n_kept] : 0;
   }
 }
 

@@ -130,11 +130,9 @@ class PairMemory final : public PairKeeper {
   LargeVector<KnownFacet> facet_;  // no list takes it over from the one before: to ask again costs no more
   LargeVector<double> until_;
   LargeVector<std::uint8_t> overlaps_;
-  // Memory that is kept: for the last list, and for what the parts of the broad phase find.
+  // Memory that is kept: for the last list, which pairs of this one it had, and what the parts of the broad phase find.
   LargeVector<Listed> listed_before_;
-  LargeVector<Known> known_before_;
-  LargeVector<double> until_before_;
-  LargeVector<std::uint8_t> overlaps_before_;
+  LargeVector<std::uint8_t> was_listed_;
   std::vector<std::vector<Listed>> found_;
   std::vector<std::uint32_t> next_;
   std::vector<std::size_t> n_overlaps_;  // of each block; then those before it
