@@ -1,10 +1,9 @@
 // Whole trials of every kind of body with itself: docs/performance.md.
-#include <algorithm>
 #include <cstdint>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "apps/common/numbers.h"
