@@ -62,7 +62,6 @@ void PairMemory::find_pairs_within_skin(const BroadPhases& phases, const SceneKe
   share_parts(n_threads, phases.n_parts(), [&](std::size_t part) {
     thread_local NearPairs near;
     const BodyId* const id = phases.bodies().id.data();
-    const std::uint32_t home = shifts_.home();
     near.n = 0;
     phases.find_near(part, kernel, near, [&] {
       end_if_interrupted();
@@ -72,9 +71,8 @@ void PairMemory::find_pairs_within_skin(const BroadPhases& phases, const SceneKe
       for (std::size_t k = 0; k < near.n; ++k) {
         const BodyId a = id[near.places[k] & 0xffffffffu], b = id[near.places[k] >> 32];
         const std::uint32_t shift = number[near.shift[k]];
-        const bool swaps = (a > b) | ((a == b) & (shift < home));
-        found[n_before + k] = {std::min(a, b), std::max(a, b),
-                               swaps ? static_cast<std::uint32_t>(shifts_.opposite(shift)) : shift};
+        const std::uint64_t number_of_b = shifts_.is_reversed(a, b, shift) ? shifts_.opposite(shift) : shift;
+        found[n_before + k] = {std::min(a, b), std::max(a, b), static_cast<std::uint32_t>(number_of_b)};
       }
       near.n = 0;
       return true;

@@ -28,8 +28,6 @@ void prefetch_pose(const double* poses, std::uint64_t place) {
   __builtin_prefetch(pose + kNumbersABody - 1);
 }
 
-bool is_positive(const ImageOffset& image) { return image > ImageOffset{}; }
-
 }  // namespace
 
 PairSearch::Kind::Kind(const PairQuestion& question, ShapeId shape_a, ShapeId shape_b)
@@ -80,12 +78,8 @@ void PairSearch::orient() {
   for (std::size_t k = 0; k < n_near; ++k) {
     std::uint64_t a = near.places[k] & 0xffffffffu, b = near.places[k] >> 32, shift = near.shift[k];
     const BodyId id_a = body_at(a), id_b = body_at(b);
-    bool swaps = id_a > id_b;
-    if (id_a == id_b) [[unlikely]] {
-      swaps = !is_positive(shifts.image(shift));
-    }
-    // Which body comes first is as good as random: no branch hangs on it.
-    const std::uint64_t where_swapped = swaps ? ~std::uint64_t{0} : 0, both = (a ^ b) & where_swapped;
+    const std::uint64_t where_swapped = shifts.is_reversed(id_a, id_b, shift) ? ~std::uint64_t{0} : 0,
+                        both = (a ^ b) & where_swapped;
     a ^= both;
     b ^= both;
     shift ^= (shift ^ shifts.opposite(shift)) & where_swapped;

@@ -28,6 +28,11 @@ class ShiftTable {
   std::uint32_t home() const { return number({}); }
   /// The number of minus the image.
   std::uint64_t opposite(std::uint64_t number) const { return images_.size() - 1 - number; }
+  /// Whether of a pair, the second of which is moved by this shift, the second comes first: by the bodies' numbers, and
+  /// of a body and its own copy by the image. That is as good as random, so no branch hangs on it.
+  bool is_reversed(std::uint32_t first, std::uint32_t second, std::uint64_t number) const {
+    return (first > second) | ((first == second) & (number < opposite(number)));
+  }
   const ImageOffset& image(std::uint64_t number) const { return images_[number]; }
   Vec3d shift(std::uint64_t number) const {
     const double* const row = rows_.data() + 4 * number;
