@@ -104,8 +104,12 @@ struct LaneTraits<DoubleDouble> {
 inline DoubleDouble select(bool condition, const DoubleDouble& if_true, const DoubleDouble& if_false) {
   return condition ? if_true : if_false;
 }
+inline DoubleDouble blend(bool condition, const DoubleDouble& if_true, const DoubleDouble& if_false) {
+  return {blend(condition, if_true.high, if_false.high), blend(condition, if_true.low, if_false.low)};
+}
 inline DoubleDouble absolute(const DoubleDouble& x) { return x.high < 0.0 ? -x : x; }
 inline DoubleDouble larger(const DoubleDouble& a, const DoubleDouble& b) { return a > b ? a : b; }
+inline DoubleDouble smaller(const DoubleDouble& a, const DoubleDouble& b) { return a < b ? a : b; }
 
 /// Relative error at most 25/8 u^2 (SQRTDWtoDW: Lefevre, Louvet, Muller, Picot, Rideau, ACM TOMS 49, 2023), and u^2 for
 /// the square that is rounded here, not fused.

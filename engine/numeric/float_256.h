@@ -62,8 +62,12 @@ struct LaneTraits<Float256> {
 inline Float256 select(bool condition, const Float256& if_true, const Float256& if_false) {
   return condition ? if_true : if_false;
 }
+inline Float256 blend(bool condition, const Float256& if_true, const Float256& if_false) {
+  return select(condition, if_true, if_false);
+}
 inline Float256 absolute(const Float256& x) { return Float256(Float256::Number(abs(x.value))); }
 inline Float256 larger(const Float256& a, const Float256& b) { return a > b ? a : b; }
+inline Float256 smaller(const Float256& a, const Float256& b) { return a < b ? a : b; }
 inline Float256 square_root(const Float256& x) {
   return x.value > 0 ? Float256(Float256::Number(sqrt(x.value))) : Float256();
 }

@@ -208,9 +208,10 @@ class ExpandingPolytope {
   bool goes_round(std::uint32_t added) {
     const auto is_at = [&](std::uint32_t i) {
       const Vec3<L>&p = at(i), &q = at(added);
-      return !(p.x < q.x || q.x < p.x || p.y < q.y || q.y < p.y || p.z < q.z || q.z < p.z);
+      return !((p.x < q.x) | (q.x < p.x) | (p.y < q.y) | (q.y < p.y) | (p.z < q.z) | (q.z < p.z));
     };
-    if (std::ranges::any_of(faces()[nearest_].corners, is_at)) return true;
+    const Corners& corners = faces()[nearest_].corners;
+    if (is_at(corners[0]) | is_at(corners[1]) | is_at(corners[2])) return true;
     constexpr std::uint32_t kLong = 48, kLast = 32;
     constexpr int kMostRepeated = 8;
     if (added < kLong) return false;

@@ -141,9 +141,10 @@ class GrowingHull {
       const Entry entry = near_[k];
       near_[n] = entry;
       const bool is_alive = faces_[entry.second].is_alive;
-      const L distance = select(is_alive, entry.first, L(HUGE_VAL));
-      best = distance < least ? n : best;
-      least = smaller(distance, least);
+      const L distance = blend(is_alive, entry.first, L(HUGE_VAL));
+      const bool is_nearer = distance < least;
+      best = blend(is_nearer, std::uint64_t{n}, std::uint64_t{best});
+      least = blend(is_nearer, distance, least);
       n += is_alive ? 1 : 0;
     }
     n_near_ = n;
@@ -200,9 +201,8 @@ class GrowingHull {
   static constexpr std::size_t kFew = 64;
 
   static bool is_same(const Vec3<L>& p, const Vec3<L>& q) {
-    return !(p.x < q.x || q.x < p.x || p.y < q.y || q.y < p.y || p.z < q.z || q.z < p.z);
+    return !((p.x < q.x) | (q.x < p.x) | (p.y < q.y) | (q.y < p.y) | (p.z < q.z) | (q.z < p.z));
   }
-  static L smaller(const L& a, const L& b) { return a < b ? a : b; }
 
   auto end_of_near() { return near_.begin() + static_cast<std::ptrdiff_t>(n_near_); }
   std::optional<std::uint32_t> nearest_of_many() {
@@ -226,8 +226,8 @@ class GrowingHull {
     const L square_e = dot(e, e), square_f = dot(f, f), square_g = dot(g, g);
     const bool omits_e = (square_e > square_f) & (square_e > square_g);
     const bool omits_f = !omits_e & (square_f > square_g);
-    Vec3<L> normal = cross(select<L>(omits_e, f, e), select<L>(omits_e | omits_f, g, f));
-    const L product = select(omits_e, square_f, square_e) * select(omits_e | omits_f, square_g, square_f);
+    Vec3<L> normal = cross(blend(omits_e, f, e), blend(omits_e | omits_f, g, f));
+    const L product = blend(omits_e, square_f, square_e) * blend(omits_e | omits_f, square_g, square_f);
     L square = dot(normal, normal);
     // All but a segment, whose normal would be noise: the direction of its nearest point will do, as any would.
     const L thinnest_sq(0x1p54 * (unit_roundoff<L>() * unit_roundoff<L>()));
@@ -248,8 +248,10 @@ class GrowingHull {
     faces_.push_back({corners, across, normal, of_p, coplanar_ * norm_1(normal), distance, 0, true, has_origin_behind});
     if (near_.size() <= n_near_) near_.resize(2 * n_near_ + 16);
     near_[n_near_] = {distance, index};
-    n_near_ += is_far ? 0 : 1;
-    if (is_heap_ && !is_far) std::push_heap(near_.begin(), end_of_near(), is_farther);
+    n_near_ += std::size_t{!is_far};
+    if (is_heap_) [[unlikely]] {
+      if (!is_far) std::push_heap(near_.begin(), end_of_near(), is_farther);
+    }
     return index;
   }
   static Vec3<L> nearest_on_longest_edge(const Vec3<L>& p, const Vec3<L>& q, const Vec3<L>& r) {

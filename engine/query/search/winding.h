@@ -43,8 +43,9 @@ std::optional<int> times_passed(const std::array<const Vec3<L>*, 3>& corners, co
 template <class L, class Point>
 bool goes_around_origin(const GrowingHull<L, Point>& hull, std::uint32_t nearest) {
   using Face = detail::HullFace<L>;
-  const auto is_clear = [](const Face& face) { return !face.is_alive || face.has_origin_behind; };
-  if (std::ranges::all_of(hull.faces(), is_clear)) return true;
+  bool are_clear = true;
+  for (const Face& face : hull.faces()) are_clear = are_clear & (!face.is_alive | face.has_origin_behind);
+  if (are_clear) return true;
   const auto corner = [&hull](const Face& face, std::size_t k) { return &hull.at(face.corners[k]); };
   const Face& through = hull.faces()[nearest];
   for (const auto& [u, v, w] : {std::array{0.41, 0.26, 0.33}, std::array{0.22, 0.47, 0.31}}) {
