@@ -210,8 +210,9 @@ class ExpandingPolytope {
       const Vec3<L>&p = at(i), &q = at(added);
       return !((p.x < q.x) | (q.x < p.x) | (p.y < q.y) | (q.y < p.y) | (p.z < q.z) | (q.z < p.z));
     };
-    const Corners& corners = faces()[nearest_].corners;
-    if (is_at(corners[0]) | is_at(corners[1]) | is_at(corners[2])) return true;
+    bool is_at_corner = false;
+    for (const std::uint32_t corner : faces()[nearest_].corners) is_at_corner |= is_at(corner);
+    if (is_at_corner) return true;
     constexpr std::uint32_t kLong = 48, kLast = 32;
     constexpr int kMostRepeated = 8;
     if (added < kLong) return false;
