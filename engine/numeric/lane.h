@@ -60,7 +60,8 @@ inline double select(bool condition, double if_true, double if_false) { return c
 inline double select_by_sign(double sign, double if_set, double otherwise) {
   return std::signbit(sign) ? if_set : otherwise;
 }
-/// The same as `select`, without a jump: for conditions that nothing foretells.
+/// The same as `select`, without a jump: for conditions that nothing foretells. Of one-lane types only, for packets never
+/// jump.
 inline std::uint64_t blend(bool condition, std::uint64_t if_true, std::uint64_t if_false) {
   return if_false ^ ((if_true ^ if_false) & (std::uint64_t{0} - std::uint64_t{condition}));
 }

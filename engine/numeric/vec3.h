@@ -73,16 +73,16 @@ inline double safe_norm(const Vec3d& a) {
   const int exponent = std::ilogb(largest);
   return std::ldexp(norm(times_power_of_two(a, -exponent)), exponent);
 }
-/// Of one lane.
-template <class L>
-Vec3<L> blend(bool condition, const Vec3<L>& if_true, const Vec3<L>& if_false) {
-  return {blend(condition, if_true.x, if_false.x), blend(condition, if_true.y, if_false.y),
-          blend(condition, if_true.z, if_false.z)};
-}
 template <class L>
 Vec3<L> select(const MaskOf<L>& condition, const Vec3<L>& if_true, const Vec3<L>& if_false) {
   return {select(condition, if_true.x, if_false.x), select(condition, if_true.y, if_false.y),
           select(condition, if_true.z, if_false.z)};
+}
+/// Of one-lane types, without a jump.
+template <class L>
+Vec3<L> blend(bool condition, const Vec3<L>& if_true, const Vec3<L>& if_false) {
+  return {blend(condition, if_true.x, if_false.x), blend(condition, if_true.y, if_false.y),
+          blend(condition, if_true.z, if_false.z)};
 }
 /// The same vector in every lane.
 template <class L>

@@ -206,18 +206,14 @@ class ExpandingPolytope {
   // A corner of the nearest face is not beyond it but by rounding: a polytope has no point there. Nor will a hull of
   // few points that are taken in again and again, each of them hiding another, ever be convex.
   bool goes_round(std::uint32_t added) {
-    const auto is_at = [&](std::uint32_t i) {
-      const Vec3<L>&p = at(i), &q = at(added);
-      return !((p.x < q.x) | (q.x < p.x) | (p.y < q.y) | (q.y < p.y) | (p.z < q.z) | (q.z < p.z));
-    };
     bool is_at_corner = false;
-    for (const std::uint32_t corner : faces()[nearest_].corners) is_at_corner |= is_at(corner);
+    for (const std::uint32_t corner : faces()[nearest_].corners) is_at_corner |= hull_.is_same(corner, added);
     if (is_at_corner) return true;
     constexpr std::uint32_t kLong = 48, kLast = 32;
     constexpr int kMostRepeated = 8;
     if (added < kLong) return false;
     for (std::uint32_t i = added - kLast; i < added; ++i) {
-      if (is_at(i)) return ++n_repeated_ > kMostRepeated;
+      if (hull_.is_same(i, added)) return ++n_repeated_ > kMostRepeated;
     }
     return false;
   }

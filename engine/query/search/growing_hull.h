@@ -43,6 +43,11 @@ class GrowingHull {
     return static_cast<std::uint32_t>(points_.size() - 1);
   }
   const Vec3<L>& at(std::uint32_t i) const { return points_[i].w; }
+  /// Whether two points are one, found without a jump: which of their coordinates is larger nothing foretells.
+  bool is_same(std::uint32_t i, std::uint32_t j) const {
+    const Vec3<L>&p = at(i), &q = at(j);
+    return !((p.x < q.x) | (q.x < p.x) | (p.y < q.y) | (q.y < p.y) | (p.z < q.z) | (q.z < p.z));
+  }
   const std::vector<Point>& points() const { return points_; }
   const std::vector<Face>& faces() const { return faces_; }
   /// What is less above a plane is in it.
@@ -81,7 +86,7 @@ class GrowingHull {
       const Corners of = corners(f);
       if (std::max({of[0], of[1], of[2]}) >= n_points) return false;
       for (std::size_t k = 0; k < 3; ++k) {
-        if (!is_same(at(of[k]), at(of[kNext[k]]))) continue;
+        if (!is_same(of[k], of[kNext[k]])) continue;
         const std::uint32_t i = first_same(of[k]), j = first_same(of[kNext[k]]);
         same[std::max(i, j)] = std::min(i, j);
       }
@@ -199,10 +204,6 @@ class GrowingHull {
   static constexpr auto is_farther = [](const Entry& a, const Entry& b) { return a.first > b.first; };
   static constexpr std::array<std::uint32_t, 3> kNext = {1, 2, 0};
   static constexpr std::size_t kFew = 64;
-
-  static bool is_same(const Vec3<L>& p, const Vec3<L>& q) {
-    return !((p.x < q.x) | (q.x < p.x) | (p.y < q.y) | (q.y < p.y) | (p.z < q.z) | (q.z < p.z));
-  }
 
   auto end_of_near() { return near_.begin() + static_cast<std::ptrdiff_t>(n_near_); }
   std::optional<std::uint32_t> nearest_of_many() {

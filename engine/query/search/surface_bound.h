@@ -59,7 +59,7 @@ std::optional<SurfaceBound<L>> bound_by_surface(std::uint32_t n_points, const At
     const Vec3<L>&p = at(of[0]), &q = at(of[1]), &r = at(of[2]);
     const Vec3<L> e = q - p, f = r - p, normal = cross(e, f);
     const L of_p = dot(normal, p), of_q = dot(normal, q), of_r = dot(normal, r);
-    const L pq = of_p < of_q ? of_p : of_q, least = pq < of_r ? pq : of_r;
+    const L least = smaller(smaller(of_p, of_q), of_r);
     const L least_sq = least * least;
     are_right = are_right & (least > L(0.0)) & (least_sq > rounding_sq * (dot(e, e) * dot(f, f)));
     const L quotient = least_sq / dot(normal, normal);

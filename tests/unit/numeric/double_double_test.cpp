@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <vector>
 
@@ -144,6 +145,22 @@ TEST(DoubleDouble, OfZeroAndBelow) {
   EXPECT_EQ(DoubleDouble(0.0) / DoubleDouble(3.0), DoubleDouble(0.0));
   EXPECT_EQ(DoubleDouble(6.0) / DoubleDouble(-3.0), DoubleDouble(-2.0));
   EXPECT_EQ(DoubleDouble(1.0, 0x1p-60) - DoubleDouble(1.0), DoubleDouble(0x1p-60));
+}
+
+TEST(DoubleDouble, IsChosenByBits) {
+  for (const double x : {0.0, -0.0, 1.5, -0x1p-1074, HUGE_VAL, -HUGE_VAL, std::nan("")}) {
+    const double y = 0x1.23456789abcdep-7;
+    EXPECT_EQ(bits_of(blend(true, x, y)), bits_of(x));
+    EXPECT_EQ(bits_of(blend(false, x, y)), bits_of(y));
+    EXPECT_EQ(bits_of(blend(false, y, x)), bits_of(x));
+    const DoubleDouble of_x(x, 0x1p-1074), of_y(y, -0.0);
+    const DoubleDouble first = blend(true, of_x, of_y), second = blend(false, of_x, of_y);
+    EXPECT_EQ(bits_of(first.high), bits_of(x));
+    EXPECT_EQ(bits_of(first.low), bits_of(0x1p-1074));
+    EXPECT_EQ(bits_of(second.high), bits_of(y));
+    EXPECT_EQ(bits_of(second.low), bits_of(-0.0));
+  }
+  EXPECT_EQ(blend(true, std::uint64_t{7}, ~std::uint64_t{0}), 7u);
 }
 
 TEST(DoubleDouble, IsScaledByAPowerOfTwoExactly) {
