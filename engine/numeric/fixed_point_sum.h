@@ -10,11 +10,15 @@
 
 namespace vex {
 
-/// A whole number of units of 2^-448 in 512 bits, of either sign. Each number is cut to that unit once, towards zero,
+/// A whole number of units of 2^-448 in 576 bits, of either sign. Each number is cut to that unit once, towards zero,
 /// when it is added, and all else is exact: sums are the same for any number of threads. Numbers below 2^-396 lose
-/// digits, less than `kUnit` each. Room for sums below 2^63: of numbers up to 1, for 2^63 of them.
+/// digits, less than `kUnit` each. Room for sums below 2^127: of the largest numbers, for 2^79 of them, which no run
+/// has.
 class FixedPointSum {
  public:
+  /// The least word first; a negative sum as 2^576 less.
+  using Words = std::array<std::uint64_t, 9>;
+
   static constexpr double kUnit = 0x1p-448;
   /// Of the size of a number.
   static constexpr double kLargest = 0x1p48;
@@ -77,26 +81,35 @@ class FixedPointSum {
 
   /// Within 2 u, relative.
   double value() const {
-    if (words_.back() >> 63 != 0) {
-      FixedPointSum opposite;
-      for (std::size_t k = 0; k < words_.size(); ++k) opposite.take_word(k, words_[k]);
-      return -opposite.value();
-    }
-    double sum = 0.0;
-    for (const std::uint64_t word : words_) sum = static_cast<double>(word) + 0x1p-64 * sum;
-    return sum;
+    double size = 0.0;
+    for (const std::uint64_t word : size_in_units()) size = static_cast<double>(word) + 0x1p-64 * size;
+    size *= 0x1p64;
+    return is_negative() ? -size : size;
   }
 
-  /// All of it: the least word first; a negative sum as 2^512 less.
-  using Words = std::array<std::uint64_t, 8>;
-  const Words& words() const { return words_; }
-  explicit FixedPointSum(const Words& words) : words_(words) {}
+  /// All of it: a sign, and a size in units.
+  bool is_negative() const { return words_.back() >> 63 != 0; }
+  Words size_in_units() const { return is_negative() ? opposite(words_) : words_; }
+  /// The size is below 2^127, so its last bit is 0.
+  FixedPointSum(bool is_negative, const Words& size_in_units)
+      : words_(is_negative ? opposite(size_in_units) : size_in_units) {
+    VEX_EXPECT(size_in_units.back() >> 63 == 0);
+  }
   FixedPointSum() = default;
 
   friend bool operator==(const FixedPointSum&, const FixedPointSum&) = default;
 
  private:
   __extension__ typedef unsigned __int128 Word128;
+
+  static Words opposite(Words words) {
+    bool has_carry = true;
+    for (std::uint64_t& word : words) {
+      word = ~word + (has_carry ? 1u : 0u);
+      has_carry = has_carry && word == 0;
+    }
+    return words;
+  }
 
   void add_word(std::size_t k, std::uint64_t word) {
     words_[k] += word;

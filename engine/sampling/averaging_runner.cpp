@@ -56,19 +56,19 @@ class AveragingRunner final : public TrialRunner {
     const std::span<double> values(values_.data(), n);
     const Doubts doubts = integrand_->evaluate(std::span<const double>(columns_).first(dimension * n), values);
     const double unit = tally.by_class.unit;
-    for (double& value : values) {
-      value = (value - reference_) / unit;
-      if (!(std::fabs(value) <= Integrand::kLargestValue)) {
-        throw UsageError("values of this estimator are lost to rounding (one is " + std::to_string(value) +
-                         " times what the bodies can have) - use hit-or-miss-fitted");
-      }
-    }
+    for (double& value : values) value = checked((value - reference_) / unit);
     sums.n += n;
     sums.values.add(values);
     tally.n_trials += n;
     tally.n_undecided += doubts.size();
     tally.n_decided_by[static_cast<std::size_t>(DecidedBy::gjk)] += n - doubts.size();
-    for (const Doubt& doubt : doubts) tally.by_class.half_widths.add(doubt.half_width / unit);
+    for (const Doubt& doubt : doubts) tally.by_class.half_widths.add(checked(doubt.half_width / unit));
+  }
+
+  static double checked(double value) {
+    if (std::fabs(value) <= Integrand::kLargestValue) return value;
+    throw UsageError("values of this estimator are lost to rounding (one is " + std::to_string(value) +
+                     " times what the bodies can have) - use hit-or-miss-fitted");
   }
 
   const MonteCarloSettings& settings_;

@@ -27,22 +27,14 @@ void add(std::string& text, double number) {
 
 // The digits that are not 0 at either end, and the power of two of the last one.
 void add(std::string& text, const FixedPointSum& sum) {
-  FixedPointSum::Words words = sum.words();
-  const bool is_negative = words.back() >> 63 != 0;
-  if (is_negative) {
-    bool carry = true;
-    for (std::uint64_t& word : words) {
-      word = ~word + (carry ? 1u : 0u);
-      carry = carry && word == 0;
-    }
-  }
-  const auto digit = [&words](int k) {
-    return static_cast<unsigned>(words[static_cast<std::size_t>(k / 16)] >> (4 * (k % 16)) & 15u);
+  const FixedPointSum::Words size = sum.size_in_units();
+  const auto digit = [&size](int k) {
+    return static_cast<unsigned>(size[static_cast<std::size_t>(k / 16)] >> (4 * (k % 16)) & 15u);
   };
-  int first = 127, last = 0;
+  int first = kSumDigits - 1, last = 0;
   while (first > 0 && digit(first) == 0) --first;
   while (last < first && digit(last) == 0) ++last;
-  text += is_negative ? " -" : " ";
+  text += sum.is_negative() ? " -" : " ";
   for (int k = first; k >= last; --k) text += "0123456789abcdef"[digit(k)];
   text += 'p' + std::to_string(digit(last) == 0 ? 0 : 4 * last + kSumExponent);
 }
@@ -116,7 +108,7 @@ void read_classes(Reader& from, std::uint64_t first_trial, Tally& tally) {
   for (double* const x : {&by_class.offset, &by_class.unit, &by_class.relative_rounding, &by_class.absolute_rounding}) {
     *x = from.number();
   }
-  by_class.half_widths = from.sum();
+  by_class.half_widths = from.half_widths(tally.n_undecided);
   const std::uint64_t n_classes = from.count(kClasses);
   const bool is_none = by_class.kind == ClassTally::Kind::none;
   const std::uint64_t due = is_none ? 0 : by_class.kind == ClassTally::Kind::one ? 1 : kClasses;
@@ -124,9 +116,6 @@ void read_classes(Reader& from, std::uint64_t first_trial, Tally& tally) {
   from.require(n_classes <= 1 || first_trial % kClasses == 0, "classes that begin in their midst");
   from.require(is_none ? by_class == ClassTally{} : by_class.unit > 0.0, "a unit that is none");
   from.require(by_class.relative_rounding >= 0.0 && by_class.absolute_rounding >= 0.0, "a negative rounding");
-  from.require(
-      by_class.half_widths.value() >= 0.0 && (tally.n_undecided > 0 || by_class.half_widths == FixedPointSum{}),
-      "half-widths of no value");
   for (std::uint64_t k = 0; k < n_classes; ++k) {
     from.line("class");
     ClassSums sums;

@@ -16,8 +16,9 @@
 
 namespace vex {
 
-/// The power of two of the last bit of a FixedPointSum.
+/// The power of two of the last bit of a FixedPointSum, and how many digits of four bits it has.
 inline constexpr int kSumExponent = -448;
+inline constexpr int kSumDigits = 16 * static_cast<int>(FixedPointSum::Words{}.size());
 
 /// Reads words and numbers one after another, line by line; refuses everything else with the number of the line.
 class RunStateWords {
@@ -88,22 +89,27 @@ class RunStateWords {
     const bool is_negative = digits.starts_with('-');
     if (is_negative) digits.remove_prefix(1);
     const std::size_t mark = digits.find('p');
-    require(mark != std::string_view::npos && mark > 0 && mark <= 128, "no sum");
-    const int exponent = whole<int>(digits.substr(mark + 1), 10) - kSumExponent;
-    require(exponent >= 0 && exponent % 4 == 0 && exponent / 4 + static_cast<int>(mark) <= 128, "a sum is too large");
-    FixedPointSum::Words words{};
+    require(mark != std::string_view::npos && mark > 0 && mark <= kSumDigits, "no sum");
+    const int exponent = whole<int>(digits.substr(mark + 1), 10);
+    require(exponent >= kSumExponent && exponent < kSumExponent + 4 * kSumDigits && exponent % 4 == 0,
+            "a sum is too large, or too fine");
+    const auto last = static_cast<std::size_t>((exponent - kSumExponent) / 4);
+    require(last + mark <= kSumDigits, "a sum is too large");
+    FixedPointSum::Words size{};
     for (std::size_t k = 0; k < mark; ++k) {
-      const std::size_t place = static_cast<std::size_t>(exponent) / 4 + (mark - 1 - k);
-      words[place / 16] |= whole<std::uint64_t>(digits.substr(k, 1), 16) << (4 * (place % 16));
+      const std::size_t place = last + (mark - 1 - k);
+      size[place / 16] |= whole<std::uint64_t>(digits.substr(k, 1), 16) << (4 * (place % 16));
     }
-    if (is_negative) {
-      bool carry = true;
-      for (std::uint64_t& one : words) {
-        one = ~one + (carry ? 1u : 0u);
-        carry = carry && one == 0;
-      }
-    }
-    return FixedPointSum(words);
+    require(size.back() >> 63 == 0, "a sum is too large");  // its last bit is the sign's
+    return FixedPointSum(is_negative, size);
+  }
+  /// Of the half-widths of so many undecided values of an integrand.
+  FixedPointSum half_widths(std::uint64_t n) {
+    const FixedPointSum found = sum();
+    const double value = found.value();
+    require(value >= 0.0 && value <= kRounding * static_cast<double>(n) * Integrand::kLargestValue,
+            "half-widths that no such number of values has");
+    return found;
   }
   /// Of so many shares of 0 to 1.
   ShareSums shares(std::uint64_t n) {
@@ -115,7 +121,7 @@ class RunStateWords {
   ShareSums values(std::uint64_t n) {
     const ShareSums sums{sum(), sum()};
     const double first = sums.first.value(), second = sums.second.value(), number = static_cast<double>(n);
-    constexpr double kLargest = Integrand::kLargestValue, kRounding = 1.0 + 1e-9, kCut = 0x1p-380;
+    constexpr double kLargest = Integrand::kLargestValue, kCut = 0x1p-380;
     require(second >= 0.0 && second <= kRounding * number * (kLargest * kLargest) &&
                 std::fabs(first) <= kRounding * number * kLargest &&
                 first * first <= kRounding * number * second + number * kCut,
@@ -149,6 +155,8 @@ class RunStateWords {
   }
 
  private:
+  static constexpr double kRounding = 1.0 + 1e-9;  // of sums of values
+
   template <class T>
   T whole(std::string_view digits, int base) const {
     T number = 0;

@@ -144,6 +144,39 @@ TEST(FixedPointSum, HasRoomForMoreNumbersThanARunHas) {
   EXPECT_EQ(with_a_trifle, same) << "nothing is lost beside a large sum";
 }
 
+// A state that was damaged on disk once held the only sum that is its own opposite, and its value was sought for ever.
+TEST(FixedPointSum, HoldsSumsOfEverySize) {
+  FixedPointSum::Words size{};
+  for (std::size_t k = 0; k < size.size(); ++k) {
+    for (const unsigned bit : {0u, 1u, 62u, 63u}) {
+      if (k + 1 == size.size() && bit == 63u) continue;  // the sign's
+      size = {};
+      size[k] = std::uint64_t{1} << bit;
+      for (const bool is_negative : {false, true}) {
+        const FixedPointSum sum(is_negative, size);
+        EXPECT_EQ(sum.value(), std::ldexp(is_negative ? -1.0 : 1.0, static_cast<int>(64 * k + bit) - 448));
+        EXPECT_EQ(sum.is_negative(), is_negative);
+        EXPECT_EQ(sum.size_in_units(), size);
+        EXPECT_EQ(FixedPointSum(sum) += FixedPointSum(!is_negative, size), FixedPointSum{});
+      }
+    }
+  }
+  // What is added to the largest sum reaches the sign: the only number that is its own opposite has a value, too.
+  size.fill(~std::uint64_t{0});
+  size.back() >>= 1;
+  FixedPointSum beyond(true, size);
+  beyond.add(-FixedPointSum::kUnit);
+  EXPECT_EQ(beyond.value(), -0x1p127);
+}
+
+// The squares of 2^19 of an integrand's largest values were once more than there was room for: a negative sum.
+TEST(FixedPointSum, HasRoomForTheLargestNumbersOfARun) {
+  FixedPointSum sum;
+  for (int k = 0; k < 1024; ++k) sum.add(FixedPointSum::kLargest);
+  for (int k = 0; k < 52; ++k) sum += FixedPointSum(sum);
+  EXPECT_EQ(sum.value(), 0x1p110);
+}
+
 TEST(FixedPointSum, TakesNegativeNumbersToo) {
   std::vector<double> numbers = numbers_down_to(-460, 3000, 5);
   for (std::size_t k = 0; k < numbers.size(); k += 2) numbers[k] = -std::ldexp(numbers[k], static_cast<int>(k % 40));

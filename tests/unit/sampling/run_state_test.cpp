@@ -170,6 +170,28 @@ TEST(RunState, NumbersThatNoRunHasAreRefused) {
   }
 }
 
+// Sums that reach the bit of their sign, or whose exponents leave their type: each word of a state that is a sum.
+TEST(RunState, SumsThatNothingHoldsAreRefused) {
+  MonteCarloSettings settings = settings_of(WayToSave::sobol_hits, 2000);
+  settings.backend = kUnsure;
+  const std::string text = run_state_text(state_of(settings));
+  std::size_t n_sums = 0;
+  for (std::size_t at = text.find('p'); at != std::string::npos; at = text.find('p', at + 1)) {
+    const std::size_t begin = text.rfind(' ', at) + 1, end = text.find_first_of(" \n", at);
+    const std::string word = text.substr(begin, end - begin);
+    if (word.find_first_not_of("0123456789abcdefp-") != std::string::npos || word.find('p') + 1 == word.size())
+      continue;
+    for (const std::string& sum :
+         {"8" + std::string(143, '0') + "p-448", "-8" + std::string(143, '0') + "p-448", std::string("8p124"),
+          std::string("-8p124"), std::string("7p124"), std::string("1p128"), std::string("1p2147483640"),
+          std::string("1p-2147483648"), std::string("1p-452")}) {
+      EXPECT_THROW(read_run_state(text.substr(0, begin) + sum + text.substr(end)), InputError) << word << " -> " << sum;
+    }
+    ++n_sums;
+  }
+  EXPECT_GE(n_sums, 64u);
+}
+
 TEST(RunState, ARunThatGoesOnEndsAsOneWithoutABreak) {
   for (const WayToSave way : kWaysToSave) {
     MonteCarloSettings settings = settings_of(way, 50000);
