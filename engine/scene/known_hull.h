@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/numeric/lane.h"
 #include "engine/numeric/vec3.h"
 
 namespace vex {
@@ -35,9 +36,10 @@ struct KnownHull {
   double most_of(const Vec3d& x, bool is_half_space) const {
     const Vec3d u = vector(axis);
     const double along = dot(u, x), away = norm(x - along * u), length = norm(x);
-    const double least_along = is_half_space ? -2.0 : static_cast<double>(sine);
+    // Nothing foretells which of the two a pair has, nor on which side it is.
+    const double least_along = blend(is_half_space, -2.0, static_cast<double>(sine));
     const double by_edge = along * static_cast<double>(sine) + away * static_cast<double>(cosine);
-    return along > least_along * length ? by_edge : length;
+    return blend(along > least_along * length, by_edge, length);
   }
 };
 

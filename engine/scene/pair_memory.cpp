@@ -8,6 +8,7 @@
 
 #include "engine/numeric/interruption.h"
 #include "engine/numeric/interval.h"
+#include "engine/numeric/lane.h"
 #include "engine/scene/short_sort.h"
 #include "engine/scene/threads.h"
 
@@ -71,7 +72,7 @@ void PairMemory::find_pairs_within_skin(const BroadPhases& phases, const SceneKe
       for (std::size_t k = 0; k < near.n; ++k) {
         const BodyId a = id[near.places[k] & 0xffffffffu], b = id[near.places[k] >> 32];
         const std::uint32_t shift = number[near.shift[k]];
-        const std::uint64_t number_of_b = shifts_.is_reversed(a, b, shift) ? shifts_.opposite(shift) : shift;
+        const std::uint64_t number_of_b = blend(shifts_.is_reversed(a, b, shift), shifts_.opposite(shift), shift);
         found[n_before + k] = {std::min(a, b), std::max(a, b), static_cast<std::uint32_t>(number_of_b)};
       }
       near.n = 0;

@@ -81,7 +81,7 @@ class PairMemory final : public PairKeeper {
     std::uint64_t bodies() const { return (std::uint64_t{a} << 32) | b; }
     friend bool operator==(const Listed&, const Listed&) = default;
     friend bool operator<(const Listed& p, const Listed& q) {
-      return p.bodies() != q.bodies() ? p.bodies() < q.bodies() : p.shift < q.shift;
+      return (p.bodies() < q.bodies()) | ((p.bodies() == q.bodies()) & (p.shift < q.shift));
     }
   };
   void find_pairs_within_skin(const BroadPhases& phases, const SceneKernel& kernel, int n_threads);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/numeric/interval.h"
+#include "engine/numeric/lane.h"
 #include "engine/scene/pair_memory.h"
 
 namespace vex {
@@ -49,7 +50,7 @@ void PairMemory::look(std::size_t block, PairSearch& search) {
   SceneCounts::Stage& unmoved = search.counts[SceneStage::unmoved];
   unmoved.seen += end - first;
   unmoved.settled += (end - first) - n_due;
-  // Those of which a facet may tell more come last: it is on its way until then.
+  // Of which pairs something is left is as good as random: no jump hangs on it.
   std::uint32_t used_up[kBlock];
   std::size_t n_used_up = 0;
   for (std::size_t j = 0; j < n_due; ++j) {
@@ -61,27 +62,24 @@ void PairMemory::look(std::size_t block, PairSearch& search) {
       __builtin_prefetch(&known_[ahead]);
     }
     const std::size_t k = first + due[j];
-    const Listed& pair = listed_[k];
-    const Known& known = known_[k];
-    const Vec3d from_a_to_b = way(pair);
-    const double still = left(known, pair, from_a_to_b);
-    if (still > 0.0) {
-      until_[k] = clock_when(still);
-      ++unmoved.settled;
-    } else if (known.kind == Known::Kind::hull_and_facet) {
-      used_up[n_used_up++] = due[j];
-      __builtin_prefetch(facet_[k].corners.data());
-      __builtin_prefetch(facet_[k].corners.data() + 2);
-    } else if (known.kind == Known::Kind::at_rest && known.has_travels(travels(pair))) {
-      ++unmoved.settled;
-    } else {
-      look_closer(k, from_a_to_b, search);
-    }
+    const double still = left(known_[k], listed_[k], way(listed_[k]));
+    const bool is_left = still > 0.0;
+    until_[k] = blend(is_left, clock_when(still), until_[k]);
+    used_up[n_used_up] = due[j];
+    n_used_up += is_left ? 0u : 1u;
   }
+  unmoved.settled += n_due - n_used_up;
   for (std::size_t j = 0; j < n_used_up; ++j) {
+    if (j + kAhead < n_used_up) {
+      const KnownFacet& ahead = facet_[first + used_up[j + kAhead]];
+      __builtin_prefetch(ahead.corners.data());
+      __builtin_prefetch(ahead.corners.data() + 2);
+    }
     const std::size_t k = first + used_up[j];
-    const Vec3d from_a_to_b = way(listed_[k]);
-    if (renew_hull(k, from_a_to_b)) {
+    const Listed& pair = listed_[k];
+    const Vec3d from_a_to_b = way(pair);
+    if ((known_[k].kind == Known::Kind::at_rest && known_[k].has_travels(travels(pair))) ||
+        (known_[k].kind == Known::Kind::hull_and_facet && renew_hull(k, from_a_to_b))) {
       ++unmoved.settled;
     } else {
       look_closer(k, from_a_to_b, search);
