@@ -31,7 +31,7 @@ struct CoreSeparation {
   Vec3<L> normal;              // unit
   L distance;                  // signed, along it
   Interval<L> bounds;          // of the signed distance of the cores, rounding included
-  L missing{0.0};              // of the distance, in what the normal alone shows,
+  L missing{0.0};              // of the signed distance, in what the normal alone shows,
   bool tells_missing = false;  // where this is true
   WeightedPoints<L, Point> points;
   bool has_normal = false;
@@ -105,6 +105,7 @@ class CoreSearch {
       found_.points = descent_.simplex.points();
       return;
     }
+    found_.tells_missing = true;  // nothing: the depth is what K reaches along the normal
     Vec3<L> foot;
     if (end != Polytope::End::flat) {
       const L depth_lower = polytope.depth_lower();

@@ -114,7 +114,7 @@ class DoubleSearch {
       if (memory->holds_hull() && settings_.goal != SeparationGoal::distance) {
         CoreSeparation<double, CoreDifference::Point> core;
         if (memory->find_depth(settings_, is_smooth, core)) {
-          take(core, result);
+          take(core, searched, result);
           result.n_support_calls = memory->n_support_calls();
           return;
         }
@@ -148,11 +148,8 @@ class DoubleSearch {
     } else if (memory && !search.wants_depth()) {
       memory->forget();  // of bodies that overlap, where their distance is all that is asked
     }
-    take(core, result);
+    take(core, searched, result);
     result.n_support_calls = (memory ? memory->n_support_calls() : n_calls_before) + search.n_support_calls();
-    searched.is_capped = core.is_capped;
-    searched.missing = core.missing;
-    searched.tells_missing = core.tells_missing;
     if (core.is_capped && search.wants_depth() && core.bounds.lower > -HUGE_VAL) look_for_shorter_way(core, result);
   }
 
@@ -178,7 +175,11 @@ class DoubleSearch {
     return simplex;
   }
 
-  void take(const CoreSeparation<double, CoreDifference::Point>& core, Separation& result) const {
+  void take(const CoreSeparation<double, CoreDifference::Point>& core, SearchedSeparation& searched,
+            Separation& result) const {
+    searched.is_capped = core.is_capped;
+    searched.missing = core.missing;
+    searched.tells_missing = core.tells_missing;
     take(core.normal, core.distance, core.bounds, result);
     result.has_witnesses = core.has_normal;
     if (core.has_normal) take_points(difference_.cores_of(core.points), result);

@@ -162,6 +162,7 @@ bool WarmMemory::find_depth(const CoreSearchSettings<double>& settings, bool is_
   found.normal = polytope.normal();
   found.has_normal = true;
   found.distance = -polytope.height();
+  found.tells_missing = true;  // nothing
   found.bounds = {-polytope.depth_upper(), -depth_lower};
   const auto add = [&](double weight, const Point& point) { found.points.add(weight, point); };
   if (polytope.is_as_known()) {

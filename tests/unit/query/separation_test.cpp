@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/query/separation_certificate.h"
 #include "engine/support/combinators.h"
 #include "shapes/any_shape.h"
 #include "shapes/polytope.h"
@@ -165,6 +166,36 @@ TEST(Separation, KeepsItsBoundsWhereLessIsAskedFor) {
     n_calls_rough += rough.n_support_calls;
   }
   EXPECT_LT(n_calls_rough, 0.6 * n_calls);
+}
+
+// What a depth's normal shows its search has asked already. Two more support calls were made to know it.
+TEST(Separation, DepthsOfFewDigitsShowThemAlongTheirNormalsAndAskNoMore) {
+  std::mt19937_64 random(16);
+  for (const char* name : {"dodecahedron:0.5", "cylinder:1,0.5", "ellipsoid:0.3,0.6,0.9", "capsule:1,0.5"}) {
+    const ConvexBody a = body(name), b = body("icosahedron:1");
+    const Domain domain = ball_domain(a, b);
+    for (const double gap : {1e-6, 1e-3, 1e-1}) {
+      int n_calls = 0, n_coarse_calls = 0, n_deep = 0;
+      WarmStart warm;
+      for (int k = 0; k < 200; ++k) {
+        const Pose pose = Pose::unchecked(random_pose(random, domain, b));
+        const Separation all = penetration_depth(a, b, pose);
+        if (all.verdict.outcome != Outcome::overlap) continue;
+        for (WarmStart* const memory : {static_cast<WarmStart*>(nullptr), &warm}) {
+          const Separation coarse = penetration_depth(a, b, pose, {.relative_gap = gap}, memory);
+          ASSERT_FALSE(coarse.is_rough) << name << ' ' << gap << ' ' << k;
+          const Vec3d of_a = a.support(coarse.normal);
+          const Vec3d of_b = pose.a_from_b()(b.support(pose.a_from_b().direction_to_b(-coarse.normal)));
+          ASSERT_GE(dot(coarse.normal, of_b - of_a), coarse.signed_distance - promised_accuracy(a, b, coarse));
+          if (memory == nullptr) n_coarse_calls += coarse.n_support_calls;
+        }
+        n_calls += all.n_support_calls;
+        ++n_deep;
+      }
+      EXPECT_GT(n_deep, 20) << name;
+      EXPECT_LE(n_coarse_calls, n_calls) << name << ' ' << gap;
+    }
+  }
 }
 
 TEST(Separation, IsTheSameFromAWarmStartAndNeedsFewerCalls) {
