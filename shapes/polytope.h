@@ -9,6 +9,7 @@
 
 #include "engine/numeric/vec3.h"
 #include "engine/support/exact_form.h"
+#include "engine/support/first_farthest.h"
 #include "engine/support/lazy_direction_map.h"
 
 namespace vex {
@@ -32,8 +33,10 @@ class Polytope {
         const DirectionMap* const map = map_->for_call(x_, y_, z_);
         if (map != nullptr && map->takes(dir)) return map->support(dir);
       }
+      return vertex(first_farthest(x_.size(), dir, [this](std::size_t k) { return vertex(k); }));
+    } else {
+      return scan(dir);
     }
-    return scan(dir);
   }
 
   bool rounds_as_kernels() const { return true; }

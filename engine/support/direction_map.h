@@ -16,6 +16,7 @@
 
 #include "engine/numeric/vec3.h"
 #include "engine/support/direction_table.h"
+#include "engine/support/first_farthest.h"
 
 namespace vex {
 
@@ -70,7 +71,8 @@ inline Vec3d DirectionMap::support(const Vec3d& dir) const {
   const std::array<double, 5> along = {place.x, place.y, place.z, place.x, place.y};
   const double size_x = absolute(place.x), size_y = absolute(place.y);
   const double size = larger(size_x, larger(size_y, absolute(place.z)));
-  const std::size_t axis = size_x >= size ? 0 : (size_y >= size ? 1 : 2);
+  // 0, 1 or 2, without a jump: nothing foretells which.
+  const std::size_t axis = std::size_t{size_x < size} << std::size_t{size_y < size};
   const double half = 0.5 / size;
   // (s + 1)/2 and (t + 1)/2, in [0, 1] also when rounded (E17).
   double p = 0.5 + half * along[axis + 1];
@@ -82,21 +84,15 @@ inline Vec3d DirectionMap::support(const Vec3d& dir) const {
     p = p * width;
     q = q * width;
     // The largest whole number up to p; the last cell for p = width, and for a NaN.
-    const double column = p < last ? static_cast<double>(static_cast<int>(p)) : last;
-    const double row = q < last ? static_cast<double>(static_cast<int>(q)) : last;
+    const double column = static_cast<double>(static_cast<int>(smaller(p, last)));
+    const double row = static_cast<double>(static_cast<int>(smaller(q, last)));
     p = p - column;
     q = q - row;
     cell = cells_[(cell & DirectionTable::kPlaceBits) + static_cast<std::size_t>(row * width + column)];
   }
-  const Vertex* best = lists_.data() + cell;
-  const Vertex* const end = best + static_cast<std::size_t>(best->n_left);
-  double best_value = dot(Vec3d{best->x, best->y, best->z}, dir);
-  for (const Vertex* next = best + 1; next != end; ++next) {
-    const double value = dot(Vec3d{next->x, next->y, next->z}, dir);
-    best = value > best_value ? next : best;
-    best_value = value > best_value ? value : best_value;
-  }
-  return {best->x, best->y, best->z};
+  const Vertex* const kept = lists_.data() + cell;
+  const auto vertex = [kept](std::uint64_t k) { return Vec3d{kept[k].x, kept[k].y, kept[k].z}; };
+  return vertex(first_farthest(static_cast<std::uint64_t>(kept->n_left), dir, vertex));
 }
 
 }  // namespace vex
