@@ -169,7 +169,7 @@ TEST(FixedPointSum, HoldsSumsOfEverySize) {
   EXPECT_EQ(beyond.value(), -0x1p127);
 }
 
-// The squares of 2^19 of an integrand's largest values were once more than there was room for: a negative sum.
+// The squares of 2^17 of an integrand's largest values were once more than there was room for: a negative sum.
 TEST(FixedPointSum, HasRoomForTheLargestNumbersOfARun) {
   FixedPointSum sum;
   for (int k = 0; k < 1024; ++k) sum.add(FixedPointSum::kLargest);
