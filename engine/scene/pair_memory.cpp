@@ -15,6 +15,8 @@
 namespace vex {
 namespace {
 
+constexpr std::size_t kBodiesAShare = 4096;
+
 // So many entries of any values, with room for a few more: a list that grows a little stays where it is.
 template <class Vector>
 void resize_with_room(Vector& entries, std::size_t n) {
@@ -23,6 +25,14 @@ void resize_with_room(Vector& entries, std::size_t n) {
 }
 
 }  // namespace
+
+// What is there already may stay: a list writes all of it.
+void PairMemory::List::make_room(std::size_t n) {
+  resize_with_room(pairs, n);
+  resize_with_room(known, n);
+  resize_with_room(until, n);
+  resize_with_room(overlaps, n);
+}
 
 void PairMemory::build(SceneBodies& bodies, const BroadPhases& phases, const SceneKernel& kernel, double skin,
                        int n_threads) {
@@ -44,10 +54,13 @@ void PairMemory::build(SceneBodies& bodies, const BroadPhases& phases, const Sce
   if (!keeps_old) rounding_ = rounding;
   skin_ = skin;
   bodies_ = &bodies;
-  listed_before_.swap(listed_);
+  std::swap(before_, list_);
+  if (!keeps_old) before_.starts.clear();
   is_there_ = false;  // nor is it where the search ends by an exception
   find_pairs_within_skin(phases, kernel, n_threads);
-  list(keeps_old);
+  list(n_threads);
+  // A second list goes where nothing has been yet: a system's first time with memory is not left to one of the steps.
+  if (!keeps_old) before_.make_room(list_.pairs.size());
   clock_ = 0.0;
   bodies.track();
   is_there_ = true;
@@ -79,70 +92,76 @@ void PairMemory::find_pairs_within_skin(const BroadPhases& phases, const SceneKe
       return true;
     });
   });
-  // Counting sort by the first body; each has few pairs.
-  next_.assign(std::size_t{bodies_->end()} + 1, 0);
+}
+
+// Counting sort by the first body, and what is known of pairs that were listed before.
+void PairMemory::list(int n_threads) {
+  const std::size_t n_bodies = bodies_->end();
+  // Of each body its number of pairs, two places on; then, one on, where its next pair goes, which ends up as the end
+  // of them: the start of the next one's.
+  std::vector<std::uint32_t>& starts = list_.starts;
+  starts.assign(n_bodies + 2, 0);
   for (const std::vector<Listed>& part : found_) {
-    for (const Listed& pair : part) ++next_[pair.a + 1];
+    for (const Listed& pair : part) ++starts[pair.a + 2];
   }
-  for (std::size_t k = 1; k < next_.size(); ++k) next_[k] += next_[k - 1];
-  resize_with_room(listed_, next_.back());
+  for (std::size_t k = 2; k < starts.size(); ++k) starts[k] += starts[k - 1];
+  resize_with_room(keys_, starts.back());
   for (const std::vector<Listed>& part : found_) {
-    for (const Listed& pair : part) listed_[next_[pair.a]++] = pair;
+    for (const Listed& pair : part) keys_[starts[pair.a + 1]++] = pair.key();
   }
-  for (std::size_t first = 0; first < listed_.size();) {
-    const std::size_t end = next_[listed_[first].a];
-    sort_short(std::span(listed_.data() + first, end - first), std::less<Listed>());
-    first = end;
+  starts.pop_back();
+  list_.make_room(keys_.size());
+  resize_with_room(facet_, keys_.size());
+  share_range(n_threads, n_bodies, kBodiesAShare, [&](std::size_t first, std::size_t end) { list_of(first, end); });
+}
+
+// The pairs whose first bodies are these.
+void PairMemory::list_of(std::size_t first_body, std::size_t end_body) {
+  const std::size_t first = list_.starts[first_body], end = list_.starts[end_body];
+  for (std::size_t body = first_body, k = first; body < end_body; ++body) {
+    const std::size_t its_end = list_.starts[body + 1];
+    sort_short(std::span(keys_.data() + k, its_end - k));
+    for (; k < its_end; ++k) {
+      list_.pairs[k] = {static_cast<BodyId>(body), static_cast<BodyId>(keys_[k] >> 32),
+                        static_cast<std::uint32_t>(keys_[k])};
+    }
+  }
+  const std::vector<std::uint32_t>& starts = before_.starts;
+  std::size_t at = first_body < starts.size() ? starts[first_body] : starts.empty() ? 0 : starts.back();
+  const std::size_t at_end = starts.empty() ? 0 : starts[std::min(end_body, starts.size() - 1)];
+  for (std::size_t k = first; k < end; ++k) {
+    if (at_end > 0 && k + kAhead < end) bodies_->prefetch_track(list_.pairs[k + kAhead].b);
+    const Listed& pair = list_.pairs[k];
+    while (at < at_end && before_.pairs[at] < pair) ++at;
+    if (at < at_end && before_.pairs[at] == pair) {
+      carry_over(at++, k);
+    } else {
+      list_.known[k] = known_by_balls(list_.pairs[k]);
+      list_.until[k] = kNever;
+      list_.overlaps[k] = 0;
+    }
   }
 }
 
-// What is known of pairs that were listed before moves to the front of the columns, in the order of both lists, and
-// from there, the last first, to where each stands now. Other columns would be memory that no list has touched yet, and
-// it is lists that have a step take long.
-void PairMemory::list(bool keeps_old) {
-  const std::size_t n = listed_.size(), n_before = keeps_old ? listed_before_.size() : 0;
-  resize_with_room(was_listed_, n);
-  std::size_t n_kept = 0;
-  for (std::size_t k = 0, at = 0; k < n; ++k) {
-    const Listed& pair = listed_[k];
-    if (n_before > 0 && k + kAhead < n) bodies_->prefetch_track(listed_[k + kAhead].b);
-    while (at < n_before && listed_before_[at] < pair) ++at;
-    was_listed_[k] = at < n_before && listed_before_[at] == pair ? 1 : 0;
-    if (was_listed_[k] == 0) continue;
-    const bool is_same_copy = image(pair) == shifts_.image(pair.shift);
-    known_[n_kept] = known_[at];
-    carry_over(pair, is_same_copy, known_[n_kept]);
-    until_[n_kept] = is_same_copy ? next_below(until_[at] - clock_) : -HUGE_VAL;
-    overlaps_[n_kept] = overlaps_[at];
-    ++n_kept;
-    ++at;
-  }
-  resize_with_room(known_, n);
-  resize_with_room(facet_, n);
-  resize_with_room(until_, n);
-  resize_with_room(overlaps_, n);
-  // No more pairs before one were listed than are before it, so that none is written over before it has moved.
-  for (std::size_t k = n; k-- > 0;) {
-    const bool was_listed = was_listed_[k] != 0;
-    if (was_listed) --n_kept;
-    known_[k] = was_listed ? known_[n_kept] : Known{};
-    until_[k] = was_listed ? until_[n_kept] : -HUGE_VAL;
-    overlaps_[k] = was_listed ? overlaps_[n_kept] : 0;
-  }
-}
-
-// Into the tracks that begin now, where nothing has turned and nothing has crossed a face yet. The shift of a body that
-// had crossed one leads to another copy there. A clearance is about the way from centre to centre, whichever copy that
-// leads to; what is known of a pair at rest, and until when a pair need not be looked at, is about one copy. Limits are
-// rounded to the safe side, however often. Facets are of one list.
-void PairMemory::carry_over(const Listed& pair, bool is_same_copy, Known& known) const {
-  if (known.kind == Known::Kind::hull_and_facet) known.kind = Known::Kind::hull;
-  if (known.kind != Known::Kind::at_rest) {
-    const double both = turned(pair);
-    if (both > 0.0) known.limit = next_below(known.limit - both);
-  } else {
+// From the list before, into the tracks that begin now, where nothing has turned and nothing has crossed a face yet.
+// The shift of a body that had crossed one leads to another copy there. A clearance is about the way from centre to
+// centre, whichever copy that leads to; what is known of a pair at rest, and until when a pair need not be looked at,
+// is about one copy. Limits are rounded to the safe side, however often. Facets are of one list.
+inline void PairMemory::carry_over(std::size_t from, std::size_t to) {
+  const Listed& pair = list_.pairs[to];
+  const bool is_same_copy = image(pair) == shifts_.image(pair.shift);
+  Known known = before_.known[from];
+  if (known.kind == Known::Kind::at_rest) {
     known = is_same_copy && known.has_travels(travels(pair)) ? Known::at_rest({}) : Known{};
+  } else {
+    // Which kind it is is as good as random, so no jump hangs on it.
+    const double both = blend(known.kind == Known::Kind::balls_apart, 0.0, turned(pair));
+    known.limit = blend(both > 0.0, next_below(known.limit - both), known.limit);
+    known.kind = known.without_facet();
   }
+  list_.known[to] = known;
+  list_.until[to] = is_same_copy ? next_below(before_.until[from] - clock_) : kNever;
+  list_.overlaps[to] = before_.overlaps[from];
 }
 
 // The clock is rounded up, so that it grows by at least what is added to it.
@@ -159,18 +178,19 @@ void PairMemory::collect(int n_threads, std::vector<ScenePair>& out) {
   n_overlaps_.assign(n_blocks() + 1, 0);
   share_parts(n_threads, n_blocks(), [&](std::size_t block) {
     std::size_t n = 0;
-    for (std::size_t k = block * kBlock; k < std::min((block + 1) * kBlock, listed_.size()); ++k) n += overlaps_[k];
+    for (std::size_t k = block * kBlock; k < std::min((block + 1) * kBlock, list_.pairs.size()); ++k)
+      n += list_.overlaps[k];
     n_overlaps_[block + 1] = n;
   });
   for (std::size_t block = 0; block < n_blocks(); ++block) n_overlaps_[block + 1] += n_overlaps_[block];
   out.resize(n_overlaps_.back());
   share_parts(n_threads, n_blocks(), [&](std::size_t block) {
-    const std::size_t first = block * kBlock, end = std::min(first + kBlock, listed_.size());
+    const std::size_t first = block * kBlock, end = std::min(first + kBlock, list_.pairs.size());
     std::uint32_t overlapping[kBlock];
-    const std::size_t n = numbers_of(first, end, overlapping, [&](std::size_t k) { return overlaps_[k] != 0; });
+    const std::size_t n = numbers_of(first, end, overlapping, [&](std::size_t k) { return list_.overlaps[k] != 0; });
     ScenePair* const to = out.data() + n_overlaps_[block];
     for (std::size_t j = 0; j < n; ++j) {
-      const Listed& pair = listed_[first + overlapping[j]];
+      const Listed& pair = list_.pairs[first + overlapping[j]];
       to[j].a = pair.a;
       to[j].b = pair.b;
       to[j].image = image(pair);

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -32,7 +33,7 @@ class PairMemory final : public PairKeeper {
   bool holds(SceneBodies& bodies, double skin);
 
   const ShiftTable& shifts() const { return shifts_; }
-  std::size_t n_blocks() const { return (listed_.size() + kBlock - 1) / kBlock; }
+  std::size_t n_blocks() const { return (list_.pairs.size() + kBlock - 1) / kBlock; }
   /// The pairs of a block: those of which nothing is known any more, and balls tell nothing, are asked, by numbers of
   /// bodies, with this for a keeper.
   void look(std::size_t block, PairSearch& search);
@@ -46,6 +47,7 @@ class PairMemory final : public PairKeeper {
 
  private:
   static constexpr std::size_t kBlock = 4096;
+  static constexpr double kNever = -HUGE_VAL;  // of `until`: the pair has to be looked at
   // Of lengths, as kStretch of scene_bodies.cpp: what rotations that are ones to within 2e-7 change, twice over.
   static constexpr double kLess = 1.0 - 0x1p-18;
   // What is left of a pair's clearance is `limit` less what both have turned, and less how far the way from a to b has
@@ -57,6 +59,7 @@ class PairMemory final : public PairKeeper {
       hull,            // of what is known of the difference, about the ball: the most of the way along its normals
       hull_and_facet,  // and a triangle in the difference, for another tip
       ball,            // the way's distance from `hull.axis`
+      balls_apart,     // the other way round: what the way is longer than `limit`, however the bodies have turned
       at_rest,         // none is known: the pair is as it is while neither has moved, by their travels
     };
     Kind kind = Kind::nothing;
@@ -68,25 +71,41 @@ class PairMemory final : public PairKeeper {
       std::memcpy(known.hull.axis.data(), &travels[1], sizeof(double));
       return known;
     }
+    Kind without_facet() const {
+      static_assert(static_cast<int>(Kind::hull_and_facet) == static_cast<int>(Kind::hull) + 1);
+      return static_cast<Kind>(static_cast<std::uint32_t>(kind) - (kind == Kind::hull_and_facet ? 1u : 0u));
+    }
     // Of one at rest.
     bool has_travels(const std::array<double, 2>& travels) const {
       return limit == travels[0] && std::memcmp(hull.axis.data(), &travels[1], sizeof(double)) == 0;
     }
   };
   static_assert(sizeof(Known) == 32);
-  // A pair of the list: its place there is that of its bodies' numbers and of the shift's.
   struct Listed {
     BodyId a, b;
     std::uint32_t shift;  // of b's copy when the list was made
-    std::uint64_t bodies() const { return (std::uint64_t{a} << 32) | b; }
+    // Among the pairs of a.
+    std::uint64_t key() const { return (std::uint64_t{b} << 32) | shift; }
     friend bool operator==(const Listed&, const Listed&) = default;
     friend bool operator<(const Listed& p, const Listed& q) {
-      return (p.bodies() < q.bodies()) | ((p.bodies() == q.bodies()) & (p.shift < q.shift));
+      return (p.a < q.a) | ((p.a == q.a) & (p.key() < q.key()));
     }
   };
+  // Of each pair, in their order, by the bodies' numbers and the shift's: what is known of it, until when it need not
+  // be looked at, by the clock, and whether it overlaps.
+  struct List {
+    std::vector<std::uint32_t> starts;  // of each body, the first pair that it is the first of; and their end
+    LargeVector<Listed> pairs;
+    LargeVector<Known> known;
+    LargeVector<double> until;
+    LargeVector<std::uint8_t> overlaps;
+    void make_room(std::size_t n);
+  };
   void find_pairs_within_skin(const BroadPhases& phases, const SceneKernel& kernel, int n_threads);
-  void list(bool keeps_old);
-  void carry_over(const Listed& pair, bool is_same_copy, Known& known) const;
+  void list(int n_threads);
+  void list_of(std::size_t first_body, std::size_t end_body);
+  void carry_over(std::size_t from, std::size_t to);
+  Known known_by_balls(const Listed& pair) const;
   // The numbers, counted from `first`, of those of which something is true; how many. Whether it is true is as good as
   // random: each number is written in any case.
   template <class IsTrue>
@@ -123,18 +142,13 @@ class PairMemory final : public PairKeeper {
   ShiftTable shifts_;
   // No two bodies together have moved by more than what this has grown by, since the list was made (E26).
   double clock_ = 0.0;
-  // Of each pair, in the order of `listed_`, which is sorted; until when it need not be looked at, by the clock, and
-  // whether it overlaps.
-  LargeVector<Listed> listed_;
-  LargeVector<Known> known_;
+  List list_;
   LargeVector<KnownFacet> facet_;  // no list takes it over from the one before: to ask again costs no more
-  LargeVector<double> until_;
-  LargeVector<std::uint8_t> overlaps_;
-  // Memory that is kept: for the last list, which pairs of this one it had, and what the parts of the broad phase find.
-  LargeVector<Listed> listed_before_;
-  LargeVector<std::uint8_t> was_listed_;
+  // Memory that is kept: for the list before this one, what the parts of the broad phase find, and the keys of that, by
+  // first bodies.
+  List before_;
   std::vector<std::vector<Listed>> found_;
-  std::vector<std::uint32_t> next_;
+  LargeVector<std::uint64_t> keys_;
   std::vector<std::size_t> n_overlaps_;  // of each block; then those before it
 };
 
