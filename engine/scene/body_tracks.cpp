@@ -20,12 +20,15 @@ bool is_turned(const double* kept, const Transformd& pose) {
   return off != 0;
 }
 
-// Seen from the centre, no point of a ball of this radius moves farther: of the matrices' difference the Frobenius norm
-// is taken.
-double most_turned(const Transformd& from, const Transformd& to, double radius) {
+// Seen from the centre the body reaches no more farther, nor less far, along any direction (E26): by the Frobenius norm
+// of the matrices' difference, that of their chord times the square root of 2.
+double most_turned(const Transformd& from, const Transformd& to, const ShapeBounds& bounds) {
   const auto square = [](const Vec3d& v) { return dot(v, v); };
-  return std::sqrt(square(to.row_x - from.row_x) + square(to.row_y - from.row_y) + square(to.row_z - from.row_z)) *
-         radius * (1.0 + 0x1p-18);
+  const double norm =
+      std::sqrt(square(to.row_x - from.row_x) + square(to.row_y - from.row_y) + square(to.row_z - from.row_z));
+  const double by_points = norm * bounds.radius, chord = 0.70710679 * norm;
+  const double by_angle = (chord + 0x1p-19) * (1.0 + 0x1p-4 * chord * chord) * bounds.turning + 0x1p-20 * bounds.radius;
+  return (chord < 0.99 && by_angle < by_points ? by_angle : by_points) * (1.0 + 0x1p-18);
 }
 
 // Rounded up: what was added between two times is at most the difference, however small the terms are.
@@ -47,6 +50,7 @@ void SceneBodies::track() {
   travel_before_.assign(end(), 0.0);
   tracks_.resize(end());
   for (BodyId body = 0; body < end(); ++body) tracks_[body] = {centres_[body], 0.0};
+  starts_.assign(centres_.begin(), centres_.begin() + end());
   has_crossed_.assign(end(), 0);
   crossed_.resize(end());
   is_tracked_ = true;
@@ -60,15 +64,22 @@ inline void SceneBodies::add_to_track(BodyId body, const Vec3d& centre_from, con
   travel_[body] = farther(travel_[body], step, centre_from, centres_[body], turned);
 }
 
-SceneBodies::Travel SceneBodies::largest_travel() {
-  Travel largest;
+double SceneBodies::largest_step() {
+  double largest = 0.0;
   for (std::size_t k = 0; k < travel_.size(); ++k) {
-    const double travel = travel_[k], step = travel - travel_before_[k];
-    travel_before_[k] = travel;
-    largest.since_track = travel > largest.since_track ? travel : largest.since_track;
-    largest.since_asked = step > largest.since_asked ? step : largest.since_asked;
+    const double step = travel_[k] - travel_before_[k];
+    travel_before_[k] = travel_[k];
+    largest = step > largest ? step : largest;
   }
-  largest.since_asked *= 1.0 + 0x1p-50;
+  return largest * (1.0 + 0x1p-50);
+}
+
+double SceneBodies::largest_displacement(bool with_turns) const {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < starts_.size(); ++k) {
+    const double by = norm(tracks_[k].centre - starts_[k]) + (with_turns ? tracks_[k].turned : 0.0);
+    largest = by > largest ? by : largest;
+  }
   return largest;
 }
 
@@ -84,7 +95,7 @@ void SceneBodies::set_any_pose(BodyId body, const Transformd& given) {
   place(body, kept);
   if (image_[body] != image) image_[body] = image;
   if (!is_tracked_ || !(turns || differ(kept.translation, from.translation))) return;
-  const double turned = turns ? most_turned(from, kept, bounds_[shape].radius) : 0.0;
+  const double turned = turns ? most_turned(from, kept, bounds_[shape]) : 0.0;
   Vec3d step = centres_[body] - centre_from;
   // A body that has left through one face and come back through the opposite one has moved a little.
   if (box_ && !box_->surely_holds(step, kInside)) {
@@ -114,7 +125,7 @@ void SceneBodies::set_poses(BodyId first, std::span<const Pose> poses) {
     }
     centres_[body] = centre;
     if (is_tracked && (turns || differ(given.translation, {kept[3], kept[7], kept[11]}))) {
-      add_to_track(body, centre_from, step, turns ? most_turned(pose(body), given, bounds.radius) : 0.0);
+      add_to_track(body, centre_from, step, turns ? most_turned(pose(body), given, bounds) : 0.0);
     }
     if (turns) {
       write_pose(poses_.data(), body, given);

@@ -53,6 +53,7 @@ void PairMemory::build(SceneBodies& bodies, const BroadPhases& phases, const Sce
   const bool keeps_old = is_like_before && rounding <= 2.0 * rounding_;
   if (!keeps_old) rounding_ = rounding;
   skin_ = skin;
+  is_by_boxes_ = phases.chosen() == BroadPhase::tree;
   bodies_ = &bodies;
   std::swap(before_, list_);
   if (!keeps_old) before_.starts.clear();
@@ -61,7 +62,7 @@ void PairMemory::build(SceneBodies& bodies, const BroadPhases& phases, const Sce
   list(n_threads);
   // A second list goes where nothing has been yet: a system's first time with memory is not left to one of the steps.
   if (!keeps_old) before_.make_room(list_.pairs.size());
-  clock_ = 0.0;
+  clock_ = holds_until_ = 0.0;
   bodies.track();
   is_there_ = true;
 }
@@ -164,12 +165,18 @@ inline void PairMemory::carry_over(std::size_t from, std::size_t to) {
   list_.overlaps[to] = before_.overlaps[from];
 }
 
-// The clock is rounded up, so that it grows by at least what is added to it.
+// The clock is rounded up, so that it grows by at least what is added to it. A list of balls lacks no pair while no
+// centre is farther than half the skin from where it was, whichever way it went and however the bodies turned; a tree's
+// boxes change by what bodies turn, too. That is not looked at again before the clock has grown by what was left. Of
+// sums with the clock kLess covers the rounding.
 bool PairMemory::holds(SceneBodies& bodies, double skin) {
   if (!is_there_ || skin != skin_) return false;
-  const SceneBodies::Travel travel = bodies.largest_travel();
-  clock_ = next_above(clock_ + 2.0 * travel.since_asked);
-  return 2.0 * travel.since_track < skin * kLess;
+  clock_ = next_above(clock_ + 2.0 * bodies.largest_step());
+  if (clock_ >= holds_until_) {
+    const double left = skin * kLess - (2.0 * bodies.largest_displacement(is_by_boxes_) + rounding_);
+    holds_until_ = std::fmin(clock_ + left, kMostTravel * skin);
+  }
+  return clock_ < holds_until_;
 }
 
 // The list is in the order of the images that the bodies had when it was made. Where bodies have crossed faces since,

@@ -1,11 +1,11 @@
 // What is known of the pairs of a scene from one step to the next: for bodies that move little (internal).
 //
 // After L. Verlet's neighbour lists (Phys. Rev. 159, 98, 1967): the pairs whose balls are nearer than a skin are listed
-// once, and as long as no body has moved by more than half of it no other pair can meet. Of each listed pair it is kept
-// what was last proven, a plane between the bodies or a ball in their Minkowski difference, and whether the bodies can
-// have used up the clearance that it showed (E26): a pair is asked again only then. A pair is not even looked at before
-// any two bodies can have used up so much: of each step only what the body that moved most has moved is needed for
-// that.
+// once, and as long as no body is farther than half of it from where it was no other pair can meet. Of each listed pair
+// it is kept what was last proven, a plane between the bodies or a ball in their Minkowski difference, and whether the
+// bodies can have used up the clearance that it showed (E26): a pair is asked again only then. A pair is not even
+// looked at before any two bodies can have used up so much: of each step only what the body that moved most has moved
+// is needed for that.
 #pragma once
 
 #include <array>
@@ -29,7 +29,8 @@ class PairMemory final : public PairKeeper {
   /// known of a pair that was listed before is kept.
   void build(SceneBodies& bodies, const BroadPhases& phases, const SceneKernel& kernel, double skin, int n_threads);
   void forget() { is_there_ = false; }
-  /// Whether the list is of this skin and no body has moved too far since. To be asked before each look at all pairs.
+  /// Whether the list is of this skin and no body is too far from where it was. To be asked before each look at all
+  /// pairs.
   bool holds(SceneBodies& bodies, double skin);
 
   const ShiftTable& shifts() const { return shifts_; }
@@ -50,6 +51,8 @@ class PairMemory final : public PairKeeper {
   static constexpr double kNever = -HUGE_VAL;  // of `until`: the pair has to be looked at
   // Of lengths, as kStretch of scene_bodies.cpp: what rotations that are ones to within 2e-7 change, twice over.
   static constexpr double kLess = 1.0 - 0x1p-18;
+  // Of skins, by the clock: a list ends then, so that sums of turns stay small (E26).
+  static constexpr double kMostTravel = 16.0;
   // What is left of a pair's clearance is `limit` less what both have turned, and less how far the way from a to b has
   // come towards what bounds it.
   struct alignas(32) Known {
@@ -137,11 +140,12 @@ class PairMemory final : public PairKeeper {
 
   bool is_there_ = false;
   double skin_ = 0.0;
-  double rounding_ = 0.0;  // a clearance below this is as good as none (E26)
+  bool is_by_boxes_ = false;  // the list is
+  double rounding_ = 0.0;     // a clearance below this is as good as none (E26)
   const SceneBodies* bodies_ = nullptr;
   ShiftTable shifts_;
   // No two bodies together have moved by more than what this has grown by, since the list was made (E26).
-  double clock_ = 0.0;
+  double clock_ = 0.0, holds_until_ = 0.0;
   List list_;
   LargeVector<KnownFacet> facet_;  // no list takes it over from the one before: to ask again costs no more
   // Memory that is kept: for the list before this one, what the parts of the broad phase find, and the keys of that, by

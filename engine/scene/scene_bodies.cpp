@@ -59,6 +59,8 @@ ShapeBounds shape_bounds(const ConvexBody& body) {
   const auto widened = [&](double length) { return length * (1.0 + kStretch) + off_centre; };
   bounds.radius = widened(body.circumradius());
   bounds.inner_radius = body.inradius() * (1.0 - kStretch) - off_centre;
+  const double held = std::fmax(bounds.inner_radius, 0.0);
+  bounds.turning = std::sqrt((bounds.radius - held) * (bounds.radius + held)) * (1.0 + 0x1p-50);
   const Aabb own = bounding_box(body, Pose());
   bounds.extents = (1.0 + kStretch) * (own.upper - own.lower);
   double least = HUGE_VAL;

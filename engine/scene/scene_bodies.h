@@ -30,6 +30,7 @@ struct ShapeBounds {
   Vec3d extents;        // of bodies that are not turned: the box about one is this long along each axis, and more
   double radius = 0.0;  // of a ball about the centre that holds the placed body, as seen from any other body's frame
   double inner_radius = 0.0;  // of one that the body holds, seen likewise; below 0 where none is known
+  double turning = 0.0;  // by how much a turn of one radian changes how far the body reaches from the centre, at most
   // A cylinder about the centre, along a coordinate axis of the shape's frame.
   int axis = 0;
   double half_length = 0.0, axis_radius = 0.0;
@@ -109,8 +110,8 @@ class SceneBodies {
   /// From now on moves are added up (E26).
   void track();
   bool is_tracked() const { return is_tracked_; }
-  /// Since `track`: no point of the body has moved farther than `travel`, which each move makes larger, nor, seen from
-  /// the centre, than `turned`; each a sum over the moves.
+  /// Since `track`, sums over the moves: by no more than `turned` has changed how far the body reaches from its centre
+  /// along any direction; `travel` is the centre's way and that, and each move makes it larger.
   double travel(BodyId body) const { return travel_[body]; }
   /// `centre` is where the centre would be, had the body not been moved into the box again: `crossed` lattice vectors
   /// from where it is, where it is in another box than it was.
@@ -122,12 +123,11 @@ class SceneBodies {
   bool has_crossed(BodyId body) const { return has_crossed_[body] != 0; }
   ImageOffset crossed(BodyId body) const { return has_crossed(body) ? crossed_[body] : ImageOffset{}; }
   void prefetch_track(BodyId body) const { __builtin_prefetch(&tracks_[body]); }
-  /// No point of any body has moved farther than `since_track`, nor than `since_asked` since this was asked before, or
-  /// since `track`; each a sum over the body's moves.
-  struct Travel {
-    double since_track = 0.0, since_asked = 0.0;
-  };
-  Travel largest_travel();
+  /// The most that any body's `travel` has grown since this was asked before, or since `track`.
+  double largest_step();
+  /// How far the centre that is farthest from where it was at `track` is, rounded, whichever way it went; with what its
+  /// body has turned or without.
+  double largest_displacement(bool with_turns) const;
 
   static Transformd pose_at(const double* poses, std::size_t place);
   static Vec3d centre_of(const Transformd& pose, const Vec3d& own_centre) {
@@ -168,6 +168,7 @@ class SceneBodies {
   bool is_tracked_ = false;  // of all bodies there are then:
   LargeVector<double> travel_, travel_before_;
   LargeVector<Track> tracks_;
+  LargeVector<Vec3d> starts_;  // centres at `track`
   LargeVector<std::uint8_t> has_crossed_;
   LargeVector<ImageOffset> crossed_;  // of those that have
   std::vector<BodyId> free_;          // a heap, the lowest first

@@ -17,35 +17,61 @@ struct StepTimes {
   std::size_t n_pairs = 0;
 };
 
-// The same motion for everyone: each body goes straight on, and does not turn.
-std::vector<Vec3d> steps_of(const SceneCase& scene) {
-  std::mt19937_64 random(3);
-  std::vector<Vec3d> steps;
-  for (std::size_t k = 0; k < scene.size(); ++k) {
-    const Vec3d dir = random_direction(random);
-    steps.push_back((0.01 / norm(dir)) * dir);
-  }
-  return steps;
+constexpr double kPace = 0.01;
+
+Vec3d random_step(std::mt19937_64& random) {
+  const Vec3d dir = random_direction(random);
+  return (kPace / norm(dir)) * dir;
 }
 
-// Where they are, as a simulation does it: poses that are all read from other memory at each step would be measured
-// with it.
-void move(std::vector<Pose>& poses, const std::vector<Vec3d>& steps) {
-  for (std::size_t body = 0; body < poses.size(); ++body) {
-    Transformd pose = poses[body].a_from_b();
-    pose.translation = pose.translation + steps[body];
-    poses[body] = Pose::unchecked(pose);
-  }
+// By an angle of kPace, about any axis.
+Transformd turned(const Transformd& pose, std::mt19937_64& random) {
+  const Vec3d v = std::tan(0.5 * kPace) / kPace * random_step(random);
+  const double by = 2.0 / (1.0 + dot(v, v));
+  // Rodrigues's formula of columns.
+  const auto turn = [&](const Vec3d& c) { return c + by * (cross(v, c) + cross(v, cross(v, c))); };
+  const Vec3d x = turn({pose.row_x.x, pose.row_y.x, pose.row_z.x}),
+              y = turn({pose.row_x.y, pose.row_y.y, pose.row_z.y}),
+              z = turn({pose.row_x.z, pose.row_y.z, pose.row_z.z});
+  return {{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}, pose.translation};
 }
 
-StepTimes move_along(const SceneCase& scene, const std::vector<Vec3d>& steps, double skin, int n_threads) {
+// The same motion for everyone who asks: each body goes straight on and does not turn, or it goes to and fro at random
+// and turns at random.
+class Motion {
+ public:
+  Motion(bool is_straight, std::size_t n) : is_straight_(is_straight) {
+    for (std::size_t k = 0; k < n; ++k) steps_.push_back(random_step(random_));
+  }
+
+  // Where they are, as a simulation does it: poses that are all read from other memory at each step would be measured
+  // with it.
+  void move(std::vector<Pose>& poses) {
+    for (std::size_t body = 0; body < poses.size(); ++body) {
+      Transformd pose = poses[body].a_from_b();
+      if (!is_straight_) {
+        pose = turned(pose, random_);
+        steps_[body] = random_step(random_);
+      }
+      pose.translation = pose.translation + steps_[body];
+      poses[body] = Pose::unchecked(pose);
+    }
+  }
+
+ private:
+  bool is_straight_;
+  std::mt19937_64 random_{3};
+  std::vector<Vec3d> steps_;
+};
+
+StepTimes move_along(const SceneCase& scene, Motion motion, double skin, int n_threads) {
   Scene made = scene.scene({.n_threads = n_threads, .skin = skin});
   ScenePairs found;
   made.overlapping_pairs(found);
   std::vector<Pose> poses = scene.poses;
   StepTimes times;
   for (int k = 0; k < kSteps; ++k) {
-    move(poses, steps);
+    motion.move(poses);
     const double start = processor_ns();
     made.move_all(poses);
     const double moved = processor_ns();
@@ -58,53 +84,63 @@ StepTimes move_along(const SceneCase& scene, const std::vector<Vec3d>& steps, do
   return times;
 }
 
-double sum_ms(const std::vector<double>& ns) {
+double mean_ms(const std::vector<double>& ns) {
   double sum = 0.0;
   for (const double x : ns) sum += 1e-6 * x;
   return sum / static_cast<double>(ns.size());
+}
+
+double from_nothing_ms(SceneCase now, Motion motion, int n_rounds) {
+  std::vector<double> ns;
+  for (int k = 0; k <= n_rounds; ++k) {
+    motion.move(now.poses);
+    const double start = processor_ns();
+    Scene made = now.scene({.skin = 0.0});
+    ScenePairs found;
+    made.overlapping_pairs(found);
+    if (k > 0) ns.push_back(processor_ns() - start);
+  }
+  return 1e-6 * Timing{ns}.median();
 }
 
 }  // namespace
 
 BenchReport motion_part(const ScenePartSettings& settings) {
   const SceneCase scene = hulls(settings.bodies(1e5));
-  const std::vector<Vec3d> steps = steps_of(scene);
-  std::vector<double> from_nothing;
-  SceneCase now = scene;
-  for (std::size_t k = 0; k <= static_cast<std::size_t>(settings.n_rounds); ++k) {
-    move(now.poses, steps);
-    const double start = processor_ns();
-    Scene made = now.scene({.skin = 0.0});
-    ScenePairs found;
-    made.overlapping_pairs(found);
-    if (k > 0) from_nothing.push_back(processor_ns() - start);
-  }
-  const double whole = 1e-6 * Timing{from_nothing}.median();
   BenchReport report;
   report.rows = nlohmann::ordered_json::array();
-  MarkdownTable table({"skin", "move_all, ms a step", "query, ms a step", "slowest query, ms",
-                       "a step of a scene from nothing", "pairs"});
+  MarkdownTable table({"motion", "skin", "move_all, ms", "query, ms", "median query, ms", "slowest query, ms",
+                       "query, of a scene from nothing", "with move_all", "pairs"});
   std::string lines;
-  for (const double skin : {0.0, 0.1, 0.2, 0.3}) {
-    const StepTimes times = move_along(scene, steps, skin, 1);
-    const double move = sum_ms(times.move_ns), query = sum_ms(times.query_ns);
-    const double slowest = 1e-6 * *std::max_element(times.query_ns.begin(), times.query_ns.end());
-    table.add({three_digits(skin), three_digits(move), three_digits(query), three_digits(slowest),
-               percent((move + query) / whole), grouped(times.n_pairs)});
-    lines +=
-        "Skin " + three_digits(skin) + ", " + std::to_string(kSteps) + " steps. " + counts_line(times.counts) + "\n";
-    report.rows.push_back({{"skin", skin},
-                           {"move_ms", move},
-                           {"query_ms", query},
-                           {"slowest_query_ms", slowest},
-                           {"from_nothing_ms", whole},
-                           {"pairs", times.n_pairs}});
+  for (const bool is_straight : {true, false}) {
+    const std::string name = is_straight ? "straight on" : "at random, and turned";
+    const Motion motion(is_straight, scene.size());
+    const double whole = from_nothing_ms(scene, motion, settings.n_rounds);
+    lines += "A scene from nothing (bodies added, pairs found) takes " + three_digits(whole) + " ms, " + name + ".\n";
+    for (const double skin : {0.0, 0.1, 0.2, 0.3}) {
+      const StepTimes times = move_along(scene, motion, skin, 1);
+      const double move = mean_ms(times.move_ns), query = mean_ms(times.query_ns);
+      const double median = 1e-6 * Timing{times.query_ns}.median();
+      const double slowest = 1e-6 * *std::max_element(times.query_ns.begin(), times.query_ns.end());
+      table.add({name, three_digits(skin), three_digits(move), three_digits(query), three_digits(median),
+                 three_digits(slowest), percent(query / whole), percent((move + query) / whole),
+                 grouped(times.n_pairs)});
+      lines += "Skin " + three_digits(skin) + ", " + std::to_string(kSteps) + " steps " + name + ". " +
+               counts_line(times.counts) + "\n";
+      report.rows.push_back({{"motion", is_straight ? "straight" : "random"},
+                             {"skin", skin},
+                             {"move_ms", move},
+                             {"query_ms", query},
+                             {"median_query_ms", median},
+                             {"slowest_query_ms", slowest},
+                             {"from_nothing_ms", whole},
+                             {"pairs", times.n_pairs}});
+    }
   }
   report.markdown = "### " + grouped(scene.size()) + " " + scene.name + ", moved by .01 diameters a step\n\n" +
-                    "A scene from nothing (bodies added, pairs found) takes " + three_digits(whole) +
-                    " ms. One thread, processor time, means of " + std::to_string(kSteps) +
-                    " steps, those in which the list is made anew among "
-                    "them.\n\n" +
+                    "One thread, processor time, means of " + std::to_string(kSteps) +
+                    " steps, those in which the list is made anew among them; at random each body turns by .01 "
+                    "radians, too.\n\n" +
                     table.text() + "\n" + lines;
   return report;
 }

@@ -195,6 +195,51 @@ TEST(Steps, NeedlesMeetByTurning) {
   EXPECT_GT(check_steps(made, {.broad_phase = BroadPhase::grid, .skin = 0.5}, 100, turn), 30u);
 }
 
+// Bodies that stay near their places keep their list, however far they go to and fro and turn: a list that were made
+// anew would have other pairs.
+TEST(Steps, BodiesThatRattleKeepTheirList) {
+  std::mt19937_64 random(16);
+  constexpr double kSkin = 0.3;
+  for (const bool is_in_a_box : {false, true}) {
+    RandomScene made;
+    if (is_in_a_box) made.box.emplace(5.0, 6.0, 5.5, 0.4, -0.2, 0.1);
+    made.size = 5.0;
+    std::vector<Vec3d> places;
+    for (std::size_t k = 0; k < 200; ++k) {
+      made.bodies.push_back(displaced_hull(12, 0.4, {0.2, 0.1, 0.0}, random));
+      Transformd pose = random_rotation(random);
+      pose.translation = 2.5 * random_direction(random);
+      made.poses.push_back(pose);
+      places.push_back(pose.translation);
+    }
+    Scene scene = made.scene({.skin = kSkin}), forgetful = made.scene({.skin = 0.0});
+    ScenePairs found, fresh;
+    scene.overlapping_pairs(found);
+    const std::uint64_t n_listed = found.counts[SceneStage::unmoved].seen;
+    std::size_t n_changes = 0, n_before = found.pairs.size();
+    for (int step = 0; step < 60; ++step) {
+      for (std::size_t k = 0; k < places.size(); ++k) {
+        made.poses[k] = product(small_turn(0.02, random), made.poses[k]);
+        const Vec3d dir = random_direction(random);
+        made.poses[k].translation = places[k] + (0.2 * kSkin / norm(dir)) * dir;
+      }
+      const std::vector<Pose> poses(made.poses.begin(), made.poses.end());
+      scene.move_all(poses);
+      forgetful.move_all(poses);
+      scene.overlapping_pairs(found);
+      forgetful.overlapping_pairs(fresh);
+      ASSERT_EQ(found.pairs, fresh.pairs) << "step " << step;
+      // By way and turn a body has come farther than half of the skin from the second or third step on.
+      if (step < 10) {
+        EXPECT_EQ(found.counts[SceneStage::unmoved].seen, n_listed) << "step " << step;
+      }
+      n_changes += n_before != found.pairs.size() ? 1u : 0u;
+      n_before = found.pairs.size();
+    }
+    EXPECT_GT(n_changes, 30u);
+  }
+}
+
 // What overlaps goes apart again, through the faces, edges and corners of its Minkowski difference: along straight
 // lines, in turns on the spot, and both.
 TEST(Steps, OverlapsEndWhenTheirClearanceEnds) {

@@ -67,12 +67,7 @@ class ExpandingPolytope {
       if (has_height_ && height_ - distance <= wanted(distance)) return End::converged;
       const Vec3<L> normal = unit_along(surface_->normal);
       const L height = dot(normal, hull_.at(add_support(normal)));
-      if (height - distance <= wanted(distance)) {
-        is_of_face_ = true;
-        normal_ = normal;
-        answer_height_ = height;
-        return End::converged;
-      }
+      if (is_near_enough(normal, height, distance, wanted)) return End::converged;
       surface_.reset();
       if (height_ < -slack_) return End::separated;
     }
@@ -94,8 +89,8 @@ class ExpandingPolytope {
     }
   }
 
-  /// The unit vector along which K reaches least far of all that were asked for, or that of the nearest face if that is
-  /// as near as asked for; and how far it reaches, to rounding. Where K is flat: across it.
+  /// The unit vector along which K reaches least far of all that were asked for, or that of the nearest face if that
+  /// shows as much, rounding apart; and how far it reaches, to rounding. Where K is flat: across it.
   const Vec3<L>& normal() const { return normal_; }
   L height() const { return is_of_face_ ? answer_height_ : height_; }
   /// The depth is not above it, rounding included: the least that K reaches in any direction that was asked for.
@@ -160,6 +155,19 @@ class ExpandingPolytope {
 
   L gap() const { return larger(answer_height_ - faces()[nearest_].distance, L(0.0)); }
 
+  // Once K has been asked for along the nearest face's normal. That is the answer, unless another direction bounds the
+  // depth clearly better.
+  template <class Wanted>
+  bool is_near_enough(const Vec3<L>& normal, const L& height, const L& distance, const Wanted& wanted) {
+    const L most = wanted(distance);
+    if (height - distance <= most && height - height_ <= slack_) {
+      is_of_face_ = true;
+      normal_ = normal;
+      answer_height_ = height;
+    }
+    return height_ - distance <= most;
+  }
+
   template <class Wanted>
   End grow_until(const Wanted& wanted) {
     while (true) {
@@ -170,13 +178,7 @@ class ExpandingPolytope {
       const Vec3<L> normal = unit_along(faces()[nearest_].normal);
       const std::uint32_t added = add_support(normal);
       const L height = dot(normal, at(added));
-      if (height - distance <= wanted(distance)) {
-        is_of_face_ = true;
-        normal_ = normal;
-        answer_height_ = height;
-        return End::converged;
-      }
-      if (height_ - distance <= wanted(distance)) return End::converged;
+      if (is_near_enough(normal, height, distance, wanted)) return End::converged;
       if (goes_round(added)) return End::stalled;
       if (static_cast<int>(hull_.points().size()) >= max_support_calls_) return End::capped;
       if (!hull_.grow(nearest_, added)) return End::stalled;
