@@ -117,6 +117,19 @@ bool normal_shows_distance(const SeparationQuery& query, const Separation& found
   return dot(found.normal, of_b - of_a) >= found.signed_distance - accuracy - rounding;
 }
 
+// Of few digits the lower bound may be from an earlier direction than the answer's normal, which shows `missing` less
+// than the value. Where that is as near as asked for it becomes the lower bound, so that the answer goes together. Not
+// where the better one is needed: it may be all that parts the bodies, or what ended the search.
+bool is_lowered_to_normal(const SeparationQuery& query, Separation& found, double missing) {
+  const double shown = found.upper - missing, lower = shown - 0x1p-52 * (std::fabs(found.upper) + missing);
+  for (const double needed : {0.0, query.settings.max_distance}) {
+    if (found.lower >= needed && !(lower > needed)) return false;
+  }
+  if (!(found.upper - lower <= part_of_size(query, query.settings.relative_gap, found))) return false;
+  found.lower = lower;
+  return true;
+}
+
 // Whether points or normal are worse than what `check_certificate` takes for what was promised. Of a search with few
 // digits, or that was cut short, the lower bound may be from another direction than that of its nearest points, these
 // need not be opposite each other, and the verdict may have moved the value from them. `searched`, if given, may know
@@ -127,7 +140,8 @@ bool is_worse_than_promised(const SeparationQuery& query, Separation& found,
   const double accuracy = promised_accuracy(query.a, query.b, found);
   if (!points_are_opposite(query, found, accuracy)) return true;
   if (searched != nullptr && searched->tells_missing) {
-    return searched->missing + (found.signed_distance - searched->signed_distance) > accuracy;
+    const double missing = searched->missing + (found.signed_distance - searched->signed_distance);
+    return missing > accuracy && !is_lowered_to_normal(query, found, missing);
   }
   found.n_support_calls += 2;
   return !normal_shows_distance(query, found, accuracy);

@@ -200,6 +200,31 @@ TEST(Separation, DepthsOfFewDigitsShowThemAlongTheirNormalsAndAskNoMore) {
   }
 }
 
+// An earlier direction may show a larger distance than the answer's own: then the bound is the one that the normal
+// shows, unless the better one alone tells the sign.
+TEST(Separation, FewDigitsAreRoughOnlyNextToContact) {
+  std::mt19937_64 random(17);
+  for (const char* name : {"ellipsoid:1,2,3", "cylinder:1,0.5", "cone:1,0.5", "superball:2,1", "icosahedron:1"}) {
+    const ConvexBody a = body(name), b = body("ellipsoid:0.5,1,1.5");
+    const Domain domain = ball_domain(a, b);
+    for (const double gap : {1e-6, 1e-3}) {
+      for (int k = 0; k < 500; ++k) {
+        const Pose pose = Pose::unchecked(random_pose(random, domain, b));
+        const Separation found = signed_distance(a, b, pose, {.relative_gap = gap});
+        const double part = gap * (std::fabs(found.signed_distance) + a.circumradius() + b.circumradius());
+        ASSERT_LE(found.upper - found.lower, part);
+        if (found.is_rough) {
+          ASSERT_LE(std::fabs(found.signed_distance), 2.0 * part) << name << ' ' << gap;
+          continue;
+        }
+        if (!a.exact_form() || k % 10 != 0) continue;
+        const CertificateCheck check = check_certificate(a, b, pose, found, certify(a, b, pose, found));
+        ASSERT_TRUE(check.is_proven) << check.fault << ' ' << name << ' ' << gap;
+      }
+    }
+  }
+}
+
 TEST(Separation, IsTheSameFromAWarmStartAndNeedsFewerCalls) {
   std::mt19937_64 random(7);
   for (const char* name : {"box:1,1,1", "dodecahedron:0.5", "cylinder:1,0.5", "ellipsoid:0.3,0.6,0.9"}) {
