@@ -121,7 +121,7 @@ bool normal_shows_distance(const SeparationQuery& query, const Separation& found
 // than the value. Where that is as near as asked for it becomes the lower bound, so that the answer goes together. Not
 // where the better one is needed: it may be all that parts the bodies, or what ended the search.
 bool is_lowered_to_normal(const SeparationQuery& query, Separation& found, double missing) {
-  const double shown = found.upper - missing, lower = shown - 0x1p-52 * (std::fabs(found.upper) + missing);
+  const double rounding = part_of_size(query, 0x1p-47, found), lower = found.upper - missing - rounding;
   for (const double needed : {0.0, query.settings.max_distance}) {
     if (found.lower >= needed && !(lower > needed)) return false;
   }
