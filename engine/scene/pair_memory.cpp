@@ -174,7 +174,7 @@ bool PairMemory::holds(SceneBodies& bodies, double skin) {
   clock_ = next_above(clock_ + 2.0 * bodies.largest_step());
   if (clock_ >= holds_until_) {
     const double left = skin * kLess - (2.0 * bodies.largest_displacement(is_by_boxes_) + rounding_);
-    holds_until_ = std::fmin(clock_ + left, kMostTravel * skin);
+    holds_until_ = std::fmin(clock_ + left, kMostTravel * (skin + bodies.largest_radius()));
   }
   return clock_ < holds_until_;
 }

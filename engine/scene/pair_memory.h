@@ -51,7 +51,7 @@ class PairMemory final : public PairKeeper {
   static constexpr double kNever = -HUGE_VAL;  // of `until`: the pair has to be looked at
   // Of lengths, as kStretch of scene_bodies.cpp: what rotations that are ones to within 2e-7 change, twice over.
   static constexpr double kLess = 1.0 - 0x1p-18;
-  // Of skins, by the clock: a list ends then, so that sums of turns stay small (E26).
+  // Of the skin and the largest radius, by the clock: a list ends then, so that sums of turns stay small (E26).
   static constexpr double kMostTravel = 16.0;
   // What is left of a pair's clearance is `limit` less what both have turned, and less how far the way from a to b has
   // come towards what bounds it.
