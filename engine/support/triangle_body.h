@@ -2,10 +2,13 @@
 #pragma once
 
 #include <array>
+#include <concepts>
+#include <cstdint>
 
 #include "engine/numeric/errors.h"
 #include "engine/numeric/rounding.h"
 #include "engine/support/convex_body.h"
+#include "engine/support/first_farthest.h"
 
 namespace vex {
 
@@ -27,15 +30,19 @@ class TriangleBody {
 
   template <class L>
   Vec3<L> support(const Vec3<L>& dir) const {
-    Vec3<L> best = broadcast<L>(vertices_[0]);
-    L most = dot(best, dir);
-    for (std::size_t k = 1; k < 3; ++k) {
-      const Vec3<L> vertex = broadcast<L>(vertices_[k]);
-      const L value = dot(vertex, dir);
-      best = select(value > most, vertex, best);
-      most = select(value > most, value, most);
+    if constexpr (std::same_as<L, double>) {
+      return vertices_[first_farthest(3, dir, [this](std::uint64_t k) -> const Vec3d& { return vertices_[k]; })];
+    } else {
+      Vec3<L> best = broadcast<L>(vertices_[0]);
+      L most = dot(best, dir);
+      for (std::size_t k = 1; k < 3; ++k) {
+        const Vec3<L> vertex = broadcast<L>(vertices_[k]);
+        const L value = dot(vertex, dir);
+        best = select(value > most, vertex, best);
+        most = select(value > most, value, most);
+      }
+      return best;
     }
-    return best;
   }
   /// As a polytope's (E2): the value is short of the largest by at most this times |dir|.
   double support_error() const { return 8.0 * kUnitRoundoff * largest_; }
