@@ -1,6 +1,6 @@
 // The lane type: what the steps of the searches, the support mappings and the maps from points to poses are written
-// over, so that one source serves one trial, in double or double-double, or a register full of them. What goes from step
-// to step is written twice, for one trial and for many (docs/decisions/0002).
+// over, so that one source serves one trial, in double or double-double, or a register full of them. What goes from
+// step to step is written twice, for one trial and for many (docs/decisions/0002).
 //
 // Such a step is a template over a lane type L. `double` is the one-lane case and is defined here; a
 // packet of W doubles is another, which provides the same names (tests/referees/array_lanes.h is a plain one, and a
@@ -60,14 +60,19 @@ inline double select(bool condition, double if_true, double if_false) { return c
 inline double select_by_sign(double sign, double if_set, double otherwise) {
   return std::signbit(sign) ? if_set : otherwise;
 }
-/// The same as `select`, without a jump: for conditions that nothing foretells. Of one-lane types only, for packets never
-/// jump.
+/// The same as `select`, without a jump: for conditions that nothing foretells. Of one-lane types only, for packets
+/// never jump.
 inline std::uint64_t blend(bool condition, std::uint64_t if_true, std::uint64_t if_false) {
   return if_false ^ ((if_true ^ if_false) & (std::uint64_t{0} - std::uint64_t{condition}));
 }
+/// In vector registers, where the numbers are: to have them moved to others and back takes longer than the choice.
 inline double blend(bool condition, double if_true, double if_false) {
-  return std::bit_cast<double>(
-      blend(condition, std::bit_cast<std::uint64_t>(if_true), std::bit_cast<std::uint64_t>(if_false)));
+  typedef double Pair __attribute__((vector_size(16)));
+  typedef std::int64_t Bits __attribute__((vector_size(16)));
+  const std::int64_t all = -std::int64_t{condition};
+  const Bits chosen = {all, all};
+  const Bits yes = std::bit_cast<Bits>(Pair{if_true, if_true}), no = std::bit_cast<Bits>(Pair{if_false, if_false});
+  return std::bit_cast<Pair>((yes & chosen) | (no & ~chosen))[0];
 }
 inline double square_root(double x) { return std::sqrt(x); }
 inline double absolute(double x) { return std::fabs(x); }

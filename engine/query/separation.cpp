@@ -101,50 +101,56 @@ Separation extended_beside(const SeparationQuery& query, const PlacedForms& plac
   return result;
 }
 
-// Whether the points are opposite each other along the normal and as far apart as is said, to `accuracy`.
-bool points_are_opposite(const SeparationQuery& query, const Separation& found, double accuracy) {
+// How near the bounds were asked to be, or are promised to be.
+double asked_width(const SeparationQuery& query, const Separation& found) {
+  return part_of_size(query, std::max(query.settings.relative_gap, query.usual_gap()), found);
+}
+
+// How far the points are from where they belong, opposite each other along the normal and as far apart as is said,
+// beyond rounding.
+double points_off(const SeparationQuery& query, const Separation& found) {
   const double coordinates = norm_1(found.point_a) + norm_1(found.point_b) + norm_1(query.a_from_b.translation);
   const Vec3d off = (found.point_b - found.point_a) - found.signed_distance * found.normal;
-  return safe_norm(off) <= accuracy + 16.0 * kUnitRoundoff * coordinates;
+  return safe_norm(off) - 16.0 * kUnitRoundoff * coordinates;
 }
 
-// Whether the bodies are as far apart along the normal as is said, to `accuracy`.
-bool normal_shows_distance(const SeparationQuery& query, const Separation& found, double accuracy) {
-  const ConvexBody &a = query.a, &b = query.b;
-  const Transformd& a_from_b = query.a_from_b;
-  const Vec3d of_a = a.support(found.normal), of_b = a_from_b(b.support(a_from_b.direction_to_b(-found.normal)));
-  const double rounding = 16.0 * kUnitRoundoff * (norm_1(of_a) + norm_1(of_b) + norm_1(a_from_b.translation));
-  return dot(found.normal, of_b - of_a) >= found.signed_distance - accuracy - rounding;
-}
-
-// Of few digits the lower bound may be from an earlier direction than the answer's normal, which shows `missing` less
-// than the value. Where that is as near as asked for it becomes the lower bound, so that the answer goes together. Not
-// where the better one is needed: it may be all that parts the bodies, or what ended the search.
-bool is_lowered_to_normal(const SeparationQuery& query, Separation& found, double missing) {
-  const double rounding = part_of_size(query, 0x1p-47, found), lower = found.upper - missing - rounding;
-  for (const double needed : {0.0, query.settings.max_distance}) {
-    if (found.lower >= needed && !(lower > needed)) return false;
+// By how much less the bodies are apart along the normal than is said, beyond rounding. `searched`, if given, may know
+// it.
+double missing_along_normal(const SeparationQuery& query, Separation& found, const SearchedSeparation* searched) {
+  if (searched != nullptr && searched->tells_missing) {
+    return searched->missing + (found.signed_distance - searched->signed_distance);
   }
-  if (!(found.upper - lower <= part_of_size(query, query.settings.relative_gap, found))) return false;
+  const Transformd& a_from_b = query.a_from_b;
+  const Vec3d of_a = query.a.support(found.normal);
+  const Vec3d of_b = a_from_b(query.b.support(a_from_b.direction_to_b(-found.normal)));
+  found.n_support_calls += 2;
+  const double rounding = 16.0 * kUnitRoundoff * (norm_1(of_a) + norm_1(of_b) + norm_1(a_from_b.translation));
+  return found.signed_distance - dot(found.normal, of_b - of_a) - rounding;
+}
+
+// Whether an answer of which a part is off by so much is what `check_certificate` takes for what was promised, which
+// hangs on how near the bounds are. They may be nearer than was asked for, where the lower one is from an earlier
+// direction than the answer's normal or the verdict has moved one: then it is lowered by what is missing, so that all
+// of the answer goes together. Not where the better one is needed: it may be all that parts the bodies, or what ended
+// the search.
+bool is_kept(const SeparationQuery& query, Separation& found, double off) {
+  if (off <= promised_accuracy(query.a, query.b, found)) return true;
+  const double lower = found.upper - off - part_of_size(query, 0x1p-47, found);
+  const bool is_cut = query.goal == SeparationGoal::distance && found.lower > query.settings.max_distance;
+  if (is_cut || (found.lower >= 0.0 && !(lower > 0.0))) return false;
+  if (!(found.upper - lower <= asked_width(query, found))) return false;
   found.lower = lower;
   return true;
 }
 
-// Whether points or normal are worse than what `check_certificate` takes for what was promised. Of a search with few
-// digits, or that was cut short, the lower bound may be from another direction than that of its nearest points, these
-// need not be opposite each other, and the verdict may have moved the value from them. `searched`, if given, may know
-// what the normal shows.
+// Whether points or normal are worse than promised: of a search with few digits or that was cut short, the lower bound
+// may be from another direction than that of its nearest points, these need not be opposite each other, and the verdict
+// may have moved the value from them.
 bool is_worse_than_promised(const SeparationQuery& query, Separation& found,
                             const SearchedSeparation* searched = nullptr) {
   if (!found.has_witnesses) return false;
-  const double accuracy = promised_accuracy(query.a, query.b, found);
-  if (!points_are_opposite(query, found, accuracy)) return true;
-  if (searched != nullptr && searched->tells_missing) {
-    const double missing = searched->missing + (found.signed_distance - searched->signed_distance);
-    return missing > accuracy && !is_lowered_to_normal(query, found, missing);
-  }
-  found.n_support_calls += 2;
-  return !normal_shows_distance(query, found, accuracy);
+  return !is_kept(query, found, points_off(query, found)) ||
+         !is_kept(query, found, missing_along_normal(query, found, searched));
 }
 
 Separation separation(const SeparationQuery& query, WarmStart* warm_start, std::optional<OverlapAnswer>& known) {
@@ -185,8 +191,7 @@ Separation answer_of(const SeparationQuery& query, WarmStart* warm_start, std::o
     found = nothing_but(Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding), found.n_support_calls);
     return found;
   }
-  const double asked = part_of_size(query, std::max(query.settings.relative_gap, query.usual_gap()), found);
-  found.is_rough = found.has_witnesses && (found.is_rough || !(found.upper - found.lower <= asked));
+  found.is_rough = found.has_witnesses && (found.is_rough || !(found.upper - found.lower <= asked_width(query, found)));
   const bool is_cut_short = query.settings.max_support_calls < kMaxSupportCalls;
   if (is_cut_short && !found.is_rough) found.is_rough = is_worse_than_promised(query, found);
   return found;

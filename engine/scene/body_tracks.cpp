@@ -27,8 +27,9 @@ double most_turned(const Transformd& from, const Transformd& to, const ShapeBoun
   const double norm =
       std::sqrt(square(to.row_x - from.row_x) + square(to.row_y - from.row_y) + square(to.row_z - from.row_z));
   const double by_points = norm * bounds.radius, chord = 0.70710679 * norm;
-  const double by_angle = (chord + 0x1p-19) * (1.0 + 0x1p-4 * chord * chord) * bounds.turning + 0x1p-20 * bounds.radius;
-  return (chord < 0.99 && by_angle < by_points ? by_angle : by_points) * (1.0 + 0x1p-18);
+  const double angle = (chord + 0x1p-19) * (1.0 + chord * chord / 6.0);
+  const double by_angle = angle * bounds.turning + 0x1p-20 * bounds.radius;
+  return (by_angle < by_points ? by_angle : by_points) * (1.0 + 0x1p-18);
 }
 
 // Rounded up: what was added between two times is at most the difference, however small the terms are.

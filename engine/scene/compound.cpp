@@ -107,9 +107,8 @@ class LeastDistance {
     if (!meets && is_any() && !(found.upper < best_.separation.upper)) return;
     const std::uint32_t n_pairs = best_.n_pairs;
     best_ = {a.is_in_place(part) ? found : in_world(found, a.compound_from_part(part)), part, of_b.number, n_pairs};
-    const double gap = settings_.relative_gap > 0.0 ? settings_.relative_gap : 1e-12;
     const bool are_polytopes = a.body(part).is_rounded_polytope() && of_b.body.is_rounded_polytope();
-    promised_ = (are_polytopes || settings_.relative_gap > 0.0 ? gap : 1e-9) *
+    promised_ = std::fmax(settings_.relative_gap, are_polytopes ? 1e-12 : 1e-9) *
                 (std::fabs(found.signed_distance) + a.body(part).circumradius() + of_b.body.circumradius());
   }
 

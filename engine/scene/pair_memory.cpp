@@ -70,8 +70,8 @@ void PairMemory::build(SceneBodies& bodies, const BroadPhases& phases, const Sce
 void PairMemory::find_pairs_within_skin(const BroadPhases& phases, const SceneKernel& kernel, int n_threads) {
   // Of each shift of the broad phase, the number here; numbers are in the order of images.
   const ShiftTable& theirs = phases.shifts();
-  std::vector<std::uint32_t> number(theirs.size());
-  for (std::uint32_t k = 0; k < theirs.size(); ++k) number[k] = shifts_.number(theirs.image(k));
+  number_.resize(theirs.size());
+  for (std::uint32_t k = 0; k < theirs.size(); ++k) number_[k] = shifts_.number(theirs.image(k));
   if (found_.size() < phases.n_parts()) found_.resize(phases.n_parts());
   for (std::vector<Listed>& part : found_) part.clear();
   share_parts(n_threads, phases.n_parts(), [&](std::size_t part) {
@@ -85,7 +85,7 @@ void PairMemory::find_pairs_within_skin(const BroadPhases& phases, const SceneKe
       found.resize(n_before + near.n);
       for (std::size_t k = 0; k < near.n; ++k) {
         const BodyId a = id[near.places[k] & 0xffffffffu], b = id[near.places[k] >> 32];
-        const std::uint32_t shift = number[near.shift[k]];
+        const std::uint32_t shift = number_[near.shift[k]];
         const std::uint64_t number_of_b = blend(shifts_.is_reversed(a, b, shift), shifts_.opposite(shift), shift);
         found[n_before + k] = {std::min(a, b), std::max(a, b), static_cast<std::uint32_t>(number_of_b)};
       }

@@ -148,9 +148,10 @@ class PairMemory final : public PairKeeper {
   double clock_ = 0.0, holds_until_ = 0.0;
   List list_;
   LargeVector<KnownFacet> facet_;  // no list takes it over from the one before: to ask again costs no more
-  // Memory that is kept: for the list before this one, what the parts of the broad phase find, and the keys of that, by
-  // first bodies.
+  // Memory that is kept: for the list before this one, the broad phase's shifts by their numbers here, what its parts
+  // find, and the keys of that, by first bodies.
   List before_;
+  std::vector<std::uint32_t> number_;
   std::vector<std::vector<Listed>> found_;
   LargeVector<std::uint64_t> keys_;
   std::vector<std::size_t> n_overlaps_;  // of each block; then those before it

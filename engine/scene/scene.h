@@ -34,8 +34,8 @@ struct SceneSettings {
   int n_threads = 1;
   InstructionSet instruction_set = best_instruction_set();
   /// For scenes that move in small steps: a length, above 0, makes `overlapping_pairs` remember the pairs whose balls
-  /// are nearer than this, until a body's centre is half of it from where it was, and what was proven of each, as long
-  /// as it holds.
+  /// are nearer than this, until a body's centre is half of it from where it was (docs/scenes.md has the details), and
+  /// what was proven of each, as long as it holds.
   double skin = 0.0;
 };
 

@@ -58,7 +58,8 @@ ShapeBounds shape_bounds(const ConvexBody& body) {
   const double off_centre = kStretch * norm_1(body.centre());
   const auto widened = [&](double length) { return length * (1.0 + kStretch) + off_centre; };
   bounds.radius = widened(body.circumradius());
-  bounds.inner_radius = body.inradius() * (1.0 - kStretch) - off_centre;
+  // The centre is a point of the body up to the support error alone.
+  bounds.inner_radius = body.inradius() * (1.0 - kStretch) - off_centre - body.support_error();
   const double held = std::fmax(bounds.inner_radius, 0.0);
   bounds.turning = std::sqrt((bounds.radius - held) * (bounds.radius + held)) * (1.0 + 0x1p-50);
   const Aabb own = bounding_box(body, Pose());

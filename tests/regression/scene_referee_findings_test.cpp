@@ -19,6 +19,17 @@
 namespace vex {
 namespace {
 
+// A segment whose centre is outside of it by its support error, as the concept allows.
+struct UserSegment {
+  double error;
+
+  Vec3d support(const Vec3d& d) const { return {d.x > 0.0 ? 1.0 : error, 0.0, 0.0}; }
+  double support_error() const { return error; }
+  Vec3d centre() const { return {}; }
+  double circumradius() const { return 1.0 + 1e-9; }
+  double inradius() const { return 0.0; }
+};
+
 constexpr BroadPhase kPhases[] = {BroadPhase::automatic, BroadPhase::grid, BroadPhase::tree};
 
 // A ball without an exact form: where two of them touch, nothing is proven. It throws once where it is told to.
@@ -268,6 +279,53 @@ TEST(SceneReferee, OfManyTurnsTooSmallForTheirSumNoneIsLost) {
       if (truth.pairs.empty() == meets_first) break;
     }
     EXPECT_LT(n_moves, 1500000) << "the verdict never changes";
+  }
+}
+
+// Balls about centres that a body does not hold told that it overlaps what it is beside.
+TEST(SceneReferee, CentresOutsideOfTheirBodiesProveNothing) {
+  for (const double error : {0.05, 1e-3, 1e-6, 1e-9}) {
+    const ConvexBody segment = UserSegment{error}, ball = Sphere(0.5);
+    for (const double skin : {0.0, 0.1}) {
+      for (const bool is_turned : {false, true}) {
+        Scene scene({.skin = skin});
+        Transformd at;
+        at.translation = {-0.5 + 0.4 * error, 0.0, 0.0};  // a gap of .6 of the error
+        scene.add(is_turned ? ball : segment, is_turned ? Pose(at) : Pose());
+        scene.add(is_turned ? segment : ball, is_turned ? Pose() : Pose(at));
+        ScenePairs found;
+        scene.overlapping_pairs(found);
+        EXPECT_TRUE(found.pairs.empty()) << error << ' ' << skin;
+      }
+    }
+  }
+}
+
+// By steps of more than a radian, too.
+TEST(SceneReferee, TurnsOfAnySizeLeaveWhatIsKnownTrue) {
+  const ConvexBody ball = Sphere(0.5), cube = Box(1.0, 1.0, 1.0);
+  for (const double angle : {0.9, 1.2, 2.0, 3.1}) {
+    Scene scene({.skin = 0.2}), other({.skin = 0.0});
+    for (Scene* const one : {&scene, &other}) {
+      for (int k = 0; k < 60; ++k) {
+        Transformd at;
+        at.translation = {1.02 * (k % 5), 1.01 * (k / 5 % 4), 1.3 * (k / 20)};
+        one->add(k % 2 == 0 ? cube : ball, Pose(at));
+      }
+    }
+    ScenePairs found, fresh;
+    for (int step = 0; step < 20; ++step) {
+      for (Scene* const one : {&scene, &other}) {
+        for (BodyId body = 0; body < one->end(); ++body) {
+          const double by = angle * step + body, c = std::cos(by), s = std::sin(by);
+          Transformd at{{c, -s, 0.0}, {s, c, 0.0}, {0.0, 0.0, 1.0}, one->pose(body).translation};
+          one->move(body, Pose(at));
+        }
+      }
+      scene.overlapping_pairs(found);
+      other.overlapping_pairs(fresh);
+      ASSERT_EQ(found.pairs, fresh.pairs) << angle << ' ' << step;
+    }
   }
 }
 

@@ -34,8 +34,9 @@ QuickVerdict::Bounds QuickVerdict::bounds_of(const ConvexBody& body, const Conve
   const auto outer_with = [&](double own) {
     return (own + other.circumradius()) * (1.0 + 2.0 * rotation_error) * (1.0 + gamma(24));
   };
+  // Centres are points of their bodies up to the support errors alone.
   const auto inner_with = [&](double own) {
-    return (own + other.inradius()) * (1.0 - 2.0 * rotation_error) * (1.0 - gamma(24));
+    return (own + other.inradius() - other.support_error()) * (1.0 - 2.0 * rotation_error) * (1.0 - gamma(24));
   };
   const std::optional<CoreForm> core = core_form(body);
   if (core && (core->kind == CoreForm::Kind::box || core->kind == CoreForm::Kind::ellipsoid)) {
@@ -59,7 +60,7 @@ QuickVerdict::Bounds QuickVerdict::bounds_of(const ConvexBody& body, const Conve
     }
   }
   bounds.outer_ball = outer_with(body.circumradius());
-  bounds.inner = inner_with(body.inradius());
+  bounds.inner = inner_with(body.inradius() - body.support_error());
   // The support points along the axes are as far out as the body reaches, but for their error.
   const double error = body.support_error();
   bounds.upper = {body.support({1, 0, 0}).x + error, body.support({0, 1, 0}).y + error,

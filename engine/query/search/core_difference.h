@@ -34,15 +34,20 @@ class CoreDifference {
   Point at(const Vec3d& of_a, const Vec3d& own_b) const {
     return {of_a - difference_.a_from_b()(own_b), of_a, own_b, {}};
   }
-  /// The points of the cores that make a combination of points.
+  /// The points of the cores that make a combination of points. A rolling ball is one in the frame of its body, which
+  /// is where its centre has to be told.
   Difference::CorePoints cores_of(const WeightedPoints<double, Point>& points) const {
     Vec3d a = weighted_sum(points, &Point::a), own_b = weighted_sum(points, &Point::own_b);
+    Vec3d b = difference_.a_from_b()(own_b);
     if (has_rolling()) {
       const Vec3d dir = weighted_sum(points, &Point::dir);
       a = a - rolling_a_ * dir;
-      own_b = own_b + rolling_b_ * seen_from_b(dir);
+      b = b + rolling_b_ * dir;
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        own_b = own_b + (points.weight(k) * rolling_b_) * unit_seen_from_b(difference_.a_from_b(), points.point(k).dir);
+      }
     }
-    return {a, difference_.a_from_b()(own_b), own_b};
+    return {a, b, own_b};
   }
   /// Directions that turn with B, and back.
   Vec3d turned_with_b(const Vec3d& own_dir) const {

@@ -49,7 +49,7 @@ class CoreSearch {
         settings_(settings),
         descent_(descend_to_origin<L, Point>(
             difference, first_dir, simplex, error, [&](const L& distance) { return settings.wanted(distance); },
-            settings.goal == SeparationGoal::depth ? settings.radii : settings.radii + settings.max_distance,
+            settings.goal == SeparationGoal::depth ? settings.radii : beyond(settings.radii + settings.max_distance),
             settings.goal == SeparationGoal::signed_distance ? DescentGoal::nearest : DescentGoal::separated,
             settings.max_support_calls)),
         n_support_calls_(descent_.n_support_calls) {
@@ -71,6 +71,9 @@ class CoreSearch {
     const bool meets_by_balls = settings.radii > L(0.0) && descent_.upper < settings.radii;
     wants_depth_ = settings.goal != SeparationGoal::distance || !(meets_by_balls || !(settings.radii > L(0.0)));
   }
+
+  // What is larger than a sum is so still when radii and rounding have been taken off, and it is rounded.
+  static L beyond(const L& sum) { return sum < L(HUGE_VAL) ? L(1.0 + 0x1p-48) * sum : sum; }
 
   /// Whether the cores overlap, and how deep is asked.
   bool wants_depth() const { return wants_depth_; }

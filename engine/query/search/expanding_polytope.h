@@ -113,7 +113,7 @@ class ExpandingPolytope {
   template <class Visit>
   void visit_foot_along(const Vec3<L>& dir, const Visit& visit) {
     const bool is_of_plane = is_of_face_ && &dir == &normal_;
-    std::uint32_t at = is_of_plane ? nearest_ : hull_.face_along(dir).value_or(nearest_);
+    std::uint32_t at = is_of_plane ? nearest_ : hull_.face_along(dir, nearest_).value_or(nearest_);
     std::array<L, 3> weights = hull_.weights_along(faces()[at], dir);
     if (is_of_plane) {
       // Faces in one plane share a foot: it is in one of them, a few steps away.
@@ -121,7 +121,7 @@ class ExpandingPolytope {
         const std::size_t least = static_cast<std::size_t>(std::ranges::min_element(weights) - weights.begin());
         if (!(weights[least] < L(0.0))) break;
         hull_.link();
-        const std::uint32_t next = faces()[at].across[(least + 1) % 3].face();  // from that corner
+        const std::uint32_t next = faces()[at].across[(least + 1) % 3].face();
         const bool is_coplanar =
             faces()[next].distance - faces()[nearest_].distance <= L(4.0) * hull_.coplanar() + gap();
         if (!is_coplanar) break;
@@ -131,7 +131,7 @@ class ExpandingPolytope {
       // A hull that is known from another pose may bulge: the foot on the nearest face's plane is beside the face then,
       // and the normal leaves the hull, no nearer than that, through another one.
       if (std::ranges::min(weights) < L(-kBesideFace) * std::ranges::max(weights)) {
-        at = hull_.face_along(dir).value_or(at);
+        at = hull_.face_along(dir, nearest_).value_or(at);
         weights = hull_.weights_along(faces()[at], dir);
       }
     }
@@ -142,8 +142,8 @@ class ExpandingPolytope {
   }
 
   /// The corners of the face through which the ray from the origin leaves a hull that holds it.
-  std::optional<Corners> corners_along(const Vec3<L>& dir) const {
-    const std::optional<std::uint32_t> face = hull_.face_along(dir);
+  std::optional<Corners> corners_along(const Vec3<L>& dir) {
+    const std::optional<std::uint32_t> face = hull_.face_along(dir, nearest_);
     return face ? std::optional(faces()[*face].corners) : std::nullopt;
   }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -140,20 +141,21 @@ class GrowingHull {
   std::optional<std::uint32_t> nearest_face() {
     if (is_heap_ || n_near_ > kFew) return nearest_of_many();
     // Few faces are nearer than K is known to reach: to look at all of them, without a branch, costs less than a heap.
-    std::size_t n = 0, best = 0;
+    // The least distance first, then whose it is: chosen together the one waits for the other.
+    std::size_t n = 0;
     L least(HUGE_VAL);
     for (std::size_t k = 0; k < n_near_; ++k) {
       const Entry entry = near_[k];
       near_[n] = entry;
       const bool is_alive = faces_[entry.second].is_alive;
-      const L distance = blend(is_alive, entry.first, L(HUGE_VAL));
-      const bool is_nearer = distance < least;
-      best = blend(is_nearer, std::uint64_t{n}, std::uint64_t{best});
-      least = blend(is_nearer, distance, least);
+      least = smaller(blend(is_alive, entry.first, L(HUGE_VAL)), least);
       n += is_alive ? 1 : 0;
     }
     n_near_ = n;
-    return n == 0 ? std::nullopt : std::optional(near_[best].second);
+    std::uint64_t are_least = 0;
+    for (std::size_t k = 0; k < n; ++k) are_least |= std::uint64_t{near_[k].first <= least} << k;
+    if (are_least == 0) return std::nullopt;
+    return near_[static_cast<std::size_t>(std::countr_zero(are_least))].second;
   }
 
   /// Takes a point into the hull: the faces that it is in front of give way to those from their rim to it. False, and
@@ -165,9 +167,9 @@ class GrowingHull {
     for (const double side : {1.0, 0.0, -1.0}) {
       hide(start, added, L(side));
       if (!is_one_round()) continue;
-      for (const std::uint32_t f : hidden_) faces_[f].is_alive = false;
+      for (std::size_t k = 0; k < n_hidden_; ++k) faces_[hidden_[k]].is_alive = false;
       const std::uint32_t first = static_cast<std::uint32_t>(faces_.size());
-      const std::uint32_t n = static_cast<std::uint32_t>(rim_.size());
+      const std::uint32_t n = static_cast<std::uint32_t>(n_rim_);
       for (std::uint32_t k = 0; k < n; ++k) {
         const auto [from, to, outside] = rim_[k];
         const std::uint32_t next = k + 1 < n ? k + 1 : 0, last = k > 0 ? k - 1 : n - 1;
@@ -179,15 +181,20 @@ class GrowingHull {
     return false;
   }
 
-  /// The face through which the ray from the origin leaves a hull that holds it.
-  std::optional<std::uint32_t> face_along(const Vec3<L>& dir) const {
+  /// The face through which the ray from the origin leaves a hull that holds it. From `start` on, each time across the
+  /// edge that the ray is farthest beyond; of a hull that bulges that may go round, and all faces are looked at.
+  std::optional<std::uint32_t> face_along(const Vec3<L>& dir, std::uint32_t start) {
+    link();
+    constexpr int kMostSteps = 64;
+    std::uint32_t at = start;
+    for (int step = 0; step < kMostSteps; ++step) {
+      const std::array<L, 3> weights = weights_along(faces_[at], dir);
+      const std::size_t least = static_cast<std::size_t>(std::ranges::min_element(weights) - weights.begin());
+      if (!(weights[least] < L(0.0))) return at;
+      at = faces_[at].across[kNext[least]].face();  // from that corner
+    }
     for (std::uint32_t f = 0; f < faces_.size(); ++f) {
-      const Face& face = faces_[f];
-      const Vec3<L>&p = at(face.corners[0]), &q = at(face.corners[1]), &r = at(face.corners[2]);
-      if (face.is_alive && dot(cross(p, q), dir) >= L(0.0) && dot(cross(q, r), dir) >= L(0.0) &&
-          dot(cross(r, p), dir) >= L(0.0)) {
-        return f;
-      }
+      if (faces_[f].is_alive && std::ranges::min(weights_along(faces_[f], dir)) >= L(0.0)) return f;
     }
     return std::nullopt;
   }
@@ -219,7 +226,8 @@ class GrowingHull {
   // Times the length of its normal.
   L height_above(const Face& face, std::uint32_t point) const { return dot(face.normal, at(point)) - face.offset; }
 
-  std::uint32_t add_face(const Corners& corners, const std::array<FaceEdge, 3>& across) {
+  // In line, for its arguments are made where it is called: a call has them written and read again.
+  [[gnu::always_inline]] std::uint32_t add_face(const Corners& corners, const std::array<FaceEdge, 3>& across) {
     const Vec3<L>&p = at(corners[0]), &q = at(corners[1]), &r = at(corners[2]);
     // e x f = e x g = f x g, and that of the two shorter ones, from the corner that they share, has no noise of the
     // longest. Chosen without a branch: no guess at it would be good.
@@ -228,7 +236,7 @@ class GrowingHull {
     const bool omits_e = (square_e > square_f) & (square_e > square_g);
     const bool omits_f = !omits_e & (square_f > square_g);
     Vec3<L> normal = cross(blend(omits_e, f, e), blend(omits_e | omits_f, g, f));
-    const L product = blend(omits_e, square_f, square_e) * blend(omits_e | omits_f, square_g, square_f);
+    const L product = smaller(square_e, square_f) * smaller(larger(square_e, square_f), square_g);
     L square = dot(normal, normal);
     // All but a segment, whose normal would be noise: the direction of its nearest point will do, as any would.
     const L thinnest_sq(0x1p54 * (unit_roundoff<L>() * unit_roundoff<L>()));
@@ -275,35 +283,44 @@ class GrowingHull {
   // more than `side` times what counts as coplanar. Depth first, edge by edge counter-clockwise, gives the rim in
   // order.
   void hide(std::uint32_t start, std::uint32_t added, const L& side) {
-    hidden_.assign(1, start);
-    rim_.clear();
-    path_.assign(1, {start, 0, 3});
+    // Each of them is entered once at most, by one of its edges.
+    if (path_.size() <= faces_.size()) {
+      path_.resize(2 * faces_.size() + 64);
+      hidden_.resize(path_.size());
+      rim_.resize(3 * path_.size());
+    }
     ++last_mark_;
     faces_[start].mark = last_mark_;
-    while (!path_.empty()) {
-      auto& [from, edge, n_left] = path_.back();
-      if (n_left == 0) {
-        path_.pop_back();
+    hidden_[0] = start;
+    n_hidden_ = 1;
+    n_rim_ = 0;
+    auto* step = path_.data();
+    *step = {start, 0, 3};
+    while (true) {
+      if (step->n_left == 0) {
+        if (step == path_.data()) return;
+        --step;
         continue;
       }
-      const FaceEdge entered = faces_[from].across[edge];
-      edge = kNext[edge];
-      --n_left;
+      const FaceEdge entered = faces_[step->face].across[step->edge];
+      step->edge = kNext[step->edge];
+      --step->n_left;
       Face& face = faces_[entered.face()];
       if (face.mark == last_mark_) continue;
+      const std::uint32_t next = kNext[entered.edge()];
       if (!(height_above(face, added) > side * face.coplanar)) {
-        rim_.push_back({face.corners[kNext[entered.edge()]], face.corners[entered.edge()], entered});
+        rim_[n_rim_++] = {face.corners[next], face.corners[entered.edge()], entered};
         continue;
       }
       face.mark = last_mark_;
-      hidden_.push_back(entered.face());
-      path_.push_back({entered.face(), kNext[entered.edge()], 2});
+      hidden_[n_hidden_++] = entered.face();
+      *++step = {entered.face(), next, 2};
     }
   }
 
   // A single closed line that passes each of its points once.
   bool is_one_round() {
-    const std::size_t n = rim_.size();
+    const std::size_t n = n_rim_;
     if (n < 3) return false;
     point_marks_.resize(points_.size(), 0);
     for (std::size_t k = 0; k < n; ++k) {
@@ -325,7 +342,7 @@ class GrowingHull {
   L coplanar_, rounding_sq_;
   L least_height_{0.0}, farthest_sq_{0.0};
   bool has_least_height_ = false, is_heap_ = false;
-  std::size_t n_near_ = 0;
+  std::size_t n_near_ = 0, n_hidden_ = 0, n_rim_ = 0;
   std::uint32_t last_mark_ = 0;
   bool is_linked_ = true;
 };

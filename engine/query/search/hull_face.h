@@ -16,12 +16,13 @@ namespace detail {
 /// written one after the other and read together the reader waits for the writer.
 class FaceEdge {
  public:
+  FaceEdge() = default;
   FaceEdge(std::uint32_t face, std::uint32_t edge) : bits_(4 * face + edge) {}
   std::uint32_t face() const { return bits_ / 4; }
   std::uint32_t edge() const { return bits_ % 4; }
 
  private:
-  std::uint32_t bits_;
+  std::uint32_t bits_ = 0;
 };
 
 template <class L>

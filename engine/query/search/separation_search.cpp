@@ -48,8 +48,7 @@ class DoubleSearch {
     searched.is_out_of_range = !is_usual(error_);
     if (searched.is_out_of_range) return searched;
     searched.is_coarse = is_coarse_;
-    searched.tells_missing = answer_without_search(result);  // nothing
-    if (!searched.tells_missing) search_with(warm_start, searched, result);
+    if (!answer_without_search(searched, result)) search_with(warm_start, searched, result);
     searched.signed_distance = result.signed_distance;
     return searched;
   }
@@ -67,7 +66,10 @@ class DoubleSearch {
   void take_points(const Difference::CorePoints& cores, Separation& result) const {
     set_points(result, query_.a_from_b, cores, difference_.radius_a(), difference_.radius_b());
   }
-  void take(const ZonotopeSeparation& found, Separation& result) const {
+  // Its bounds are what the normal and the points show.
+  void take(const ZonotopeSeparation& found, SearchedSeparation& searched, Separation& result) const {
+    searched.missing = found.distance - found.bounds.lower;
+    searched.tells_missing = true;
     take(found.normal, found.distance, found.bounds, result);
     take_points({found.point_a, found.point_b, found.own_point_b}, result);
   }
@@ -76,20 +78,20 @@ class DoubleSearch {
   // Of zonotopes. It is made where it is asked, for most distances of boxes never ask.
   DifferenceZonotope zonotope() const { return {*query_.a.generators(), *query_.b.generators(), query_.a_from_b}; }
 
-  bool answer_without_search(Separation& result) const {
+  bool answer_without_search(SearchedSeparation& searched, Separation& result) const {
     if (!are_zonotopes()) return false;
     const Generators &of_a = *query_.a.generators(), &of_b = *query_.b.generators();
     if (is_known_without_search(query_.a, query_.b)) {
       const std::optional<ZonotopeSeparation> nearest = nearest_of_segments(of_a, of_b, query_.a_from_b, error_);
       const double rounding = 4.0 * error_.support;
       if (!nearest || nearest->bounds.width() > rounding + settings_.wanted(nearest->distance)) return false;
-      take(*nearest, result);
+      take(*nearest, searched, result);
       return true;
     }
     if (settings_.goal != SeparationGoal::depth) return false;
     const std::optional<ZonotopeSeparation> deepest = deepest_of_faces(zonotope(), error_);
     if (!deepest || !(deepest->bounds.lower > settings_.radii || deepest->bounds.upper < 0.0)) return false;
-    take(*deepest, result);
+    take(*deepest, searched, result);
     return true;
   }
 
@@ -131,9 +133,8 @@ class DoubleSearch {
         const std::optional<ZonotopeSeparation> deepest = deepest_of_faces(zonotope(), error_);
         if (deepest && deepest->bounds.upper < 0.0) {
           if (memory) memory->forget();
-          take(*deepest, result);
+          take(*deepest, searched, result);
           result.n_support_calls = n_calls_before + search.n_support_calls();
-          searched.tells_missing = true;  // nothing
           return;
         }
       }

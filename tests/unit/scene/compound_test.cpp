@@ -384,6 +384,18 @@ TEST(Compound, OnAFloorBoundsThatAreWideAreSaidToBe) {
   EXPECT_TRUE(found.is_rough);
 }
 
+// Fewer digits than there are is what is promised anyway.
+TEST(Compound, OfOnePartIsAsRoughAsThePart) {
+  const ConvexBody a = parse_shape("ellipsoid:1,2,3").body, b = parse_shape("ellipsoid:0.5,1,1.5").body;
+  const Compound one({{a, Pose()}});
+  const Pose at = Transformd{.translation = {3.0, 2.0, 4.0}};
+  for (const double gap : {0.0, 1e-12, 1e-10, 1e-9, 1e-6, 1e-3}) {
+    const Separation found = distance(one, b, at, {.relative_gap = gap}).separation;
+    EXPECT_EQ(found.is_rough, distance(a, b, at, {.relative_gap = gap}).is_rough) << gap;
+    EXPECT_FALSE(found.is_rough) << gap;
+  }
+}
+
 TEST(Compound, ManyPosesAreAnsweredAsOneByOne) {
   std::mt19937_64 random(316);
   const Compound mesh = compound_of_triangles(bowl(8));
