@@ -128,18 +128,16 @@ double missing_along_normal(const SeparationQuery& query, Separation& found, con
   return found.signed_distance - dot(found.normal, of_b - of_a) - rounding;
 }
 
-// Whether an answer of which a part is off by so much is what `check_certificate` takes for what was promised, which
-// hangs on how near the bounds are. They may be nearer than was asked for, where the lower one is from an earlier
-// direction than the answer's normal or the verdict has moved one: then it is lowered by what is missing, so that all
-// of the answer goes together. Not where the better one is needed: it may be all that parts the bodies, or what ended
-// the search.
-bool is_kept(const SeparationQuery& query, Separation& found, double off) {
-  if (off <= promised_accuracy(query.a, query.b, found)) return true;
+// Of an answer a part of which is off by more than was promised, as `check_certificate` takes it, which hangs on how
+// near the bounds are. They may be nearer than was asked for, where the lower one is from an earlier direction than the
+// answer's normal or the verdict has moved one: then it is lowered by what is missing, so that all of the answer goes
+// together. Not where the better one is needed: it may be all that parts the bodies, or what ended the search.
+bool is_kept_by_lower_bound(const SeparationQuery& query, Separation& found, double off) {
   const double lower = found.upper - off - part_of_size(query, 0x1p-47, found);
   const bool is_cut = query.goal == SeparationGoal::distance && found.lower > query.settings.max_distance;
   if (is_cut || (found.lower >= 0.0 && !(lower > 0.0))) return false;
-  if (!(found.upper - lower <= asked_width(query, found))) return false;
-  found.lower = lower;
+  if (!(found.upper - lower <= asked_width(query, found))) return false;  // also where it is no number
+  found.lower = std::fmin(found.lower, lower);
   return true;
 }
 
@@ -149,8 +147,9 @@ bool is_kept(const SeparationQuery& query, Separation& found, double off) {
 bool is_worse_than_promised(const SeparationQuery& query, Separation& found,
                             const SearchedSeparation* searched = nullptr) {
   if (!found.has_witnesses) return false;
-  return !is_kept(query, found, points_off(query, found)) ||
-         !is_kept(query, found, missing_along_normal(query, found, searched));
+  const double promised = promised_accuracy(query.a, query.b, found);
+  const auto is_kept = [&](double off) { return off <= promised || is_kept_by_lower_bound(query, found, off); };
+  return !is_kept(points_off(query, found)) || !is_kept(missing_along_normal(query, found, searched));
 }
 
 Separation separation(const SeparationQuery& query, WarmStart* warm_start, std::optional<OverlapAnswer>& known) {
