@@ -1,5 +1,7 @@
+#include <cmath>
 #include <random>
 
+#include "engine/numeric/pose_algebra.h"
 #include "tests/bench/rounds.h"
 #include "tests/bench/scene_cases.h"
 #include "tests/bench/scene_laps.h"
@@ -26,14 +28,10 @@ Vec3d random_step(std::mt19937_64& random) {
 
 // By an angle of kPace, about any axis.
 Transformd turned(const Transformd& pose, std::mt19937_64& random) {
-  const Vec3d v = std::tan(0.5 * kPace) / kPace * random_step(random);
-  const double by = 2.0 / (1.0 + dot(v, v));
-  // Rodrigues's formula of columns.
-  const auto turn = [&](const Vec3d& c) { return c + by * (cross(v, c) + cross(v, cross(v, c))); };
-  const Vec3d x = turn({pose.row_x.x, pose.row_y.x, pose.row_z.x}),
-              y = turn({pose.row_x.y, pose.row_y.y, pose.row_z.y}),
-              z = turn({pose.row_x.z, pose.row_y.z, pose.row_z.z});
-  return {{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}, pose.translation};
+  const Vec3d part = std::sin(0.5 * kPace) / kPace * random_step(random);
+  Transformd turn = (pose_of({std::cos(0.5 * kPace), part.x, part.y, part.z}, {}) * Pose::unchecked(pose)).a_from_b();
+  turn.translation = pose.translation;
+  return turn;
 }
 
 // The same motion for everyone who asks: each body goes straight on and does not turn, or it goes to and fro at random

@@ -67,7 +67,7 @@ TEST(ShortenedSearches, OfFewDigitsAreRoughOrKeepWhatIsPromised) {
     for (const QueryStratum& stratum : query_strata()) {
       if (stratum.name != "ordinary" && stratum.name != "thin" && stratum.name != "touching") continue;
       std::mt19937_64 random(10);
-      for (int k = 0; k < 20; ++k) ask(stratum.scene(random, k), relative_gap);
+      for (int k = 0; k < 40; ++k) ask(stratum.scene(random, k), relative_gap);
     }
     std::mt19937_64 random(11);
     std::normal_distribution<double> normal;
@@ -82,7 +82,7 @@ TEST(ShortenedSearches, OfFewDigitsAreRoughOrKeepWhatIsPromised) {
     }
   }
   EXPECT_GT(n_fine, 900);
-  EXPECT_GT(n_rough, 50);
+  EXPECT_GT(n_rough, 90);
 }
 
 TEST(ShortenedSearches, AreRoughWherePointsAreNotOppositeEachOther) {

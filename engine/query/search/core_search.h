@@ -72,9 +72,6 @@ class CoreSearch {
     wants_depth_ = settings.goal != SeparationGoal::distance || !(meets_by_balls || !(settings.radii > L(0.0)));
   }
 
-  // What is larger than a sum is so still when radii and rounding have been taken off, and it is rounded.
-  static L beyond(const L& sum) { return sum < L(HUGE_VAL) ? L(1.0 + 0x1p-48) * sum : sum; }
-
   /// Whether the cores overlap, and how deep is asked.
   bool wants_depth() const { return wants_depth_; }
 
@@ -130,6 +127,9 @@ class CoreSearch {
   int n_support_calls() const { return n_support_calls_; }
 
  private:
+  // What is larger than a sum is so still when radii and rounding have been taken off, and it is rounded.
+  static L beyond(const L& sum) { return sum < L(HUGE_VAL) ? L(1.0 + 0x1p-48) * sum : sum; }
+
   using Descent = NearestDescent<L, Point>;
 
   const Difference& difference_;

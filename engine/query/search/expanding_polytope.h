@@ -118,14 +118,12 @@ class ExpandingPolytope {
     if (is_of_plane) {
       // Faces in one plane share a foot: it is in one of them, a few steps away.
       for (std::size_t step = 0; step < faces().size(); ++step) {
-        const std::size_t least = static_cast<std::size_t>(std::ranges::min_element(weights) - weights.begin());
-        if (!(weights[least] < L(0.0))) break;
-        hull_.link();
-        const std::uint32_t next = faces()[at].across[(least + 1) % 3].face();
+        const std::optional<std::uint32_t> next = hull_.face_towards(at, weights);
+        if (!next) break;
         const bool is_coplanar =
-            faces()[next].distance - faces()[nearest_].distance <= L(4.0) * hull_.coplanar() + gap();
+            faces()[*next].distance - faces()[nearest_].distance <= L(4.0) * hull_.coplanar() + gap();
         if (!is_coplanar) break;
-        at = next;
+        at = *next;
         weights = hull_.weights_along(faces()[at], dir);
       }
       // A hull that is known from another pose may bulge: the foot on the nearest face's plane is beside the face then,

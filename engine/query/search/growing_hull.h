@@ -181,17 +181,22 @@ class GrowingHull {
     return false;
   }
 
-  /// The face through which the ray from the origin leaves a hull that holds it. From `start` on, each time across the
-  /// edge that the ray is farthest beyond; of a hull that bulges that may go round, and all faces are looked at.
-  std::optional<std::uint32_t> face_along(const Vec3<L>& dir, std::uint32_t start) {
+  /// The face across the edge that a ray is farthest beyond, by its weights on this face; none where it passes that.
+  std::optional<std::uint32_t> face_towards(std::uint32_t face, const std::array<L, 3>& weights) {
+    const std::size_t least = static_cast<std::size_t>(std::ranges::min_element(weights) - weights.begin());
+    if (!(weights[least] < L(0.0))) return std::nullopt;
     link();
+    return faces_[face].across[kNext[least]].face();  // from that corner
+  }
+
+  /// The face through which the ray from the origin leaves a hull that holds it. From `start` on, face by face towards
+  /// it; of a hull that bulges that may go round, and all faces are looked at.
+  std::optional<std::uint32_t> face_along(const Vec3<L>& dir, std::uint32_t start) {
     constexpr int kMostSteps = 64;
-    std::uint32_t at = start;
     for (int step = 0; step < kMostSteps; ++step) {
-      const std::array<L, 3> weights = weights_along(faces_[at], dir);
-      const std::size_t least = static_cast<std::size_t>(std::ranges::min_element(weights) - weights.begin());
-      if (!(weights[least] < L(0.0))) return at;
-      at = faces_[at].across[kNext[least]].face();  // from that corner
+      const std::optional<std::uint32_t> next = face_towards(start, weights_along(faces_[start], dir));
+      if (!next) return start;
+      start = *next;
     }
     for (std::uint32_t f = 0; f < faces_.size(); ++f) {
       if (faces_[f].is_alive && std::ranges::min(weights_along(faces_[f], dir)) >= L(0.0)) return f;
@@ -242,7 +247,7 @@ class GrowingHull {
     const L thinnest_sq(0x1p54 * (unit_roundoff<L>() * unit_roundoff<L>()));
     const bool is_sliver = !(square > thinnest_sq * product);
     if (is_sliver) [[unlikely]] {
-      const Vec3<L> nearest = nearest_on_longest_edge(p, q, r);
+      const Vec3<L> nearest = detail::nearest_on_longest_edge(p, q, r);
       normal = norm_1(nearest) > L(0.0) ? unit_along(nearest) : least_axis(e);
       square = L(1.0);
     }
@@ -263,27 +268,11 @@ class GrowingHull {
     }
     return index;
   }
-  static Vec3<L> nearest_on_longest_edge(const Vec3<L>& p, const Vec3<L>& q, const Vec3<L>& r) {
-    const std::array<std::array<const Vec3<L>*, 2>, 3> edges = {{{&p, &q}, {&q, &r}, {&r, &p}}};
-    Vec3<L> nearest = p;
-    L longest(-1.0);
-    for (const auto& edge : edges) {
-      const Vec3<L>&from = *edge[0], &to = *edge[1];
-      const Vec3<L> e = to - from;
-      const L square = dot(e, e);
-      if (!(square > longest)) continue;
-      longest = square;
-      const L along = -dot(from, e);
-      nearest = !(along > L(0.0)) ? from : !(along < square) ? to : from + (along / square) * e;
-    }
-    return nearest;
-  }
-
   // The connected faces about `start` that `added` is above, and in order their rim, as they go along it. Above: by
   // more than `side` times what counts as coplanar. Depth first, edge by edge counter-clockwise, gives the rim in
   // order.
   void hide(std::uint32_t start, std::uint32_t added, const L& side) {
-    // Each of them is entered once at most, by one of its edges.
+    // Each face is entered once at most.
     if (path_.size() <= faces_.size()) {
       path_.resize(2 * faces_.size() + 64);
       hidden_.resize(path_.size());

@@ -38,6 +38,24 @@ struct HullFace {
   bool has_origin_behind = false;  // proven
 };
 
+/// Of a sliver, the point of its longest edge that is nearest to the origin.
+template <class L>
+Vec3<L> nearest_on_longest_edge(const Vec3<L>& p, const Vec3<L>& q, const Vec3<L>& r) {
+  const std::array<std::array<const Vec3<L>*, 2>, 3> edges = {{{&p, &q}, {&q, &r}, {&r, &p}}};
+  Vec3<L> nearest = p;
+  L longest(-1.0);
+  for (const auto& edge : edges) {
+    const Vec3<L>&from = *edge[0], &to = *edge[1];
+    const Vec3<L> e = to - from;
+    const L square = dot(e, e);
+    if (!(square > longest)) continue;
+    longest = square;
+    const L along = -dot(from, e);
+    nearest = !(along > L(0.0)) ? from : !(along < square) ? to : from + (along / square) * e;
+  }
+  return nearest;
+}
+
 }  // namespace detail
 
 /// Memory that a hull grows in. One serves one query at a time, and then others.

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/sampling/virial/overlapping_pairs.h"
+
 namespace vex {
 
 DistanceControl::DistanceControl(const ConvexBody& a, const ConvexBody& b, double excluded_volume,
@@ -11,8 +13,7 @@ DistanceControl::DistanceControl(const ConvexBody& a, const ConvexBody& b, doubl
   constexpr double kLeastShare = 0.02, kMostError = 1e-9, kShareOfAll = 1.0 + 1e-6;
   rounding_ = has_factors ? relative_error : 0.0;
   // Places of poses are off by less than 2^-40 of the reach: the ball that is used is smaller by far more.
-  const double margin = std::fmax(0x1p-30 * (a.reach() + b.reach()), 2.0 * (a.support_error() + b.support_error()));
-  const double inner = a.inradius() + b.inradius() - margin;
+  const double inner = a.inradius() + b.inradius() - margin_of_balls(a, b);
   const double share = 4.0 / 3.0 * std::numbers::pi * (inner * inner * inner) / excluded_volume;
   if (!(inner > 0.0 && share > kLeastShare && share < kShareOfAll && relative_error < kMostError)) return;
   inner_sq_ = inner * inner;

@@ -12,11 +12,13 @@
 
 namespace vex {
 
+double margin_of_balls(const ConvexBody& a, const ConvexBody& b) {
+  return std::fmax(0x1p-30 * (a.reach() + b.reach()), 2.0 * (a.support_error() + b.support_error()));
+}
+
 PairDecider::PairDecider(const ConvexBody& a, const ConvexBody& b, InstructionSet set)
     : backend_(gjk_backend(set).make(a, b)) {
-  // Far more than what places are off by, and less than an inradius, where it is to tell anything; and than what
-  // centres may be outside of their bodies.
-  const double margin = std::fmax(0x1p-30 * (a.reach() + b.reach()), 2.0 * (a.support_error() + b.support_error()));
+  const double margin = margin_of_balls(a, b);
   const double outer = a.circumradius() + b.circumradius() + margin;
   const double inner = std::fmax(0.0, a.inradius() + b.inradius() - margin);
   outer_sq_ = outer * outer;

@@ -24,6 +24,10 @@ struct PairQuestions {
   std::uint64_t n_undecided = 0;
 };
 
+/// By so much inscribed balls are taken for smaller, and circumscribed ones for larger, where they alone decide: far
+/// more than what places of poses are off by, and than what centres may be outside of their bodies.
+double margin_of_balls(const ConvexBody& a, const ConvexBody& b);
+
 /// Decides overlaps of one pair of bodies. Serves one thread.
 class PairDecider {
  public:

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/numeric/pose_algebra.h"
 #include "engine/numeric/rounding.h"
 #include "engine/scene/scene_bodies.h"
 #include "tests/referees/bodies.h"
@@ -25,10 +26,8 @@ Matrix rotation_of(const Transformd& pose) { return {pose.row_x, pose.row_y, pos
 
 // About a unit axis; each entry is off by up to 2.5e-8.
 Transformd turned(const Transformd& pose, double angle, const Vec3d& axis, std::mt19937_64& random) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  const auto turn = [&](const Vec3d& v) { return c * v + s * cross(axis, v) + (1.0 - c) * dot(axis, v) * axis; };
-  const Matrix columns = transposed(rotation_of(pose));
-  Matrix rows = transposed({turn(columns[0]), turn(columns[1]), turn(columns[2])});
+  const Vec3d part = std::sin(0.5 * angle) * axis;
+  Matrix rows = rotation_of((pose_of({std::cos(0.5 * angle), part.x, part.y, part.z}, {}) * Pose(pose)).a_from_b());
   for (Vec3d& row : rows) row = row + 2.5e-8 * random_direction(random);
   return {rows[0], rows[1], rows[2], {}};
 }
