@@ -38,9 +38,9 @@ struct HullFace {
   bool has_origin_behind = false;  // proven
 };
 
-/// Of a sliver, the point of its longest edge that is nearest to the origin.
+/// Of a sliver, the point of its longest edge that is nearest to the origin. Hardly ever asked, and so not in line.
 template <class L>
-Vec3<L> nearest_on_longest_edge(const Vec3<L>& p, const Vec3<L>& q, const Vec3<L>& r) {
+[[gnu::cold, gnu::noinline]] Vec3<L> nearest_on_longest_edge(const Vec3<L>& p, const Vec3<L>& q, const Vec3<L>& r) {
   const std::array<std::array<const Vec3<L>*, 2>, 3> edges = {{{&p, &q}, {&q, &r}, {&r, &p}}};
   Vec3<L> nearest = p;
   L longest(-1.0);
