@@ -7,6 +7,7 @@
 #include "engine/numeric/directions.h"
 #include "engine/numeric/rounding.h"
 #include "engine/numeric/scaled_bound.h"
+#include "engine/query/cast_from_guess.h"
 #include "engine/query/exact/exact_cast.h"
 #include "engine/query/motion_input.h"
 #include "engine/query/overlap.h"
@@ -16,6 +17,8 @@
 
 namespace vex {
 namespace {
+
+constexpr double kLeastBalls = 0x1p-10;  // of the circumradii
 
 FirstContact no_contact(Verdict verdict) { return {verdict, HUGE_VAL, HUGE_VAL, HUGE_VAL, {}, {}, {}, 0}; }
 
@@ -59,16 +62,68 @@ double between(double lower, double upper) {
 // Where balls touch is told by their centres to all digits, and by a plane across their surface to half of them.
 void touch_by_balls(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Vec3d& motion,
                     FirstContact& contact) {
-  const bool are_balls = a.is_rounded_polytope() && b.is_rounded_polytope() && a.ball_radius() + b.ball_radius() > 0.0;
-  if (!are_balls) return;
+  const double radii = a.ball_radius() + b.ball_radius();
+  if (!(a.is_rounded_polytope() && b.is_rounded_polytope() && radii > 0.0)) return;
   Transformd pose = a_from_b;
   pose.translation = pose.translation + contact.time * motion;
-  const Separation found = signed_distance(a, b, Pose::unchecked(pose));
+  // Which sign the distance has is of no matter here. Of balls that are small beside the cores, though, doubles alone
+  // know the centres less well than the balls are large.
+  std::optional<OverlapAnswer> sign;
+  if (radii > kLeastBalls * (a.circumradius() + b.circumradius())) sign.emplace().verdict = contact.verdict;
+  const Separation found = signed_distance(a, b, Pose::unchecked(pose), sign);
   contact.n_support_calls += found.n_support_calls;
   if (!(dot(found.normal, motion) < 0.0)) return;
   contact.normal = found.normal;
   take_points(found, contact);
 }
+
+// The search along a motion of any length, and what it says of that.
+class StraightMotion {
+ public:
+  StraightMotion(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Vec3d& motion,
+                 double until)
+      : a_(a), b_(b), a_from_b_(a_from_b), motion_(motion), until_(until) {
+    search_.look_until(scaled_up(until, exponent_));
+  }
+
+  RaySearch& search() { return search_; }
+  double at_least(double t) const { return scaled_down(t, -exponent_); }
+  double at_most(double t) const { return scaled_up(t, -exponent_); }
+
+  // Nothing where neither a contact is proven nor that there is none.
+  std::optional<FirstContact> settled(const RayBounds& bounds) const {
+    if (bounds.is_miss) {
+      FirstContact none = no_contact(Verdict::disjoint(DecidedBy::gjk));
+      none.n_support_calls = search_.n_support_calls();
+      return none;
+    }
+    const double upper = at_most(bounds.upper);
+    // A time that overflows is none that could be claimed.
+    if (!(bounds.is_hit && upper <= until_ && upper < HUGE_VAL)) return std::nullopt;
+    const RaySearch::Touch touch = search_.touch();
+    FirstContact contact;
+    contact.verdict = Verdict::overlap(DecidedBy::gjk);
+    contact.lower = at_least(bounds.lower);
+    contact.upper = upper;
+    contact.time = between(contact.lower, contact.upper);
+    contact.normal = touch.normal;
+    contact.n_support_calls = search_.n_support_calls();
+    take_points(touch, contact);
+    contact.point_b = touch.point_b + contact.time * motion_;
+    touch_by_balls(a_, b_, a_from_b_, motion_, contact);
+    return contact;
+  }
+
+ private:
+  const ConvexBody &a_, &b_;
+  const Transformd& a_from_b_;
+  const Vec3d& motion_;
+  double until_;
+  int motion_exponent_ =
+      std::ilogb(std::fmax(std::fabs(motion_.x), std::fmax(std::fabs(motion_.y), std::fabs(motion_.z))));
+  RaySearch search_{a_, b_, a_from_b_, times_power_of_two(motion_, -motion_exponent_)};
+  int exponent_ = search_.exponent() + motion_exponent_;  // of the times that are searched for
+};
 
 // What the search left open.
 void decide_exactly(const ConvexBody& a, const ConvexBody& b, const Transformd& a_from_b, const Vec3d& motion,
@@ -118,49 +173,44 @@ FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Pose& p
     const Verdict undecided = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);
     return {undecided, 0.0, 0.0, HUGE_VAL, {}, {}, {}, start.n_support_calls};
   }
-  const int motion_exponent =
-      std::ilogb(std::fmax(std::fabs(motion.x), std::fmax(std::fabs(motion.y), std::fabs(motion.z))));
-  RaySearch search(a, b, a_from_b, times_power_of_two(motion, -motion_exponent));
-  search.look_until(scaled_up(until, search.exponent() + motion_exponent));
-  const RayBounds bounds = search.run(start.separating_dir, at_start.outcome == Outcome::disjoint);
-  const int n_support_calls = start.n_support_calls + search.n_support_calls();
-  if (bounds.is_miss) {
-    FirstContact none = no_contact(Verdict::disjoint(DecidedBy::gjk));
-    none.n_support_calls = n_support_calls;
-    return none;
+  StraightMotion moving(a, b, a_from_b, motion, until);
+  const RayBounds bounds = moving.search().run(start.separating_dir, at_start.outcome == Outcome::disjoint);
+  if (std::optional<FirstContact> contact = moving.settled(bounds)) {
+    contact->n_support_calls += start.n_support_calls;
+    if (!bounds.is_miss && !(norm_1(contact->normal) > 0.0)) {
+      touch_at_start(a, b, a_from_b, motion, start, moving.search().touch(), *contact);
+    }
+    return *contact;
   }
-  const int exponent = -(search.exponent() + motion_exponent);
   FirstContact contact;
-  contact.n_support_calls = n_support_calls;
-  contact.lower = scaled_down(bounds.lower, exponent);
-  const RaySearch::Touch touch = search.touch();
-  contact.normal = touch.normal;
-  const double upper = scaled_up(bounds.upper, exponent);
-  // A time that overflows is none that could be claimed.
-  if (bounds.is_hit && upper <= until && upper < HUGE_VAL) {
-    contact.verdict = Verdict::overlap(DecidedBy::gjk);
-    contact.upper = upper;
-    contact.time = between(contact.lower, contact.upper);
-    take_points(touch, contact);
-    contact.point_b = touch.point_b + contact.time * motion;
-    touch_by_balls(a, b, a_from_b, motion, contact);
-    if (!(norm_1(contact.normal) > 0.0)) touch_at_start(a, b, a_from_b, motion, start, touch, contact);
-    return contact;
-  }
   contact.verdict = Verdict::undecided(DecidedBy::gjk, UndecidedReason::rounding);
-  contact.time = contact.lower;
+  contact.lower = contact.time = moving.at_least(bounds.lower);
   contact.upper = HUGE_VAL;
+  contact.normal = moving.search().touch().normal;
+  contact.n_support_calls = start.n_support_calls + moving.search().n_support_calls();
   if (at_start.outcome == Outcome::disjoint) {
-    decide_exactly(a, b, a_from_b, motion, scaled_up(bounds.latest, exponent), until, contact);
+    decide_exactly(a, b, a_from_b, motion, moving.at_most(bounds.latest), until, contact);
   }
   return contact;
 }
 
+FirstContact linear_cast(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const Vec3d& motion, double until,
+                         const CastGuess& guess) {
+  int n_support_calls = 0;
+  if (guess.n > 0 && are_within_range(a, b, pose.a_from_b())) {
+    require_motion(motion, until);
+    StraightMotion moving(a, b, pose.a_from_b(), motion, until);
+    const RayBounds bounds = moving.search().run_from(guess);
+    if (std::optional<FirstContact> contact = moving.settled(bounds)) return *contact;
+    n_support_calls = moving.search().n_support_calls();
+  }
+  FirstContact contact = linear_cast(a, b, pose, motion, until);
+  contact.n_support_calls += n_support_calls;
+  return contact;
+}
+
 FirstContact cast_ray(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir, double until) {
-  static const ConvexBody kPoint = PointBody{};
-  Transformd a_from_point;
-  a_from_point.translation = origin;
-  return linear_cast(a, kPoint, a_from_point, dir, until);
+  return linear_cast(a, point_of_ray(), start_of_ray(origin), dir, until);
 }
 
 }  // namespace vex

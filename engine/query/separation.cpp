@@ -65,7 +65,7 @@ void conclude(const SeparationQuery& query, DecidedBy by, Separation& result, st
 // Whether twice the precision has nothing to add: where it is calls that ended a search, or where the bounds are as
 // near as asked for and a sign that they leave open is all that they leave open.
 bool is_settled(const SeparationQuery& query, const SearchedSeparation& searched, const Separation& found,
-                double wanted) {
+                double wanted, bool sign_is_known) {
   if (searched.is_out_of_range) return false;
   if (query.goal == SeparationGoal::distance && found.lower > query.settings.max_distance) return true;
   if (query.goal == SeparationGoal::depth && found.lower > 0.0) return true;
@@ -76,7 +76,7 @@ bool is_settled(const SeparationQuery& query, const SearchedSeparation& searched
   // normal with the distance.
   const Vec3d off = (found.point_b - found.point_a) - found.signed_distance * found.normal;
   if (found.has_witnesses && (dot(off, off) > wanted * wanted || searched.missing > wanted)) return false;
-  return found.lower > 0.0 || found.upper < 0.0;
+  return sign_is_known || found.lower > 0.0 || found.upper < 0.0;
 }
 
 // What twice the precision finds beside what double precision has found. `wanted`: how near bounds shall be.
@@ -166,7 +166,7 @@ Separation separation(const SeparationQuery& query, WarmStart* warm_start, std::
   }
   const double wanted = part_of_size(query, query.settled_gap(), found);
   const bool is_coarse = query.settings.relative_gap > query.usual_gap();
-  if (is_settled(query, searched, found, wanted)) {
+  if (is_settled(query, searched, found, wanted, known.has_value())) {
     conclude(query, DecidedBy::gjk, found, known);
     if (is_coarse) found.is_rough = is_worse_than_promised(query, found, &searched);
     return found;

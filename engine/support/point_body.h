@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "engine/numeric/transform.h"
 #include "engine/support/convex_body.h"
 
 namespace vex {
@@ -25,5 +26,16 @@ struct PointBody {
     return none;
   }
 };
+
+/// What moves along a ray, and where it is at first.
+inline const ConvexBody& point_of_ray() {
+  static const ConvexBody point = PointBody{};
+  return point;
+}
+inline Transformd start_of_ray(const Vec3d& origin) {
+  Transformd pose;
+  pose.translation = origin;
+  return pose;
+}
 
 }  // namespace vex

@@ -1,16 +1,21 @@
 // Overlaps and first contacts over arrays of poses.
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
+#include <span>
+#include <vector>
 
+#include "engine/query/cast_of_many.h"
 #include "engine/query/contact_certificate.h"
 #include "engine/query/first_contact.h"
 #include "engine/query/margin.h"
 #include "engine/query/overlap.h"
 #include "engine/query/overlap_backend.h"
 #include "engine/query/packets/packet_overlap.h"
+#include "engine/support/point_body.h"
 #include "python/bindings/body.h"
 #include "python/bindings/proofs.h"
 
@@ -103,30 +108,55 @@ void require_as_many(std::size_t n, std::size_t n_poses, const char* what) {
   }
 }
 
-/// ask(k) is the answer of a row, prove(k, answer) what the checker says to its certificate.
-template <class Ask, class Prove>
-py::tuple first_contacts(std::size_t n, bool certify_answers, int threads, const Ask& ask, const Prove& prove) {
+/// answer(first, last, found), one for each thread, writes the answers of a block of rows; prove(k, found) is what the
+/// checker says to a row's certificate.
+template <class MakeAnswer, class Prove>
+py::tuple first_contacts(std::size_t n, bool certify_answers, int threads, const MakeAnswer& make_answer,
+                         const Prove& prove) {
   py::array_t<ContactRow> result(static_cast<py::ssize_t>(n));
   ContactRow* const to = result.mutable_data();
   Proofs proofs(certify_answers, n);
-  over_each_row(n, threads, [&](std::size_t k) {
-    const FirstContact found = ask(k);
-    to[k] = row_of(found);
-    if (proofs.is_wanted()) proofs.set(k, prove(k, found));
+  const std::size_t block = certify_answers ? kRowsABlock : kPosesABlock;
+  over_rows(n, threads, block, [&] {
+    return [&, answer = make_answer(), found = std::vector<FirstContact>(block)](std::size_t first,
+                                                                                 std::size_t last) mutable {
+      answer(first, last, std::span(found).first(last - first));
+      for (std::size_t k = first; k < last; ++k) {
+        to[k] = row_of(found[k - first]);
+        if (proofs.is_wanted()) proofs.set(k, prove(k, found[k - first]));
+      }
+    };
   });
   return py::make_tuple(result, proofs.arrays());
+}
+
+/// Of B moving by by[k] from pose(k).
+template <class PoseOf>
+auto make_casts(const ConvexBody& a, const ConvexBody& b, const PoseOf& pose, const Rows3& by, double until) {
+  return [&a, &b, &pose, &by, until] {
+    return [&pose, &by, many = std::make_shared<ManyCasts>(a, b, until)](std::size_t first, std::size_t last,
+                                                                         std::span<FirstContact> found) {
+      alignas(64) double columns[kPoseColumns][PacketOverlap::kStride];
+      std::array<Vec3d, kPosesABlock> motions;
+      for (std::size_t k = first; k < last; ++k) {
+        set_pose(columns[0], PacketOverlap::kStride, k - first, pose(k).a_from_b());
+        motions[k - first] = by[k];
+      }
+      many->answer({columns[0], PacketOverlap::kStride, last - first}, motions, found);
+    };
+  };
 }
 
 py::tuple rays(const PyBody& a, const Floats& origins, const Floats& dirs, double until, bool certify_answers,
                int threads) {
   const Rows3 from(origins), along(dirs);
   require_as_many(along.size(), from.size(), "directions");
-  return first_contacts(
-      from.size(), certify_answers, threads, [&](std::size_t k) { return cast_ray(a.body, from[k], along[k], until); },
-      [&](std::size_t k, const FirstContact& found) {
-        const ContactCertificate certificate = certify_ray(a.body, from[k], along[k], found, until);
-        return check_ray_certificate(a.body, from[k], along[k], found, certificate, until);
-      });
+  const auto pose = [&](std::size_t k) { return Pose(start_of_ray(from[k])); };
+  return first_contacts(from.size(), certify_answers, threads, make_casts(a.body, point_of_ray(), pose, along, until),
+                        [&](std::size_t k, const FirstContact& found) {
+                          const ContactCertificate certificate = certify_ray(a.body, from[k], along[k], found, until);
+                          return check_ray_certificate(a.body, from[k], along[k], found, certificate, until);
+                        });
 }
 
 py::tuple casts(const PyBody& a, const PyBody& b, const Floats& rows, const std::optional<Floats>& translations,
@@ -134,13 +164,12 @@ py::tuple casts(const PyBody& a, const PyBody& b, const Floats& rows, const std:
   const PoseRows poses(rows, translations);
   const Rows3 by(motions);
   require_as_many(by.size(), poses.size(), "motions");
-  return first_contacts(
-      poses.size(), certify_answers, threads,
-      [&](std::size_t k) { return linear_cast(a.body, b.body, poses[k], by[k], until); },
-      [&](std::size_t k, const FirstContact& found) {
-        const ContactCertificate certificate = certify(a.body, b.body, poses[k], by[k], found, until);
-        return check_certificate(a.body, b.body, poses[k], by[k], found, certificate, until);
-      });
+  const auto pose = [&](std::size_t k) { return poses[k]; };
+  return first_contacts(poses.size(), certify_answers, threads, make_casts(a.body, b.body, pose, by, until),
+                        [&](std::size_t k, const FirstContact& found) {
+                          const ContactCertificate certificate = certify(a.body, b.body, poses[k], by[k], found, until);
+                          return check_certificate(a.body, b.body, poses[k], by[k], found, certificate, until);
+                        });
 }
 
 py::tuple impacts(const PyBody& a, const PyBody& b, const Floats& rows, const std::optional<Floats>& translations,
@@ -159,11 +188,16 @@ py::tuple impacts(const PyBody& a, const PyBody& b, const Floats& rows, const st
     return RigidMotion{v_a ? (*v_a)[k] : Vec3d{}, w_a ? (*w_a)[k] : Vec3d{}};
   };
   const auto motion_b = [&](std::size_t k) { return RigidMotion{v[k], w[k]}; };
+  const auto impact = [&](std::size_t k) {
+    return a_moves ? time_of_impact(a.body, b.body, poses[k], motion_a(k), motion_b(k), until)
+                   : time_of_impact(a.body, b.body, poses[k], motion_b(k), until);
+  };
   return first_contacts(
       poses.size(), certify_answers, threads,
-      [&](std::size_t k) {
-        return a_moves ? time_of_impact(a.body, b.body, poses[k], motion_a(k), motion_b(k), until)
-                       : time_of_impact(a.body, b.body, poses[k], motion_b(k), until);
+      [&] {
+        return [&](std::size_t first, std::size_t last, std::span<FirstContact> found) {
+          for (std::size_t k = first; k < last; ++k) found[k - first] = impact(k);
+        };
       },
       [&](std::size_t k, const FirstContact& found) {
         const Pose pose = poses[k];

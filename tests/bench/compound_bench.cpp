@@ -177,15 +177,36 @@ std::vector<Pose> half_overlapping(const ConvexBody& body, std::size_t n, std::m
   return poses;
 }
 
+// From poses farther away, motions towards a place within .8 reaches of the body's centre.
+struct Casts {
+  std::vector<Pose> poses;
+  std::vector<Vec3d> motions;
+};
+Casts casts_towards(const ConvexBody& body, std::size_t n, std::mt19937_64& random) {
+  const auto within = [&](double radius) {
+    const Vec3d dir = random_direction(random);
+    return (radius * std::cbrt(random_in_unit_interval(random)) / norm(dir)) * dir;
+  };
+  Casts casts;
+  while (casts.poses.size() < n) {
+    Transformd pose = random_rotation(random);
+    pose.translation = within(4.0 * body.reach());
+    if (norm(pose.translation) < 2.0 * body.reach()) continue;
+    casts.motions.push_back(within(0.8 * body.reach()) - pose.translation);
+    casts.poses.emplace_back(pose);
+  }
+  return casts;
+}
+
 // A loop of single queries, and the batch of one thread.
 void batches(int n_rounds, std::size_t n_poses) {
-  MarkdownTable table({"pair", "overlap", "distance, loop", "batch", "depth, loop", "batch", "cast, loop", "batch"});
+  MarkdownTable table(
+      {"pair", "overlap", "distance, loop", "batch", "depth, loop", "batch", "casts that meet", "cast, loop", "batch"});
   std::mt19937_64 random(403);
   for (const char* name : {"box:1,1,1", "capsule:1,0.25", "cylinder:1,0.5", "ellipsoid:2,0.5,0.5", "icosahedron:0.7"}) {
     const ConvexBody body = parse_shape(name).body;
     const std::vector<Pose> poses = half_overlapping(body, n_poses, random);
-    std::vector<Vec3d> motions;
-    for (std::size_t k = 0; k < n_poses; ++k) motions.push_back(random_direction(random));
+    const Casts casts = casts_towards(body, n_poses, random);
     std::vector<Separation> found(n_poses);
     std::vector<FirstContact> met(n_poses);
     const auto loop = [&](auto& out, auto ask) {
@@ -198,13 +219,17 @@ void batches(int n_rounds, std::size_t n_poses) {
         {"distances", n_poses, [&] { distance(body, body, poses, found); }},
         {"depth", n_poses, loop(found, [&](std::size_t k) { return penetration_depth(body, body, poses[k]); })},
         {"depths", n_poses, [&] { penetration_depth(body, body, poses, found); }},
-        {"cast", n_poses, loop(met, [&](std::size_t k) { return linear_cast(body, body, poses[k], motions[k]); })},
-        {"casts", n_poses, [&] { linear_cast(body, body, poses, motions, met); }}};
+        {"cast", n_poses,
+         loop(met, [&](std::size_t k) { return linear_cast(body, body, casts.poses[k], casts.motions[k]); })},
+        {"casts", n_poses, [&] { linear_cast(body, body, casts.poses, casts.motions, met); }}};
     const std::vector<Timing> timings = take_turns(contenders, n_rounds, 0.0);
-    std::size_t n_overlaps = 0;
+    const auto share = [&](std::size_t n) { return percent(static_cast<double>(n) / static_cast<double>(n_poses)); };
+    std::size_t n_overlaps = 0, n_hits = 0;
     for (const Pose& pose : poses) n_overlaps += overlap(body, body, pose).outcome == Outcome::overlap ? 1u : 0u;
-    std::vector<std::string> cells = {name, percent(static_cast<double>(n_overlaps) / static_cast<double>(n_poses))};
+    for (const FirstContact& contact : met) n_hits += contact.verdict.outcome == Outcome::overlap ? 1u : 0u;
+    std::vector<std::string> cells = {name, share(n_overlaps)};
     for (std::size_t k = 0; k < timings.size(); k += 2) {
+      if (k == 4) cells.push_back(share(n_hits));
       cells.push_back(cell(timings[k].median()));
       cells.push_back(cell(timings[k + 1].median()) + " (" + three_digits(ratio(timings[k + 1], timings[k])) + ")");
     }

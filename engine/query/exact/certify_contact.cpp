@@ -248,9 +248,7 @@ ContactCertificate certify(const ConvexBody& a, const ConvexBody& b, const Pose&
 
 ContactCertificate certify_ray(const ConvexBody& a, const Vec3d& origin, const Vec3d& dir, const FirstContact& found,
                                double until) {
-  Transformd at_origin;
-  at_origin.translation = origin;
-  return certify(a, ConvexBody(PointBody{}), at_origin, dir, found, until);
+  return certify(a, point_of_ray(), start_of_ray(origin), dir, found, until);
 }
 
 }  // namespace vex

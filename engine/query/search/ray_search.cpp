@@ -17,7 +17,7 @@ constexpr int kMostTurns = 64, kMostPortalsOfRay = 192;
 // Triangles are shrunk once a polytope of few faces would be done; by such ratios, each the square of the one before,
 // unless that fails often.
 constexpr int kRoundsOfPolytopes = 6, kMostFailures = 1;
-constexpr double kFirstRatio = 0.125, kLeastRatio = 0x1p-12;
+constexpr double kFirstRatio = 0.125, kRatioOfGuess = 0x1p-6, kLeastRatio = 0x1p-12;
 // Of a triangle, K being as large as 1: its square is next to rounding.
 constexpr double kLeastSize = 0x1p-25;
 
@@ -230,10 +230,15 @@ std::optional<RaySearch::Corners> RaySearch::shrunk(const Line& line, const Corn
 
 std::optional<RaySearch::Corners> RaySearch::close_in(Line& line) {
   std::optional<Corners> corners = corners_around(line);
-  double ratio = kFirstRatio;
+  if (corners) close_in(line, *corners, 0, kFirstRatio);
+  return corners;
+}
+
+// From the given round on.
+void RaySearch::close_in(Line& line, Corners& corners, int round, double ratio) {
   int n_failures = 0;
-  for (int round = 0; corners && round < kMostPortalsOfRay && !bounds_.is_miss; ++round) {
-    const Corners& c = *corners;
+  for (; round < kMostPortalsOfRay && !bounds_.is_miss; ++round) {
+    const Corners& c = corners;
     // Against the ray: the corners turn counter-clockwise seen along it.
     const Vec3d normal = scaled_to_unit_exponent(-detail::face_of(c[0].at, c[1].at, c[2].at).normal);
     if (!(dot(normal, along_) < 0.0)) break;
@@ -242,28 +247,21 @@ std::optional<RaySearch::Corners> RaySearch::close_in(Line& line) {
     if (is_known_well(line.upper)) break;
     const double least = std::fmin(dot(normal, c[0].at), std::fmin(dot(normal, c[1].at), dot(normal, c[2].at)));
     if (!(dot(normal, w.at) - least > error_.support * norm_1(normal))) break;
-    Corners next = c;
-    if (!narrow(line, next, w)) break;
-    corners = next;
+    if (!narrow(line, corners, w)) break;
     if (round < kRoundsOfPolytopes || n_failures > kMostFailures) continue;
-    if (const std::optional<Corners> smaller = shrunk(line, next, ratio)) {
-      corners = smaller;
+    if (const std::optional<Corners> smaller = shrunk(line, corners, ratio)) {
+      corners = *smaller;
       ratio = std::fmax(ratio * ratio, kLeastRatio);
     } else {
       ratio = std::fmin(std::sqrt(ratio), kFirstRatio);
       ++n_failures;
     }
   }
-  return corners;
 }
 
 // How far the bounds are apart where neither can be better.
 double RaySearch::width_of_rounding() const {
   return 8.0 * error_.support * norm_1(normal_) / std::fmax(std::fabs(dot(normal_, dir_)), 0x1p-60);
-}
-
-void RaySearch::keep(const Corners& corners) {
-  for (const DifferencePoint& corner : corners) contact_[n_contact_++] = corner;
 }
 
 RayBounds RaySearch::run(const Vec3d& separating_dir, bool is_apart_at_start) {
@@ -289,7 +287,7 @@ RayBounds RaySearch::run(const Vec3d& separating_dir, bool is_apart_at_start) {
       const double turned = angle + 2.0943951023931953 * static_cast<double>(n_lines);
       Line beside = line_at(offset * std::cos(turned), offset * std::sin(turned));
       const std::optional<Corners>& found = portals[n_lines++] = close_in(beside);
-      if (found && n_contact_ == 0) keep(*found);
+      if (found && n_portals_ == 0) keep(*found);
       latest = std::fmax(latest, beside.upper + 8.0 * kUnitRoundoff * offset);
       if (found && !(bounds_.lower > 0.0) && !(beside.least > 0.0)) look_behind(beside, *found);
       least = std::fmin(least, beside.least - 8.0 * kUnitRoundoff * offset);
@@ -297,7 +295,7 @@ RayBounds RaySearch::run(const Vec3d& separating_dir, bool is_apart_at_start) {
     }
     if (n_lines == 3 && latest < bounds_.upper) {
       // Between what they meet is a point on the ray.
-      n_contact_ = 0;
+      n_portals_ = 0;
       for (const std::optional<Corners>& portal : portals) keep(*portal);
     }
     bounds_.upper = std::fmin(bounds_.upper, latest);
@@ -314,30 +312,67 @@ RayBounds RaySearch::run(const Vec3d& separating_dir, bool is_apart_at_start) {
   return bounds_;
 }
 
+RayBounds RaySearch::run_from(const CastGuess& guess) {
+  Corners corners;
+  for (std::size_t k = 0; k < guess.n && !bounds_.is_miss; ++k) corners[k] = cut(guess.dirs[k]);
+  if (guess.n < CastGuess::kMost || bounds_.is_miss) return bounds_;
+  Line ray = line_at(0.0, 0.0);
+  close_in(ray, corners, kRoundsOfPolytopes, kRatioOfGuess);
+  bounds_.upper = ray.upper;
+  keep(corners);
+  bounds_.is_hit = !bounds_.is_miss && bounds_.lower > 0.0 && bounds_.upper - bounds_.lower <= width_of_rounding();
+  return bounds_;
+}
+
+// Of a portal's corners, where they make the ray's point to rounding. None of a portal that is narrower than that, or
+// lies along the ray.
+std::optional<std::array<double, 3>> RaySearch::weights_by_shadow(double time) const {
+  if (n_portals_ != 1) return std::nullopt;
+  const Corners& corners = *contact_[0];
+  const Line ray = line_at(0.0, 0.0);
+  std::array<Shadow, 3> at;
+  for (std::size_t k = 0; k < 3; ++k) at[k] = shadow(corners[k], ray);
+  std::array<double, 3> weights{turn(at[1], at[2]), turn(at[2], at[0]), turn(at[0], at[1])};
+  const double sum = weights[0] + weights[1] + weights[2];
+  Vec3d off = -time * dir_;
+  for (std::size_t k = 0; k < 3; ++k) {
+    weights[k] /= sum;
+    off = off + weights[k] * corners[k].at;
+  }
+  const bool is_between = weights[0] >= 0.0 && weights[1] >= 0.0 && weights[2] >= 0.0;
+  if (!(is_between && norm_1(off) <= 2.0 * error_.support)) return std::nullopt;
+  return weights;
+}
+
 RaySearch::Touch RaySearch::touch() const {
   Touch touch;
   if (norm_1(normal_) > 0.0) touch.normal = unit_along(normal_);
-  if (n_contact_ == 0) return touch;
+  if (n_portals_ == 0) return touch;
   const double time = bounds_.upper < HUGE_VAL ? bounds_.lower + 0.5 * (bounds_.upper - bounds_.lower) : bounds_.lower;
-  // A portal may be narrower than rounding is, or lie along the ray: so not by its shadow. Whatever corner brings the
-  // corners' nearest point nearer is taken in, until none does.
-  NearestSimplex<double, SeenCorner> met;
-  std::size_t n_without_gain = 0;
-  for (std::size_t k = 0; k < kMostCornerTurns * n_contact_ && n_without_gain < n_contact_; ++k) {
-    const DifferencePoint& corner = contact_[k % n_contact_];
-    n_without_gain = met.add({corner.at - time * dir_, &corner}, false) ? 0 : n_without_gain + 1;
-  }
+  const bool has_balls = a_.ball_radius() + b_.ball_radius() > 0.0;
   Vec3d core_a, core_b, own_b, outwards, from_b;
-  for (int k = 0; k < met.size(); ++k) {
-    const double weight = met.weight(k);
-    const DifferencePoint& corner = *met.point(k).corner;
+  const auto take = [&](const DifferencePoint& corner, double weight) {
     core_a = core_a + weight * corner.core_a;
     core_b = core_b + weight * corner.core_b;
     own_b = own_b + weight * corner.own_b;
+    if (!has_balls) return;
     // With the balls along the corners' own directions what is between the corners is where the bodies meet.
     const Vec3d unit = unit_along(corner.dir);
     outwards = outwards + weight * unit;
     from_b = from_b + weight * unit_seen_from_b(a_from_b_, unit);
+  };
+  if (const std::optional<std::array<double, 3>> weights = weights_by_shadow(time)) {
+    for (std::size_t k = 0; k < 3; ++k) take((*contact_[0])[k], (*weights)[k]);
+  } else {
+    // Whatever corner brings the corners' nearest point nearer is taken in, until none does.
+    NearestSimplex<double, SeenCorner> met;
+    const std::size_t n_corners = 3 * n_portals_;
+    std::size_t n_without_gain = 0;
+    for (std::size_t k = 0; k < kMostCornerTurns * n_corners && n_without_gain < n_corners; ++k) {
+      const DifferencePoint& corner = (*contact_[k % n_corners / 3])[k % 3];
+      n_without_gain = met.add({corner.at - time * dir_, &corner}, false) ? 0 : n_without_gain + 1;
+    }
+    for (int k = 0; k < met.size(); ++k) take(*met.point(k).corner, met.weight(k));
   }
   touch.point_a = times_power_of_two(core_a, -exponent_) + a_.ball_radius() * outwards;
   touch.point_b = times_power_of_two(core_b, -exponent_) - b_.ball_radius() * outwards;

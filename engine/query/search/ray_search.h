@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "engine/numeric/transform.h"
+#include "engine/query/cast_from_guess.h"
 #include "engine/query/search/query_error.h"
 #include "engine/support/convex_body.h"
 
@@ -45,6 +46,10 @@ class RaySearch {
 
   /// Closes in as far as rounding allows. `separating_dir`: one that is known to separate the bodies, or zero.
   RayBounds run(const Vec3d& separating_dir, bool is_apart_at_start);
+
+  /// The same from a guess, of bodies that are apart at the start: what is neither a miss nor a hit is to be searched
+  /// for anew.
+  RayBounds run_from(const CastGuess& guess);
 
   /// Where the bodies meet first: a unit normal, that of the plane that proved `lower`, or zero; and the points of A
   /// and of B that meet there, each where it is at the start of the motion.
@@ -86,9 +91,11 @@ class RaySearch {
   bool narrow(const Line& line, Corners& corners, const DifferencePoint& w) const;
   std::optional<Corners> shrunk(const Line& line, const Corners& corners, double ratio);
   std::optional<Corners> close_in(Line& line);
+  void close_in(Line& line, Corners& corners, int round, double ratio);
   void look_behind(Line& line, const Corners& corners);
   double width_of_rounding() const;
-  void keep(const Corners& corners);
+  void keep(const Corners& corners) { contact_[n_portals_++] = corners; }
+  std::optional<std::array<double, 3>> weights_by_shadow(double time) const;
   bool is_known_well(double upper) const {
     return bounds_.lower > 0.0 && upper - bounds_.lower < relative_gap_ * bounds_.lower;
   }
@@ -105,8 +112,8 @@ class RaySearch {
   Vec3d across_x_, across_y_, along_;
   RayBounds bounds_;
   Vec3d normal_;
-  std::array<DifferencePoint, 9> contact_;  // corners of the last portal, or of those of three lines around the ray
-  std::size_t n_contact_ = 0;
+  std::array<std::optional<Corners>, 3> contact_;  // the last portal, or those of three lines around the ray
+  std::size_t n_portals_ = 0;
   int n_support_calls_ = 0;
 };
 

@@ -7,11 +7,13 @@
 #include <cmath>
 #include <optional>
 #include <random>
+#include <vector>
 
 #include "engine/numeric/pose_algebra.h"
 #include "engine/numeric/rounding.h"
 #include "engine/query/overlap.h"
 #include "engine/query/separation.h"
+#include "engine/scene/pose_batches.h"
 #include "shapes/any_shape.h"
 #include "shapes/box.h"
 #include "shapes/capsule.h"
@@ -373,35 +375,53 @@ Transformd after(const Cast& cast, double time) {
 
 // The referee is the proven verdict: none before the lower bound, and at the upper one a contact but for what the pose
 // is rounded by.
+void expect_where_verdicts_change(const ConvexBody& a, const ConvexBody& b, const Cast& cast,
+                                  const FirstContact& found) {
+  const double reach = a.reach() + 2.0 * b.reach() + norm_1(cast.pose.translation);
+  const double rounding = 16.0 * kUnitRoundoff * reach;
+  ASSERT_NE(found.verdict.outcome, Outcome::undecided);
+  const ConvexBody larger = with_margin(a, rounding);
+  if (found.verdict.outcome == Outcome::disjoint) {
+    const double latest = reach / norm(cast.motion);
+    for (int s = 0; s <= 64; ++s) {
+      EXPECT_NE(overlap(a, b, after(cast, latest * s / 64)).outcome, Outcome::overlap);
+    }
+    return;
+  }
+  EXPECT_LE(found.upper - found.lower, width_bound(found, cast.motion, reach));
+  EXPECT_EQ(overlap(larger, b, after(cast, found.upper)).outcome, Outcome::overlap);
+  const double earlier = rounding / std::fabs(dot(found.normal, cast.motion));
+  for (const double time : {found.lower - 2.0 * earlier, 0.999 * found.lower, 0.5 * found.lower}) {
+    EXPECT_NE(overlap(a, b, after(cast, time)).outcome, Outcome::overlap);
+  }
+  const double apart = norm(found.point_b - found.point_a);
+  EXPECT_LE(apart, 1e-8 * reach + 2.0 * (found.upper - found.lower) * norm(cast.motion));
+}
+
+// One pose at a time, and many.
 TEST(LinearCast, OfAllPairsIsWhereProvenVerdictsChange) {
   std::mt19937_64 random(7);
   int n_hits = 0, n_casts = 0;
   for (const NamedPair& pair : ordered_pairs()) {
+    SCOPED_TRACE(test_name(pair));
     const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
+    std::vector<Cast> casts;
+    std::vector<Pose> poses;
+    std::vector<Vec3d> motions;
     for (int k = 0; k < 12; ++k) {
-      const Cast cast = random_cast(random, a, b);
-      const double reach = a.reach() + 2.0 * b.reach() + norm_1(cast.pose.translation);
-      const double rounding = 16.0 * kUnitRoundoff * reach;
-      const FirstContact found = linear_cast(a, b, cast.pose, cast.motion);
+      casts.push_back(random_cast(random, a, b));
+      poses.emplace_back(casts.back().pose);
+      motions.push_back(casts.back().motion);
+    }
+    std::vector<FirstContact> many(casts.size());
+    linear_cast(a, b, poses, motions, many);
+    for (std::size_t k = 0; k < casts.size(); ++k) {
+      const FirstContact found = linear_cast(a, b, poses[k], motions[k]);
+      expect_where_verdicts_change(a, b, casts[k], found);
+      expect_where_verdicts_change(a, b, casts[k], many[k]);
+      EXPECT_EQ(many[k].verdict.outcome, found.verdict.outcome);
       ++n_casts;
-      ASSERT_NE(found.verdict.outcome, Outcome::undecided) << pair.a << " " << pair.b;
-      const ConvexBody larger = with_margin(a, rounding);
-      if (found.verdict.outcome == Outcome::disjoint) {
-        const double latest = reach / norm(cast.motion);
-        for (int s = 0; s <= 64; ++s) {
-          EXPECT_NE(overlap(a, b, after(cast, latest * s / 64)).outcome, Outcome::overlap) << pair.a << " " << pair.b;
-        }
-        continue;
-      }
-      ++n_hits;
-      EXPECT_LE(found.upper - found.lower, width_bound(found, cast.motion, reach)) << pair.a << " " << pair.b;
-      EXPECT_EQ(overlap(larger, b, after(cast, found.upper)).outcome, Outcome::overlap) << pair.a << " " << pair.b;
-      const double earlier = rounding / std::fabs(dot(found.normal, cast.motion));
-      for (const double time : {found.lower - 2.0 * earlier, 0.999 * found.lower, 0.5 * found.lower}) {
-        EXPECT_NE(overlap(a, b, after(cast, time)).outcome, Outcome::overlap) << pair.a << " " << pair.b;
-      }
-      const double apart = norm(found.point_b - found.point_a);
-      EXPECT_LE(apart, 1e-8 * reach + 2.0 * (found.upper - found.lower) * norm(cast.motion)) << pair.a << " " << pair.b;
+      n_hits += found.verdict.outcome == Outcome::overlap ? 1 : 0;
     }
   }
   EXPECT_GT(n_hits, 0.3 * n_casts);
