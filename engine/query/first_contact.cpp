@@ -66,11 +66,10 @@ void touch_by_balls(const ConvexBody& a, const ConvexBody& b, const Transformd& 
   if (!(a.is_rounded_polytope() && b.is_rounded_polytope() && radii > 0.0)) return;
   Transformd pose = a_from_b;
   pose.translation = pose.translation + contact.time * motion;
-  // Which sign the distance has is of no matter here. Of balls that are small beside the cores, though, doubles alone
-  // know the centres less well than the balls are large.
-  std::optional<OverlapAnswer> sign;
-  if (radii > kLeastBalls * (a.circumradius() + b.circumradius())) sign.emplace().verdict = contact.verdict;
-  const Separation found = signed_distance(a, b, Pose::unchecked(pose), sign);
+  // Of balls that are small beside the cores doubles know the centres less well than the balls are large.
+  const bool are_large = radii > kLeastBalls * (a.circumradius() + b.circumradius());
+  const Separation found =
+      are_large ? distance_of_any_sign(a, b, Pose::unchecked(pose)) : signed_distance(a, b, Pose::unchecked(pose));
   contact.n_support_calls += found.n_support_calls;
   if (!(dot(found.normal, motion) < 0.0)) return;
   contact.normal = found.normal;

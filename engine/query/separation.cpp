@@ -43,7 +43,7 @@ void conclude(const SeparationQuery& query, DecidedBy by, Separation& result, st
     result.verdict = Verdict::disjoint(by);
   } else if (result.upper < 0.0) {
     result.verdict = Verdict::overlap(by);
-  } else {
+  } else if (query.asks_sign) {
     if (!known) {
       known = placed != nullptr ? overlap_answer(query.a, query.b, *placed)
                                 : overlap_answer(query.a, query.b, Pose::unchecked(query.a_from_b));
@@ -65,7 +65,7 @@ void conclude(const SeparationQuery& query, DecidedBy by, Separation& result, st
 // Whether twice the precision has nothing to add: where it is calls that ended a search, or where the bounds are as
 // near as asked for and a sign that they leave open is all that they leave open.
 bool is_settled(const SeparationQuery& query, const SearchedSeparation& searched, const Separation& found,
-                double wanted, bool sign_is_known) {
+                double wanted) {
   if (searched.is_out_of_range) return false;
   if (query.goal == SeparationGoal::distance && found.lower > query.settings.max_distance) return true;
   if (query.goal == SeparationGoal::depth && found.lower > 0.0) return true;
@@ -76,7 +76,7 @@ bool is_settled(const SeparationQuery& query, const SearchedSeparation& searched
   // normal with the distance.
   const Vec3d off = (found.point_b - found.point_a) - found.signed_distance * found.normal;
   if (found.has_witnesses && (dot(off, off) > wanted * wanted || searched.missing > wanted)) return false;
-  return sign_is_known || found.lower > 0.0 || found.upper < 0.0;
+  return !query.asks_sign || found.lower > 0.0 || found.upper < 0.0;
 }
 
 // What twice the precision finds beside what double precision has found. `wanted`: how near bounds shall be.
@@ -166,7 +166,7 @@ Separation separation(const SeparationQuery& query, WarmStart* warm_start, std::
   }
   const double wanted = part_of_size(query, query.settled_gap(), found);
   const bool is_coarse = query.settings.relative_gap > query.usual_gap();
-  if (is_settled(query, searched, found, wanted, known.has_value())) {
+  if (is_settled(query, searched, found, wanted)) {
     conclude(query, DecidedBy::gjk, found, known);
     if (is_coarse) found.is_rough = is_worse_than_promised(query, found, &searched);
     return found;
@@ -219,6 +219,10 @@ Separation signed_distance(const ConvexBody& a, const ConvexBody& b, const Pose&
 Separation signed_distance(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
                            std::optional<OverlapAnswer>& overlap) {
   return answer_of({a, b, pose.a_from_b(), SeparationGoal::signed_distance, {}}, nullptr, overlap);
+}
+
+Separation distance_of_any_sign(const ConvexBody& a, const ConvexBody& b, const Pose& pose) {
+  return answer_of({a, b, pose.a_from_b(), SeparationGoal::signed_distance, {}, nullptr, false}, nullptr);
 }
 
 Separation distance(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const SeparationSettings& settings,

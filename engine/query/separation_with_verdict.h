@@ -19,6 +19,10 @@ Separation distance(const ConvexBody& a, const ConvexBody& b, const Pose& pose, 
 Separation penetration_depth(const ConvexBody& a, const ConvexBody& b, const Pose& pose,
                              std::optional<OverlapAnswer>& overlap);
 
+/// `signed_distance` of bodies that touch, or nearly, whose points and normal alone are asked for: where its bounds
+/// leave the sign open nothing is asked about it, and the verdict is undecided.
+Separation distance_of_any_sign(const ConvexBody& a, const ConvexBody& b, const Pose& pose);
+
 /// What `overlap_answer` says of the bodies as their forms are placed.
 OverlapAnswer overlap_answer(const ConvexBody& a, const ConvexBody& b, const PlacedForms& placed);
 

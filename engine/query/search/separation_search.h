@@ -18,6 +18,7 @@ struct SeparationQuery {
   SeparationGoal goal;
   const SeparationSettings& settings;
   const NearestGuess* guess = nullptr;
+  bool asks_sign = true;
 
   double circumradii() const { return a.circumradius() + b.circumradius(); }
   bool are_rounded_polytopes() const { return a.is_rounded_polytope() && b.is_rounded_polytope(); }
