@@ -6,6 +6,7 @@
 
 #include "engine/numeric/errors.h"
 #include "engine/query/cast_of_many.h"
+#include "engine/query/motion_input.h"
 #include "engine/query/separation_from_guess.h"
 #include "engine/query/separation_of_many.h"
 #include "engine/scene/threads.h"
@@ -55,6 +56,7 @@ void answer_batch(const ConvexBody& a, const ConvexBody& b, std::span<const Pose
 template <class PoseOf>
 void cast_batch(const ConvexBody& a, const ConvexBody& b, std::size_t n_poses, const PoseOf& pose,
                 std::span<const Vec3d> motions, std::span<FirstContact> out, double until, int n_threads) {
+  require_end(until);  // though there be no pose
   require_batch(n_poses, out.size(), n_threads);
   require_batch(n_poses, motions.size(), n_threads);
   answer_lots(

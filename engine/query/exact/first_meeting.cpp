@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "engine/numeric/expect.h"
 #include "engine/numeric/rounding.h"
+#include "engine/numeric/scaled_bound.h"
 #include "engine/query/exact/whole_points.h"
 
 namespace vex {
@@ -99,9 +99,8 @@ double quotient(const Integer& numerator, const Integer& denominator, int expone
   const int e_n = whole::exponent_of(n), e_d = whole::exponent_of(d);
   const double ratio = whole::rounded(n, e_n).high / whole::rounded(d, e_d).high;  // 1/2 to 2, within 3 u
   const double widened = ratio * (1.0 + direction * 8.0 * kUnitRoundoff);
-  const double scaled = std::ldexp(widened, e_n - e_d + exponent);
-  if (direction < 0.0) return std::fmin(scaled, std::numeric_limits<double>::max());
-  return std::fmax(scaled, std::numeric_limits<double>::denorm_min());
+  const int e = e_n - e_d + exponent;
+  return direction < 0.0 ? scaled_down(widened, e) : scaled_up(widened, e);
 }
 
 class Programme {

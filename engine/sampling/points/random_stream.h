@@ -11,7 +11,7 @@
 namespace vex {
 
 /// Raised whenever a change makes the same (seed, trial) draw another pose.
-inline constexpr int kStreamVersion = 1;
+inline constexpr int kStreamVersion = 2;
 
 enum class Stream : std::uint32_t {
   pose = 0,

@@ -1,6 +1,8 @@
 // Right-handed frames with a random axis, over lanes: how rays and bodies are turned.
 #pragma once
 
+#include <numbers>
+
 #include "engine/numeric/elementary.h"
 #include "engine/numeric/vec3.h"
 
@@ -58,6 +60,68 @@ L in_some_sector(int n_sectors, const L& u, L& pick) {
   if (n_sectors == 1) return u;
   const L sector = sector_by(n_sectors, pick);
   return L(1.0 / n_sectors) * (sector + u);
+}
+
+/// What of its turns a body looks the same after, about an axis z and to other axes like it, which are called its poles
+/// here: z alone, z and -z, or all six of x, y, z and their opposites.
+struct Turns {
+  enum class Poles { one, two, six };
+  int n_sectors = 1;  // at most 5: so many turns about z; of six poles 2 or 4
+  Poles poles = Poles::one;
+};
+
+namespace detail {
+
+/// Half a turn about x where it is on, to be multiplied with y and z.
+template <class L>
+L sign_by(L& pick) {
+  const L which = sector_by(2, pick);
+  return L(1.0) - (which + which);
+}
+
+template <class L>
+Frame<L> half_turned(const Frame<L>& f, const L& sign) {
+  const auto turn = [&sign](const Vec3<L>& v) -> Vec3<L> { return {v.x, sign * v.y, sign * v.z}; };
+  return {turn(f.across_1), turn(f.across_2), turn(f.axis)};
+}
+
+/// The axis where it is nearer to z than to the other poles of a cube, and uniform there. About z there are four such
+/// triangles, whose side across an azimuth phi from their middle is at z(phi) = cos(phi) / sqrt(1 + cos(phi)^2); up to
+/// phi they have the area phi - asin(sin(phi) / sqrt(2)), which is t at tan(phi) = sin(t) / (cos(t) - 1 / sqrt(2)).
+template <class L>
+Frame<L> frame_about_face(const L& u, const L& azimuth) {
+  const L rounder(0x1.8p52), scaled = L(4.0) * azimuth;
+  const L quarter = ((scaled - L(0.5)) + rounder) - rounder, place = scaled - quarter;
+  const SinCos<L> t = sincospi(L(1.0 / 12.0) * ((place + place) - L(1.0)));
+  const L along = t.cos - L(0.5 * std::numbers::sqrt2), scale = L(1.0) / square_root(along * along + t.sin * t.sin);
+  const L cos = scale * along, sin = scale * t.sin;
+  const L depth = u * (L(1.0) - cos / square_root(L(1.0) + cos * cos));
+  const L cos_polar = L(1.0) - depth, sin_polar = square_root(depth * (L(2.0) - depth));
+  const MaskOf<L> swaps = either(both(quarter > L(0.5), quarter < L(1.5)), quarter > L(2.5));
+  const L sign = select(quarter > L(1.5), L(-1.0), L(1.0));
+  const L x = sign * select(swaps, -sin, cos), y = sign * select(swaps, cos, sin);
+  return {{cos_polar * x, cos_polar * y, -sin_polar}, {-y, x, L(0.0)}, {sin_polar * x, sin_polar * y, cos_polar}};
+}
+
+}  // namespace detail
+
+/// As `frame`, of a body with these turns: coordinates and all their digits are for the part of the sphere that no turn
+/// takes into itself, and which part it is comes from the pick.
+template <class L>
+Frame<L> frame_of_body(const Turns& turns, const L& u, const L& v, L& pick) {
+  const L azimuth = in_some_sector(turns.n_sectors, v, pick);
+  if (turns.poles == Turns::Poles::one) return frame(u, azimuth);
+  const L sign = detail::sign_by(pick);
+  if (turns.poles == Turns::Poles::two) return detail::half_turned(frame(L(0.5) * u, azimuth), sign);
+  const Frame<L> f = detail::half_turned(detail::frame_about_face(u, azimuth), sign);
+  const L which = sector_by(3, pick);
+  const MaskOf<L> is_first = which < L(0.5), is_second = which < L(1.5);
+  const auto turn = [&](const Vec3<L>& v_of_z) -> Vec3<L> {
+    const auto [x, y, z] = v_of_z;
+    return {select(is_first, x, select(is_second, y, z)), select(is_first, y, select(is_second, z, x)),
+            select(is_first, z, select(is_second, x, y))};
+  };
+  return {turn(f.across_1), turn(f.across_2), turn(f.axis)};
 }
 
 }  // namespace vex

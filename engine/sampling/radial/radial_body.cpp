@@ -128,17 +128,44 @@ Vec3d axis_of_lump(const ConvexBody& body, const Vec3d& centre) {
 
 Vec3d from_axes(const Transformd& axes, const Vec3d& v) { return axes.direction_to_b(v); }
 
-bool looks_the_same_turned(const ConvexBody& body, const Vec3d& centre, const Transformd& axes, double turns) {
+// After the turn, which takes a direction in the axes to another one.
+template <class Turn>
+bool looks_the_same_after(const Turn& turn, const ConvexBody& body, const Vec3d& centre, const Transformd& axes) {
   constexpr double kLike = 0x1p-30;
-  const SinCos<double> turn = sincospi(2.0 * turns);
   const auto height = [&](const Vec3d& e) {
     const Vec3d dir = from_axes(axes, e);
     return dot(body.support(dir) - centre, dir);
   };
   return std::ranges::all_of(spiral_directions(), [&](const Vec3d& e) {
-    const Vec3d turned{turn.cos * e.x - turn.sin * e.y, turn.sin * e.x + turn.cos * e.y, e.z};
-    return std::fabs(height(turned) - height(e)) <= kLike * body.circumradius();
+    return std::fabs(height(turn(e)) - height(e)) <= kLike * body.circumradius();
   });
+}
+
+auto about_z(double turns) {
+  return [turn = sincospi(2.0 * turns)](const Vec3d& e) -> Vec3d {
+    return {turn.cos * e.x - turn.sin * e.y, turn.sin * e.x + turn.cos * e.y, e.z};
+  };
+}
+
+struct FoundTurns {
+  Turns turns;
+  bool is_round = false;  // after any turn about z it looks the same
+};
+FoundTurns turns_of(const ConvexBody& body, const Vec3d& centre, const Transformd& axes) {
+  const auto looks_the_same = [&](const auto& turn) { return looks_the_same_after(turn, body, centre, axes); };
+  FoundTurns found{{}, looks_the_same(about_z(kGoldenTurn))};
+  Turns& turns = found.turns;
+  for (const int n : {5, 4, 3, 2}) {
+    if (found.is_round || !looks_the_same(about_z(1.0 / n))) continue;
+    turns.n_sectors = n;
+    break;
+  }
+  if (!looks_the_same([](const Vec3d& e) -> Vec3d { return {e.x, -e.y, -e.z}; })) return found;
+  const bool are_axes_alike = turns.n_sectors % 2 == 0 && looks_the_same([](const Vec3d& e) -> Vec3d {
+                                return {e.y, e.z, e.x};
+                              });
+  turns.poles = are_axes_alike ? Turns::Poles::six : Turns::Poles::two;
+  return found;
 }
 
 }  // namespace
@@ -192,7 +219,8 @@ RadialBody radial_body(const ConvexBody& body) {
   const auto& [longest, middle, shortest] = principal.values;
   Vec3d x, z;
   if (longest <= kTold * middle && middle <= kTold * shortest) {
-    z = axis_of_lump(body, found.centre);
+    const bool has_turns_of_frame = turns_of(body, found.centre, {}).turns.poles == Turns::Poles::six;
+    z = has_turns_of_frame ? kFrame[2] : axis_of_lump(body, found.centre);
     x = frame_axis_across(z);
   } else {
     // longest / middle against middle / shortest; but of a long strip the long axis, however thin it is.
@@ -216,25 +244,16 @@ RadialBody radial_body(const ConvexBody& body) {
   const Vec3d y = found.axes.row_y, q_x = times_q(x), q_y = times_q(y), q_z = times_q(z);
   found.q = {dot(x, q_x), dot(y, q_y), dot(z, q_z), dot(x, q_y), dot(x, q_z), dot(y, q_z)};
 
-  const auto looks_the_same = [&](double turns) {
-    return looks_the_same_turned(body, found.centre, found.axes, turns);
-  };
-  const bool is_round = looks_the_same(kGoldenTurn);
-  if (!is_round) {
-    for (const int n : {5, 4, 3, 2}) {
-      if (!looks_the_same(1.0 / n)) continue;
-      found.n_sectors = n;
-      break;
-    }
-  }
-  const Transformd about_x{found.axes.row_y, found.axes.row_z, found.axes.row_x, {}};
-  found.may_be_turned_over = looks_the_same_turned(body, found.centre, about_x, 0.5);
+  const auto [turns, is_round] = turns_of(body, found.centre, found.axes);
+  found.turns = turns;
+  const bool has_six_poles = found.turns.poles == Turns::Poles::six;
   // The ellipsoid is to have the symmetry, too.
-  if (is_round || found.n_sectors > 1) found.q.xz = found.q.yz = 0.0;
-  if (is_round || found.n_sectors > 2) {
+  if (is_round || found.turns.n_sectors > 1) found.q.xz = found.q.yz = 0.0;
+  if (is_round || found.turns.n_sectors > 2 || has_six_poles) {
     found.q.xx = found.q.yy = 0.5 * (found.q.xx + found.q.yy);
     found.q.xy = 0.0;
   }
+  if (has_six_poles) found.q.xx = found.q.yy = found.q.zz = (2.0 * found.q.xx + found.q.zz) / 3.0;
   return found;
 }
 

@@ -7,6 +7,7 @@
 
 #include "engine/numeric/lane.h"
 #include "engine/numeric/transform.h"
+#include "engine/sampling/radial/frames.h"
 #include "engine/support/convex_body.h"
 
 namespace vex {
@@ -88,14 +89,13 @@ struct RadialBody {
   };
 
   Vec3d centre;
-  /// A rotation whose rows are the body's own axes. z is the one in which it is unlike the others; if there is none,
-  /// and opposite sides are unlike, towards the farthest corner.
+  /// A rotation whose rows are the body's own axes. z is the one in which it is unlike the others. If there is none,
+  /// and the frame's axes are not alike by the body's turns, nor are opposite sides, it is towards the farthest corner.
   Transformd axes;
   bool is_upright = true;  // axes is I
   Symmetric<double> q;     // of the matching ellipsoid, in the axes
   Form form = Form::lump;
-  int n_sectors = 1;                // at most 5: turned by 1 / n_sectors of a turn about z the body looks the same
-  bool may_be_turned_over = false;  // half a turn about x changes nothing either
+  Turns turns;
 };
 RadialBody radial_body(const ConvexBody& body);
 

@@ -60,14 +60,13 @@ class RadialNumbers {
     if (law_->kind() == OrientationLaw::Kind::isotropic) {
       if (has_block()) {
         // Where B's axis is as A sees it, and how B is turned about it.
-        const L azimuth = in_some_sector(a_.n_sectors, point[3], ray.pick);
-        const L turn = in_some_sector(b_.n_sectors, point[4], ray.pick);
+        const L azimuth = in_some_sector(a_.turns.n_sectors, point[3], ray.pick);
+        const L turn = in_some_sector(b_.turns.n_sectors, point[4], ray.pick);
         own = columns(turned(frame(point[2], azimuth), sincospi(turn + turn)));
       } else {
-        const L azimuth_a = in_some_sector(a_.n_sectors, point[1], ray.pick);
-        const L azimuth_b = in_some_sector(b_.n_sectors, point[3], ray.pick);
-        at = frame(point[0], azimuth_a);
-        own = rotation_to(turned(at, sincospi(point[4] + point[4])), frame(point[2], azimuth_b));
+        at = frame_of_body(a_.turns, point[0], point[1], ray.pick);
+        const Frame<L> as_b_sees = frame_of_body(b_.turns, point[2], point[3], ray.pick);
+        own = rotation_to(turned(at, sincospi(point[4] + point[4])), as_b_sees);
       }
       ray.rotation = in_frames(own);
     } else {

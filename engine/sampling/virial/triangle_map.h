@@ -149,8 +149,8 @@ class TriangleMap {
   // Uniform, but that of a body that looks the same after half a turn about its x the pick tells on which side z is.
   template <class L>
   Frame<L> axes_of(const L& u, const L& v, const L& turn, L& pick) const {
-    const L about_z = in_some_sector(body_.n_sectors, turn, pick);
-    if (!body_.may_be_turned_over) return turned(frame(u, v), sincospi(about_z + about_z));
+    const L about_z = in_some_sector(body_.turns.n_sectors, turn, pick);
+    if (body_.turns.poles == Turns::Poles::one) return turned(frame(u, v), sincospi(about_z + about_z));
     Frame<L> f = turned(frame(L(0.5) * u, v), sincospi(about_z + about_z));
     const L sector = sector_by(2, pick), sign = L(1.0) - (sector + sector);
     f.across_2 = sign * f.across_2;

@@ -18,6 +18,7 @@
 #include "shapes/box.h"
 #include "shapes/capsule.h"
 #include "shapes/ellipsoid.h"
+#include "shapes/prism.h"
 #include "shapes/sphere.h"
 #include "tests/referees/bodies.h"
 #include "tests/referees/random_poses.h"
@@ -526,6 +527,21 @@ TEST(FirstContact, IsAtATimeThatADoubleTells) {
     EXPECT_LT(found.lower, HUGE_VAL);
     EXPECT_EQ(found.upper, HUGE_VAL);
   }
+}
+
+// Where exact arithmetic told the time, and it is so early that doubles are whole multiples of 2^-1074, its upper bound
+// was rounded down: asked until then, the same cast was disjoint.
+TEST(FirstContact, AtASubnormalTimeHasBoundsOnEitherSide) {
+  const double unit = 0x1p-70;
+  const ConvexBody a = Prism(40, 0.1 * unit, unit), b = Prism(6, unit, unit);
+  Transformd pose{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}, {}};
+  pose.translation = {1.6940658945086007e-21, -1.6940658945086007e-21, 1.2705494208814505e-21};
+  const double fast = 1.0715086071862673e301;
+  const Vec3d motion{-fast, fast, 0};
+  const FirstContact found = linear_cast(a, b, pose, motion);
+  ASSERT_EQ(found.verdict.outcome, Outcome::overlap);
+  EXPECT_LT(found.lower, found.upper);
+  EXPECT_EQ(linear_cast(a, b, pose, motion, found.upper).verdict.outcome, Outcome::overlap);
 }
 
 }  // namespace

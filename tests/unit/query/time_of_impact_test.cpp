@@ -401,5 +401,27 @@ TEST(TimeOfImpact, OfBodiesFartherOffThanSumsAreFiniteIsUndecided) {
   }
 }
 
+// Of bodies that are proven to be apart by next to nothing: how far is asked in twice the precision, though the verdict
+// is known, for a gap of 0 lets no time pass.
+TEST(TimeOfImpact, OfBodiesApartByLessThanRoundingGetsAwayFromTheStart) {
+  const auto impact = [](const char* a, const char* b, const Vec3d& at, const RigidMotion& motion) {
+    Transformd pose;
+    pose.translation = at;
+    return time_of_impact(parse_shape(a).body, parse_shape(b).body, pose, motion, 3.0);
+  };
+  const FirstContact none =
+      impact("tetrahedron:1", "box:2,1,0.01", {-1.3535533905932775, 0.59256012708064276, -0.35855339059329078},
+             {{-0.43621900947907233, -0.65333611553519033, 0.61876077437607946},
+              {0.30773957888559367, 0.55428669788350216, 0.46404798230494837}});
+  EXPECT_EQ(none.verdict.outcome, Outcome::disjoint);
+  const FirstContact late = impact("rounded:1e-4,octahedron:1", "tetrahedron:1",
+                                   {1.0092797815615218, -0.24117977755967174, 0.29273337285872847},
+                                   {{-0.62148643008007898, 0.74222148313163572, 0.25072272973185739},
+                                    {-0.59429547207944444, 0.39919869776552996, -0.7018514139282015}});
+  ASSERT_EQ(late.verdict.outcome, Outcome::overlap);
+  EXPECT_NEAR(late.lower, 0.64455253724936545, 1e-9);
+  EXPECT_NEAR(late.upper, 0.64455253724936545, 1e-9);
+}
+
 }  // namespace
 }  // namespace vex

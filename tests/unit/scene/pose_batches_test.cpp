@@ -75,6 +75,16 @@ std::vector<Pose> poses_of(const ConvexBody& a, const ConvexBody& b, std::mt1993
   return poses;
 }
 
+// Of every form that packets have.
+const std::vector<NamedPair>& few_pairs() {
+  static const std::vector<NamedPair> pairs = {{"box:1,1,1", "box:0.2,1,3"},
+                                               {"cylinder:1,0.5", "cone:1,0.5"},
+                                               {"ellipsoid:1,2,3", "ellipsoid:2,1,1"},
+                                               {"snub-cube:0.5", "tetrahedron:1"},
+                                               {"truncated-icosahedron:1", "rounded:0.1,tetrahedron:1"}};
+  return pairs;
+}
+
 // Two answers to the same question, each with its own bounds.
 void expect_agreement(const Separation& found, const Separation& single, double circumradii, double promised_gap) {
   EXPECT_EQ(found.verdict.outcome, single.verdict.outcome);
@@ -154,10 +164,7 @@ TEST(PoseBatches, AnswerAsOneByOne) {
 // What packets guess leaves a search little to do.
 TEST(PoseBatches, TakeFewSupportCalls) {
   std::mt19937_64 random(332);
-  for (const NamedPair& pair : std::vector<NamedPair>{{"box:1,1,1", "box:0.2,1,3"},
-                                                      {"cylinder:1,0.5", "cone:1,0.5"},
-                                                      {"ellipsoid:1,2,3", "ellipsoid:2,1,1"},
-                                                      {"snub-cube:0.5", "tetrahedron:1"}}) {
+  for (const NamedPair& pair : few_pairs()) {
     SCOPED_TRACE(test_name(pair));
     const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
     const std::vector<Pose> poses = poses_of(a, b, random, 1000);
@@ -178,10 +185,7 @@ TEST(PoseBatches, TakeFewSupportCalls) {
 
 TEST(PoseBatches, OfCastsTakeFewSupportCalls) {
   std::mt19937_64 random(334);
-  for (const NamedPair& pair : std::vector<NamedPair>{{"box:1,1,1", "box:0.2,1,3"},
-                                                      {"cylinder:1,0.5", "cone:1,0.5"},
-                                                      {"ellipsoid:1,2,3", "ellipsoid:2,1,1"},
-                                                      {"snub-cube:0.5", "tetrahedron:1"}}) {
+  for (const NamedPair& pair : few_pairs()) {
     SCOPED_TRACE(test_name(pair));
     const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
     const double size = a.circumradius() + b.circumradius();
@@ -239,10 +243,7 @@ TEST(PoseBatches, OfCastsTakeMotionsOfAnyLengthAndPosesFarAway) {
 // The last digits of distances hang on them.
 TEST(NearestGuesses, AreTheSameOfEverySet) {
   std::mt19937_64 random(333);
-  for (const NamedPair& pair : std::vector<NamedPair>{{"box:1,1,1", "box:0.2,1,3"},
-                                                      {"cylinder:1,0.5", "cone:1,0.5"},
-                                                      {"ellipsoid:1,2,3", "snub-cube:1"},
-                                                      {"truncated-icosahedron:1", "rounded:0.1,tetrahedron:1"}}) {
+  for (const NamedPair& pair : few_pairs()) {
     SCOPED_TRACE(test_name(pair));
     const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
     const std::unique_ptr<PacketPair> packets = PacketPair::make(a, b);
@@ -273,10 +274,7 @@ TEST(NearestGuesses, AreTheSameOfEverySet) {
 
 TEST(CastGuesses, AreTheSameOfEverySet) {
   std::mt19937_64 random(335);
-  for (const NamedPair& pair : std::vector<NamedPair>{{"box:1,1,1", "box:0.2,1,3"},
-                                                      {"cylinder:1,0.5", "cone:1,0.5"},
-                                                      {"ellipsoid:1,2,3", "snub-cube:1"},
-                                                      {"truncated-icosahedron:1", "rounded:0.1,tetrahedron:1"}}) {
+  for (const NamedPair& pair : few_pairs()) {
     SCOPED_TRACE(test_name(pair));
     const ConvexBody a = parse_shape(pair.a).body, b = parse_shape(pair.b).body;
     const double size = a.circumradius() + b.circumradius();

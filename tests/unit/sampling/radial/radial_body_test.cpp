@@ -115,18 +115,22 @@ TEST(RadialBody, FindsTheAxisInWhichABodyIsUnlikeTheOthers) {
     Vec3d axis;
     RadialBody::Form form;
     int n_sectors;
+    Turns::Poles poles = Turns::Poles::two;
   };
   using Form = RadialBody::Form;
-  const double third = 1.0 / std::sqrt(3.0);
   for (const Case& c :
-       {Case{"box:1,1,1", {0, 0, 1}, Form::lump, 4}, Case{"box:64,1,1", {1, 0, 0}, Form::rod, 4},
+       {Case{"box:1,1,1", {0, 0, 1}, Form::lump, 4, Turns::Poles::six}, Case{"box:64,1,1", {1, 0, 0}, Form::rod, 4},
         Case{"box:1,64,2", {0, 1, 0}, Form::rod, 2}, Case{"box:1,0.01,1", {0, 1, 0}, Form::slab, 4},
         Case{"plate:1,1", {0, 0, 1}, Form::slab, 4}, Case{"plate:4,1", {1, 0, 0}, Form::rod, 2},
         Case{"ellipsoid:4,1,1", {1, 0, 0}, Form::rod, 1}, Case{"capsule:64,0.5", {0, 0, 1}, Form::rod, 1},
         Case{"disc:1", {0, 0, 1}, Form::slab, 1}, Case{"needle:1", {0, 0, 1}, Form::rod, 1},
-        Case{"sphere:1", {0, 0, 1}, Form::lump, 1}, Case{"octahedron:1", {0, 0, 1}, Form::lump, 4},
+        Case{"sphere:1", {0, 0, 1}, Form::lump, 1}, Case{"octahedron:1", {0, 0, 1}, Form::lump, 4, Turns::Poles::six},
+        Case{"icosahedron:1", {0, 0, 1}, Form::lump, 2, Turns::Poles::six},
+        Case{"snub-cube:1", {0, 0, 1}, Form::lump, 4, Turns::Poles::six},
+        Case{"cone:1,0.5", {0, 0, 1}, Form::lump, 1, Turns::Poles::one},
         Case{"ellipsoid:1,2,3", {1, 0, 0}, Form::slab, 2},
-        Case{"tetrahedron:1", {third, third, third}, Form::lump, 3}}) {
+        Case{"tetrahedron:1", {0, 0, 1}, Form::lump, 2, Turns::Poles::six},
+        Case{"pyramid:3,1,0.9", {0, 0, 1}, Form::lump, 3, Turns::Poles::one}}) {
     SCOPED_TRACE(c.shape);
     const RadialBody found = radial_body(parse_shape(c.shape).body);
     const Vec3d z = found.axes.row_z;
@@ -134,7 +138,8 @@ TEST(RadialBody, FindsTheAxisInWhichABodyIsUnlikeTheOthers) {
     EXPECT_NEAR(std::fabs(z.y), c.axis.y, 1e-12);
     EXPECT_NEAR(std::fabs(z.z), c.axis.z, 1e-12);
     EXPECT_EQ(found.form, c.form);
-    EXPECT_EQ(found.n_sectors, c.n_sectors);
+    EXPECT_EQ(found.turns.n_sectors, c.n_sectors);
+    EXPECT_EQ(found.turns.poles, c.poles);
     EXPECT_NEAR(dot(cross(found.axes.row_x, found.axes.row_y), z), 1.0, 1e-14);
     EXPECT_EQ(found.is_upright, found.axes.row_x.x == 1.0 && z.z == 1.0);
   }
