@@ -94,8 +94,8 @@ TEST(PoseMap, LanesGiveTheBitsOfOneLane) {
 
 TEST(PoseMap, OfThisStreamVersionIsTheseBits) {
   // A compiler, a flag or an edit that changes the draw must raise kStreamVersion: then, and only then, change this
-  // test.
-  ASSERT_EQ(kStreamVersion, 1);
+  // test. (2: rays of the radial estimator alone.)
+  ASSERT_EQ(kStreamVersion, 2);
   const ConvexBody cube = Box(1, 1, 1);
   MonteCarloSettings settings;
   settings.domain = ball_domain(cube, cube);

@@ -130,7 +130,7 @@ TEST(RadialBody, FindsTheAxisInWhichABodyIsUnlikeTheOthers) {
         Case{"cone:1,0.5", {0, 0, 1}, Form::lump, 1, Turns::Poles::one},
         Case{"ellipsoid:1,2,3", {1, 0, 0}, Form::slab, 2},
         Case{"tetrahedron:1", {0, 0, 1}, Form::lump, 2, Turns::Poles::six},
-        Case{"pyramid:3,1,0.9", {0, 0, 1}, Form::lump, 3, Turns::Poles::one}}) {
+        Case{"antiprism:3,1,1", {0, 0, 1}, Form::lump, 3, Turns::Poles::one}}) {
     SCOPED_TRACE(c.shape);
     const RadialBody found = radial_body(parse_shape(c.shape).body);
     const Vec3d z = found.axes.row_z;
