@@ -1,9 +1,8 @@
 #include "engine/query/cast_of_many.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "engine/numeric/scaled_bound.h"
+#include "engine/numeric/vec3.h"
 #include "engine/query/cast_from_guess.h"
 #include "engine/query/motion_input.h"
 #include "engine/query/overlap_backend.h"
@@ -34,9 +33,7 @@ void ManyCasts::guess(const PoseTable& poses, std::span<const Vec3d> motions, st
   std::size_t n = 0;
   for (std::size_t k = 0; k < poses.n; ++k) {
     if (verdicts[k].outcome != Outcome::disjoint) continue;
-    const Vec3d& motion = motions[k];
-    const Vec3d scaled = times_power_of_two(
-        motion, -std::ilogb(std::fmax(std::fabs(motion.x), std::fmax(std::fabs(motion.y), std::fabs(motion.z)))));
+    const Vec3d scaled = scaled_to_unit_exponent(motions[k]);
     motions_[n] = scaled.x;
     motions_[kStride + n] = scaled.y;
     motions_[2 * kStride + n] = scaled.z;

@@ -43,11 +43,18 @@ Vec3<L> scaled_to_unit(const Vec3<L>& v) {
   return (L(1.0) / norm(v)) * v;
 }
 
-/// 0, 1 ... n - 1, by the first digits of the pick, which keeps the others.
+/// Of a number below 2^51.
+template <class L>
+L floor_of(const L& x) {
+  const L rounder(0x1.8p52), nearest = (x + rounder) - rounder;
+  return nearest - select(nearest > x, L(1.0), L(0.0));
+}
+
+/// 0, 1 ... n - 1, by the first digits of the pick, which keeps the others: it is from 0 to below 1 before and after.
+/// (Of n up to 8 n (1 - 2^-53) is not rounded to n.)
 template <class L>
 L sector_by(int n, L& pick) {
-  const L rounder(0x1.8p52), scaled = L(static_cast<double>(n)) * pick;
-  const L sector = ((scaled - L(0.5)) + rounder) - rounder;
+  const L scaled = L(static_cast<double>(n)) * pick, sector = floor_of(scaled);
   pick = scaled - sector;
   return sector;
 }
@@ -90,8 +97,7 @@ Frame<L> half_turned(const Frame<L>& f, const L& sign) {
 /// phi they have the area phi - asin(sin(phi) / sqrt(2)), which is t at tan(phi) = sin(t) / (cos(t) - 1 / sqrt(2)).
 template <class L>
 Frame<L> frame_about_face(const L& u, const L& azimuth) {
-  const L rounder(0x1.8p52), scaled = L(4.0) * azimuth;
-  const L quarter = ((scaled - L(0.5)) + rounder) - rounder, place = scaled - quarter;
+  const L scaled = L(4.0) * azimuth, quarter = floor_of(scaled), place = scaled - quarter;
   const SinCos<L> t = sincospi(L(1.0 / 12.0) * ((place + place) - L(1.0)));
   const L along = t.cos - L(0.5 * std::numbers::sqrt2), scale = L(1.0) / square_root(along * along + t.sin * t.sin);
   const L cos = scale * along, sin = scale * t.sin;

@@ -44,6 +44,28 @@ TEST(FrameOfBody, IsRightHanded) {
   }
 }
 
+// Also where parts meet: a scaled pick that was a whole number left a pick of 1, of which the next part was none.
+TEST(FrameOfBody, IsOneAndLeavesAPickWherePartsMeet) {
+  const double last = 1.0 - 0x1p-53;
+  for (const Turns& turns : all_turns()) {
+    for (int n = 1; n <= 60; ++n) {
+      for (int k = 0; k <= n; ++k) {
+        const double at = static_cast<double>(k) / n;
+        for (const double near : {std::nextafter(at, 0.0), at, std::nextafter(at, 1.0)}) {
+          for (const double u : {0.0, 0x1p-53, 0.3, last}) {
+            double pick = std::fmin(near, last);
+            const Frame<double> f = frame_of_body(turns, u, last - u, pick);
+            EXPECT_NEAR(norm(f.axis), 1.0, 1e-14);
+            EXPECT_LT(norm(cross(f.across_1, f.across_2) - f.axis), 1e-14);
+            EXPECT_GE(pick, 0.0);
+            EXPECT_LT(pick, 1.0);
+          }
+        }
+      }
+    }
+  }
+}
+
 // Of caps about directions that no turn knows: the shares that are their areas.
 TEST(FrameOfBody, HasAUniformAxis) {
   constexpr int kN = 120;
