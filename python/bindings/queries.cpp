@@ -1,7 +1,6 @@
 // Overlaps and first contacts over arrays of poses.
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -130,18 +129,17 @@ py::tuple first_contacts(std::size_t n, bool certify_answers, int threads, const
   return py::make_tuple(result, proofs.arrays());
 }
 
-/// Of B moving by by[k] from pose(k).
-template <class PoseOf>
-auto make_casts(const ConvexBody& a, const ConvexBody& b, const PoseOf& pose, const Rows3& by, double until) {
-  return [&a, &b, &pose, &by, until] {
-    return [&pose, &by, many = std::make_shared<ManyCasts>(a, b, until)](std::size_t first, std::size_t last,
-                                                                         std::span<FirstContact> found) {
+/// Of B moving by by[k]; set_columns(first, last, columns) has it in pose k at the start.
+template <class SetColumns>
+auto make_casts(const ConvexBody& a, const ConvexBody& b, const SetColumns& set_columns, const Rows3& by,
+                double until) {
+  return [&a, &b, &set_columns, &by, until] {
+    return [&set_columns, &by, many = std::make_shared<ManyCasts>(a, b, until)](std::size_t first, std::size_t last,
+                                                                                std::span<FirstContact> found) {
       alignas(64) double columns[kPoseColumns][PacketOverlap::kStride];
       std::array<Vec3d, kPosesABlock> motions;
-      for (std::size_t k = first; k < last; ++k) {
-        set_pose(columns[0], PacketOverlap::kStride, k - first, pose(k).a_from_b());
-        motions[k - first] = by[k];
-      }
+      set_columns(first, last, columns[0]);
+      for (std::size_t k = first; k < last; ++k) motions[k - first] = by[k];
       many->answer({columns[0], PacketOverlap::kStride, last - first}, motions, found);
     };
   };
@@ -151,8 +149,13 @@ py::tuple rays(const PyBody& a, const Floats& origins, const Floats& dirs, doubl
                int threads) {
   const Rows3 from(origins), along(dirs);
   require_as_many(along.size(), from.size(), "directions");
-  const auto pose = [&](std::size_t k) { return Pose(start_of_ray(from[k])); };
-  return first_contacts(from.size(), certify_answers, threads, make_casts(a.body, point_of_ray(), pose, along, until),
+  const auto set_columns = [&](std::size_t first, std::size_t last, double* columns) {
+    for (std::size_t k = first; k < last; ++k) {
+      set_pose(columns, PacketOverlap::kStride, k - first, Pose(start_of_ray(from[k])).a_from_b());
+    }
+  };
+  return first_contacts(from.size(), certify_answers, threads,
+                        make_casts(a.body, point_of_ray(), set_columns, along, until),
                         [&](std::size_t k, const FirstContact& found) {
                           const ContactCertificate certificate = certify_ray(a.body, from[k], along[k], found, until);
                           return check_ray_certificate(a.body, from[k], along[k], found, certificate, until);
@@ -164,8 +167,10 @@ py::tuple casts(const PyBody& a, const PyBody& b, const Floats& rows, const std:
   const PoseRows poses(rows, translations);
   const Rows3 by(motions);
   require_as_many(by.size(), poses.size(), "motions");
-  const auto pose = [&](std::size_t k) { return poses[k]; };
-  return first_contacts(poses.size(), certify_answers, threads, make_casts(a.body, b.body, pose, by, until),
+  const auto set_columns = [&](std::size_t first, std::size_t last, double* columns) {
+    poses.set_columns(first, last, columns);
+  };
+  return first_contacts(poses.size(), certify_answers, threads, make_casts(a.body, b.body, set_columns, by, until),
                         [&](std::size_t k, const FirstContact& found) {
                           const ContactCertificate certificate = certify(a.body, b.body, poses[k], by[k], found, until);
                           return check_certificate(a.body, b.body, poses[k], by[k], found, certificate, until);

@@ -159,6 +159,12 @@ void single_queries(int n_rounds) {
   std::printf("\n%s", table.text().c_str());
 }
 
+// Uniform in the ball.
+Vec3d random_in_ball(double radius, std::mt19937_64& random) {
+  const Vec3d dir = random_direction(random);
+  return (radius * std::cbrt(random_in_unit_interval(random)) / norm(dir)) * dir;
+}
+
 // Random poses of a body with itself, its centre anywhere in the ball in which half of them overlap.
 std::vector<Pose> half_overlapping(const ConvexBody& body, std::size_t n, std::mt19937_64& random) {
   std::vector<Pose> poses;
@@ -168,8 +174,7 @@ std::vector<Pose> half_overlapping(const ConvexBody& body, std::size_t n, std::m
     n_overlaps = 0;
     while (poses.size() < n) {
       Transformd pose = random_rotation(random);
-      const Vec3d dir = random_direction(random);
-      pose.translation = (radius * std::cbrt(random_in_unit_interval(random)) / norm(dir)) * dir;
+      pose.translation = random_in_ball(radius, random);
       poses.emplace_back(pose);
       n_overlaps += overlap(body, body, poses.back()).outcome == Outcome::overlap ? 1u : 0u;
     }
@@ -183,16 +188,12 @@ struct Casts {
   std::vector<Vec3d> motions;
 };
 Casts casts_towards(const ConvexBody& body, std::size_t n, std::mt19937_64& random) {
-  const auto within = [&](double radius) {
-    const Vec3d dir = random_direction(random);
-    return (radius * std::cbrt(random_in_unit_interval(random)) / norm(dir)) * dir;
-  };
   Casts casts;
   while (casts.poses.size() < n) {
     Transformd pose = random_rotation(random);
-    pose.translation = within(4.0 * body.reach());
+    pose.translation = random_in_ball(4.0 * body.reach(), random);
     if (norm(pose.translation) < 2.0 * body.reach()) continue;
-    casts.motions.push_back(within(0.8 * body.reach()) - pose.translation);
+    casts.motions.push_back(random_in_ball(0.8 * body.reach(), random) - pose.translation);
     casts.poses.emplace_back(pose);
   }
   return casts;

@@ -7,6 +7,7 @@
 // together. A lane that is at its end keeps what it has.
 #include <array>
 
+#include "engine/numeric/frame.h"
 #include "engine/numeric/packet_memory.h"
 #include "engine/query/packets/any_core.h"
 #include "engine/query/packets/cast_guess.h"
@@ -67,12 +68,10 @@ class Portals {
   }
 
   void look_along(const Vec& motion) {
-    along_ = (L(1.0) / norm(motion)) * motion;
-    // J. R. Baumgarte's and others' frame without a branch but for the sign (T. Duff et al., JCGT 6(1), 2017).
-    const L sign = select(along_.z >= L(0.0), L(1.0), L(-1.0));
-    const L a = L(-1.0) / (sign + along_.z), b = along_.x * along_.y * a;
-    across_x_ = {L(1.0) + sign * along_.x * along_.x * a, sign * b, -sign * along_.x};
-    across_y_ = {b, sign + along_.y * along_.y * a, -along_.y};
+    const Frame<L> frame = frame_about((L(1.0) / norm(motion)) * motion);
+    across_x_ = frame.across_1;
+    across_y_ = frame.across_2;
+    along_ = frame.axis;
   }
 
   Vec across(const L& x, const L& y) const { return x * across_x_ + y * across_y_; }

@@ -4,15 +4,10 @@
 #include <numbers>
 
 #include "engine/numeric/elementary.h"
+#include "engine/numeric/frame.h"
 #include "engine/numeric/vec3.h"
 
 namespace vex {
-
-/// Right-handed: across_1, across_2, axis.
-template <class L>
-struct Frame {
-  Vec3<L> across_1, across_2, axis;
-};
 
 /// The axis uniform on the sphere.
 template <class L>
@@ -22,15 +17,6 @@ Frame<L> frame(const L& u, const L& v) {
   return {{cos_polar * azimuth.cos, cos_polar * azimuth.sin, -sin_polar},
           {-azimuth.sin, azimuth.cos, L(0.0)},
           {sin_polar * azimuth.cos, sin_polar * azimuth.sin, cos_polar}};
-}
-
-/// With a unit vector for its axis (T. Duff et al., "Building an orthonormal basis, revisited", J. Comput. Graph.
-/// Tech. 6, 1, 2017).
-template <class L>
-Frame<L> frame_about(const Vec3<L>& n) {
-  const L sign = select(n.z < L(0.0), L(-1.0), L(1.0));
-  const L p = L(-1.0) / (sign + n.z), xy = (n.x * n.y) * p;
-  return {{L(1.0) + sign * ((n.x * n.x) * p), sign * xy, -(sign * n.x)}, {xy, sign + (n.y * n.y) * p, -n.y}, n};
 }
 
 template <class L>
@@ -59,6 +45,13 @@ L sector_by(int n, L& pick) {
   return sector;
 }
 
+/// 1 or -1, by the first digit of the pick.
+template <class L>
+L sign_by(L& pick) {
+  const L which = sector_by(2, pick);
+  return L(1.0) - (which + which);
+}
+
 /// A turn of which nothing depends on the sector if the body looks the same in each: the coordinate's digits are all
 /// for the place within a sector, and which it is comes from the first digits of the pick, which are the least missed.
 /// Uniform whether the body is symmetric or not.
@@ -79,13 +72,7 @@ struct Turns {
 
 namespace detail {
 
-/// Half a turn about x where it is on, to be multiplied with y and z.
-template <class L>
-L sign_by(L& pick) {
-  const L which = sector_by(2, pick);
-  return L(1.0) - (which + which);
-}
-
+/// Half a turn about x where the sign is -1.
 template <class L>
 Frame<L> half_turned(const Frame<L>& f, const L& sign) {
   const auto turn = [&sign](const Vec3<L>& v) -> Vec3<L> { return {v.x, sign * v.y, sign * v.z}; };
@@ -117,7 +104,7 @@ template <class L>
 Frame<L> frame_of_body(const Turns& turns, const L& u, const L& v, L& pick) {
   const L azimuth = in_some_sector(turns.n_sectors, v, pick);
   if (turns.poles == Turns::Poles::one) return frame(u, azimuth);
-  const L sign = detail::sign_by(pick);
+  const L sign = sign_by(pick);
   if (turns.poles == Turns::Poles::two) return detail::half_turned(frame(L(0.5) * u, azimuth), sign);
   const Frame<L> f = detail::half_turned(detail::frame_about_face(u, azimuth), sign);
   const L which = sector_by(3, pick);

@@ -152,7 +152,7 @@ class TriangleMap {
     const L about_z = in_some_sector(body_.turns.n_sectors, turn, pick);
     if (body_.turns.poles == Turns::Poles::one) return turned(frame(u, v), sincospi(about_z + about_z));
     Frame<L> f = turned(frame(L(0.5) * u, v), sincospi(about_z + about_z));
-    const L sector = sector_by(2, pick), sign = L(1.0) - (sector + sector);
+    const L sign = sign_by(pick);
     f.across_2 = sign * f.across_2;
     f.axis = sign * f.axis;
     return f;
