@@ -96,6 +96,23 @@ SceneCase hulls(std::size_t n) {
   return scene;
 }
 
+SceneCase numbered_by_place(SceneCase scene) {
+  constexpr unsigned kBits = 10;  // of each coordinate, whose unit is the box's edge
+  const Vec3d edges = scene.box->face_distances();
+  const auto key = [&](const Pose& pose) {
+    const Vec3d& t = pose.a_from_b().translation;
+    const double shares[] = {t.x / edges.x + 0.5, t.y / edges.y + 0.5, t.z / edges.z + 0.5};
+    std::uint32_t bits = 0;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      const auto cell = static_cast<std::uint32_t>(std::clamp(shares[axis], 0.0, 0.999) * (1u << kBits));
+      for (unsigned bit = 0; bit < kBits; ++bit) bits |= (cell >> bit & 1u) << (3 * bit + axis);
+    }
+    return bits;
+  };
+  std::ranges::stable_sort(scene.poses, {}, key);
+  return scene;
+}
+
 SceneCase in_open_space(SceneCase scene) {
   scene.box.reset();
   return scene;

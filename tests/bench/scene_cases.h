@@ -34,5 +34,7 @@ SceneCase hulls(std::size_t n);
 
 /// Without its box: for those who know none.
 SceneCase in_open_space(SceneCase scene);
+/// The same bodies, of one shape, with numbers along a curve that fills the box (G. M. Morton's).
+SceneCase numbered_by_place(SceneCase scene);
 
 }  // namespace vex

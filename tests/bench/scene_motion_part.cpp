@@ -34,11 +34,13 @@ Transformd turned(const Transformd& pose, std::mt19937_64& random) {
   return turn;
 }
 
-// The same motion for everyone who asks: each body goes straight on and does not turn, or it goes to and fro at random
-// and turns at random.
+enum class Course { straight_on, at_random, at_random_and_turned };
+
+// The same motion for everyone who asks: each body goes straight on, or to and fro at random, and then may turn at
+// random, too.
 class Motion {
  public:
-  Motion(bool is_straight, std::size_t n) : is_straight_(is_straight) {
+  Motion(Course course, std::size_t n) : course_(course) {
     for (std::size_t k = 0; k < n; ++k) steps_.push_back(random_step(random_));
   }
 
@@ -47,17 +49,15 @@ class Motion {
   void move(std::vector<Pose>& poses) {
     for (std::size_t body = 0; body < poses.size(); ++body) {
       Transformd pose = poses[body].a_from_b();
-      if (!is_straight_) {
-        pose = turned(pose, random_);
-        steps_[body] = random_step(random_);
-      }
+      if (course_ == Course::at_random_and_turned) pose = turned(pose, random_);
+      if (course_ != Course::straight_on) steps_[body] = random_step(random_);
       pose.translation = pose.translation + steps_[body];
       poses[body] = Pose::unchecked(pose);
     }
   }
 
  private:
-  bool is_straight_;
+  Course course_;
   std::mt19937_64 random_{3};
   std::vector<Vec3d> steps_;
 };
@@ -104,18 +104,27 @@ double from_nothing_ms(SceneCase now, Motion motion, int n_rounds) {
 }  // namespace
 
 BenchReport motion_part(const ScenePartSettings& settings) {
-  const SceneCase scene = hulls(settings.bodies(1e5));
+  const SceneCase as_they_come = hulls(settings.bodies(1e5)), by_place = numbered_by_place(as_they_come);
   BenchReport report;
   report.rows = nlohmann::ordered_json::array();
   MarkdownTable table({"motion", "skin", "move_all, ms", "query, ms", "median query, ms", "slowest query, ms",
                        "query, of a scene from nothing", "with move_all", "pairs"});
   std::string lines;
-  for (const bool is_straight : {true, false}) {
-    const std::string name = is_straight ? "straight on" : "at random, and turned";
-    const Motion motion(is_straight, scene.size());
+  struct Case {
+    const char* name;
+    Course course;
+    bool is_by_place;
+  };
+  for (const auto& [name, course, is_by_place] :
+       {Case{"straight on", Course::straight_on, false},
+        Case{"straight on, numbered by place", Course::straight_on, true}, Case{"at random", Course::at_random, false},
+        Case{"at random, and turned", Course::at_random_and_turned, false}}) {
+    const SceneCase& scene = is_by_place ? by_place : as_they_come;
+    const Motion motion(course, scene.size());
     const double whole = from_nothing_ms(scene, motion, settings.n_rounds);
-    lines += "A scene from nothing (bodies added, pairs found) takes " + three_digits(whole) + " ms, " + name + ".\n";
-    for (const double skin : {0.0, 0.1, 0.2, 0.3}) {
+    lines += "A scene from nothing (bodies added, pairs found) takes " + three_digits(whole) + " ms, " +
+             std::string(name) + ".\n";
+    for (const double skin : {0.0, 0.1, 0.2, 0.3, 0.4}) {
       const StepTimes times = move_along(scene, motion, skin, 1);
       const double move = mean_ms(times.move_ns), query = mean_ms(times.query_ns);
       const double median = 1e-6 * Timing{times.query_ns}.median();
@@ -125,7 +134,7 @@ BenchReport motion_part(const ScenePartSettings& settings) {
                  grouped(times.n_pairs)});
       lines += "Skin " + three_digits(skin) + ", " + std::to_string(kSteps) + " steps " + name + ". " +
                counts_line(times.counts) + "\n";
-      report.rows.push_back({{"motion", is_straight ? "straight" : "random"},
+      report.rows.push_back({{"motion", name},
                              {"skin", skin},
                              {"move_ms", move},
                              {"query_ms", query},
@@ -135,9 +144,10 @@ BenchReport motion_part(const ScenePartSettings& settings) {
                              {"pairs", times.n_pairs}});
     }
   }
-  report.markdown = "### " + grouped(scene.size()) + " " + scene.name + ", moved by .01 diameters a step\n\n" +
-                    "One thread, processor time, means of " + std::to_string(kSteps) +
-                    " steps, those in which the list is made anew among them; at random each body turns by .01 "
+  report.markdown = "### " + grouped(as_they_come.size()) + " " + as_they_come.name +
+                    ", moved by .01 diameters a step\n\n" + "One thread, processor time, means of " +
+                    std::to_string(kSteps) +
+                    " steps, those in which the list is made anew among them; a body that turns does so by .01 "
                     "radians, too.\n\n" +
                     table.text() + "\n" + lines;
   return report;
