@@ -13,6 +13,10 @@ if(VEX_SANITIZE)
   # Of a target with the property VEX_UNSANITIZED only what it links is.
   target_compile_options(vex_compile_options INTERFACE
     "$<$<NOT:$<BOOL:$<TARGET_PROPERTY:VEX_UNSANITIZED>>>:-fsanitize=${VEX_SANITIZE};-fno-sanitize-recover=all;-fno-omit-frame-pointer>")
+  if(VEX_SANITIZE_WITHOUT)
+    target_compile_options(vex_compile_options INTERFACE
+      "$<$<NOT:$<BOOL:$<TARGET_PROPERTY:VEX_UNSANITIZED>>>:-fno-sanitize=${VEX_SANITIZE_WITHOUT}>")
+  endif()
   # Whether a table of virtual functions can be read is asked of the system through a pipe, which a confined process may
   # not make: all tables would be wrong there.
   target_compile_options(vex_compile_options INTERFACE

@@ -11,6 +11,12 @@
 
 namespace vex {
 
+std::string open_line_warning(const std::string& name, std::uint64_t line) {
+  return name + ", line " + std::to_string(line) +
+         ": the last line has no end - if the file was cut off there, fetch it again; if it is whole, end it with a "
+         "newline, and this is not said";
+}
+
 LineReader::LineReader(const std::string& path, std::string what, std::string advice)
     : name_(path == "-" ? "standard input" : path), what_(std::move(what)), advice_(std::move(advice)) {
   file_ = path == "-" ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -51,6 +57,7 @@ bool LineReader::next(std::string_view& line) {
       line = std::string_view(buffer_).substr(begin_, (is_last ? buffer_.size() : end) - begin_);
       begin_ = is_last ? buffer_.size() : end + 1;
       ++number_;
+      if (is_last && line.find_first_not_of(" \t\r") != std::string_view::npos) open_line_ = number_;
       if (line.find('\0') != std::string_view::npos) {
         throw InputError(name_ + ", line " + std::to_string(number_) + ": a zero byte, which no text has - " + advice_);
       }

@@ -8,6 +8,9 @@
 
 namespace vex {
 
+/// A warning: where a file was cut off in this line, a part of its last number may look like a number.
+std::string open_line_warning(const std::string& name, std::uint64_t line);
+
 class LineReader {
  public:
   /// No row that is meant to be one is longer.
@@ -28,6 +31,8 @@ class LineReader {
   std::uint64_t number() const { return number_; }
   /// For messages: the path, or that it is standard input.
   const std::string& name() const { return name_; }
+  /// Of the last line, once the file has ended, if it has no end of its own and is not empty; otherwise 0.
+  std::uint64_t open_line() const { return open_line_; }
 
  private:
   bool fetch();  // more bytes behind those that are left; false at the end
@@ -37,7 +42,7 @@ class LineReader {
   std::string buffer_;
   std::size_t begin_ = 0;
   bool at_end_ = false;
-  std::uint64_t number_ = 0;
+  std::uint64_t number_ = 0, open_line_ = 0;
 };
 
 }  // namespace vex

@@ -6,6 +6,7 @@
 
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
+#include "apps/common/line_reader.h"
 #include "apps/common/results.h"
 #include "apps/common/run_program.h"
 #include "apps/common/text.h"
@@ -70,6 +71,9 @@ int run_vex_pair(const PairCommandLine& words, const std::string& command) {
     settings.while_waiting = answer;
     run.found = answer_stream(*poses, question, settings, interrupting_signal(),
                               [&](std::string_view rows) { return is_silent || results.print_rows(rows); });
+    if (poses->open_line() != 0) {
+      std::fprintf(stderr, "vex_pair: %s\n", open_line_warning(poses->name(), poses->open_line()).c_str());
+    }
   } else {
     answer_one(run, question);
   }

@@ -75,6 +75,7 @@ PoseFile::Found PoseFile::next_line(bool wait, std::string_view& line, bool& is_
       skips_line_ = false;
       begin_ = searched_ = is_last ? end : end + 1;
       ++n_lines_;
+      if (is_last && !is_too_long && !holds_nothing(line)) open_line_ = n_lines_;
       return Found::line;
     }
     if (buffer_.size() - begin_ > kLongestLine) {

@@ -52,6 +52,8 @@ class PoseFile {
   /// that hold nothing are rows only if one that holds something follows. Throws InputError where reading fails.
   void read_rows(std::size_t n_most, RowBlock& block, const std::function<void()>& while_waiting = {});
 
+  /// Of the last line, once the file has ended, if it has no end of its own and is not empty; otherwise 0.
+  std::uint64_t open_line() const { return open_line_; }
   /// For messages: the path, or that it is standard input.
   const std::string& name() const { return name_; }
 
@@ -78,7 +80,7 @@ class PoseFile {
   bool is_endless_ = false;    // the last line was longer than kLongestSkipped
   std::size_t n_skipped_ = 0;  // of the line at hand
 
-  std::uint64_t n_lines_ = 0, n_rows_ = 0;
+  std::uint64_t n_lines_ = 0, n_rows_ = 0, open_line_ = 0;
   std::uint64_t n_empty_ = 0;  // lines that hold nothing, before the held one or the end
   bool holds_line_ = false;    // a line behind empty ones, which come first
   std::string held_line_;

@@ -8,6 +8,7 @@
 
 #include "apps/common/command_files.h"
 #include "apps/common/interrupt.h"
+#include "apps/common/line_reader.h"
 #include "apps/common/results.h"
 #include "apps/common/run_program.h"
 #include "apps/common/scene_gltf.h"
@@ -184,6 +185,9 @@ int run_vex_scene(const SceneCommandLine& words, const std::string& command) {
   std::atomic<std::uint64_t> n_lines{0};
   pieces.work([&] { input = input_of(options, n_lines); },
               [&] { return plural(n_lines.load(), "line", "lines") + " read"; }, unread);
+  if (input->open_line != 0) {
+    std::fprintf(stderr, "vex_scene: %s\n", open_line_warning(input->source(), input->open_line).c_str());
+  }
   const BodyOptions body_options = body_options_of(options, *input);
   outputs = output_files(options, files_of_bodies(input->texts(), body_options));
   Loaded loaded;

@@ -129,6 +129,7 @@ SceneInput read_scene_file(const std::string& path, const std::map<std::string, 
     if (std::string_view(error.what()).starts_with(file.name() + ", line ")) throw;
     throw InputError(file.name() + ", line " + std::to_string(file.number()) + ": " + error.what());
   }
+  scene.open_line = file.open_line();
   return scene;
 }
 

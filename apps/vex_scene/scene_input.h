@@ -37,6 +37,9 @@ class SceneInput {
   /// The texts of all shapes.
   std::vector<std::string> texts() const;
 
+  /// Of the file, its last line if that has no end; otherwise 0.
+  std::uint64_t open_line = 0;
+
   /// Of body k.
   std::vector<std::uint32_t> shapes_of_bodies;
   std::vector<Transformd> poses;

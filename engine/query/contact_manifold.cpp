@@ -311,14 +311,18 @@ void find_contacts(const ConvexBody& a, const ConvexBody& b, const Transformd& a
 
 }  // namespace
 
-void contact_manifold(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const ManifoldSettings& settings,
-                      ManifoldMemory& memory, ContactManifold& manifold, WarmStart* warm_start) {
+void check(const ManifoldSettings& settings) {
   if (!(settings.margin >= 0.0) ||
       !(settings.feature_angle >= 0.0 && settings.feature_angle <= 0.5 * std::numbers::pi)) {
     throw UsageError(
         "the margin or the angle of a contact manifold is negative or no number, or the angle above pi/2 - give a "
         "length from 0 up, and radians from 0 to pi/2");
   }
+}
+
+void contact_manifold(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const ManifoldSettings& settings,
+                      ManifoldMemory& memory, ContactManifold& manifold, WarmStart* warm_start) {
+  check(settings);
   manifold.contacts.clear();
   manifold.separation = signed_distance(a, b, pose, {}, warm_start);
   const Separation& found = manifold.separation;

@@ -41,6 +41,9 @@ struct ManifoldSettings {
   bool four_at_most = false;
 };
 
+/// Throws UsageError where the margin or the angle is negative or no number, or the angle above pi/2.
+void check(const ManifoldSettings& settings);
+
 /// What manifolds are made in: a thread that keeps one has nothing allocated once it has seen manifolds as large. It
 /// holds nothing of one manifold that the next depends on.
 class ManifoldMemory {
@@ -60,10 +63,10 @@ class ManifoldMemory {
 /// The contacts of any two bodies. One face is clipped by the sides of the other (I. Sutherland, G. Hodgman, 1974).
 ///
 /// *Polytopes*, rounded or not: the face is the vertices within the feature angle of the plane across the normal.
-/// Vertices are numbered as in the exact form. Points are on the faces to within rounding; those of a rounded one, whose
-/// ball is added along the contact's normal, are below its surface by up to half the feature angle's square times the
-/// radius. Facets that are less than the feature angle apart are one face: gaps at its corners are off from the deepest
-/// point's by up to that angle times the face's width.
+/// Vertices are numbered as in the exact form. Points are on the faces to within rounding; those of a rounded one,
+/// whose ball is added along the contact's normal, are below its surface by up to half the feature angle's square times
+/// the radius. Facets that are less than the feature angle apart are one face: gaps at its corners are off from the
+/// deepest point's by up to that angle times the face's width.
 ///
 /// *Any other body* is asked for its support points in directions tilted by the feature angle about the normal, so that
 /// a body of one's own works as well, and cylinders, cones, hemispheres, rounded discs are no special cases.
@@ -77,9 +80,9 @@ class ManifoldMemory {
 ///   than the feature angle, in it and below its surface by no more than tan(feature_angle) times the face's width.
 /// - A straight line within the feature angle, on which a cylinder, cone or frustum lies, becomes an edge of two ends,
 ///   each to within the support mapping's error and the normal's own. Which end has which name may change as the body
-///   turns. The line of a coin's rim, a tenth of its radius or shorter, is looked for at narrower angles, down to a 512th
-///   of that one: a coin that leans by more, or is thinner than three thousandths of its radius, may have one end of it.
-///   A body that leans nearly by the feature angle may have part of its rim besides.
+///   turns. The line of a coin's rim, a tenth of its radius or shorter, is looked for at narrower angles, down to a
+///   512th of that one: a coin that leans by more, or is thinner than three thousandths of its radius, may have one end
+///   of it. A body that leans nearly by the feature angle may have part of its rim besides.
 /// - What bends away is the separation's point, one contact; with B's moved along the normal to be at the signed
 ///   distance.
 /// The points of pairs with such a body, and their gaps along the normal, are as near to the truth as the separation
@@ -88,7 +91,7 @@ class ManifoldMemory {
 ///
 /// `warm_start`: as for `signed_distance`, of which it may be the same pair's.
 ///
-/// Throws UsageError where the margin or the angle is negative or no number, or the angle above pi/2.
+/// Throws UsageError where `check` of the settings does.
 void contact_manifold(const ConvexBody& a, const ConvexBody& b, const Pose& pose, const ManifoldSettings& settings,
                       ManifoldMemory& memory, ContactManifold& manifold, WarmStart* warm_start = nullptr);
 

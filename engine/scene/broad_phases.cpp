@@ -7,7 +7,7 @@ namespace vex {
 void BroadPhases::bodies_changed() {
   poses_changed();
   has_tree_same_bodies_ = false;
-  chosen_for_ = -1.0;
+  for (Choice& choice : choices_) choice.margin = -1.0;
 }
 
 void BroadPhases::poses_changed() { is_grid_true_ = is_tree_true_ = is_tree_sorted_ = false; }
@@ -31,10 +31,11 @@ void BroadPhases::prepare(const SceneBodies& bodies, const SceneSettings& settin
                           bool with_poses) {
   if (settings.broad_phase != BroadPhase::automatic) {
     chosen_ = settings.broad_phase;
-    chosen_for_ = -1.0;
-  } else if (chosen_for_ != margin) {
-    chosen_ = cheaper_broad_phase(bodies, reach, margin);
-    chosen_for_ = margin;
+    for (Choice& choice : choices_) choice.margin = -1.0;
+  } else {
+    Choice& choice = choices_[margin > 0.0 ? 1 : 0];
+    if (choice.margin != margin) choice = {margin, cheaper_broad_phase(bodies, reach, margin)};
+    chosen_ = choice.broad_phase;
   }
   if (is_grid()) {
     if (is_grid_true_ && grid_margin_ == margin && (grid_.bodies().has_poses() || !with_poses)) return;

@@ -39,7 +39,13 @@ class BroadPhases {
   CellGrid grid_;
   BodyTree tree_;
   BroadPhase chosen_ = BroadPhase::grid;
-  double chosen_for_ = -1.0, grid_margin_ = -1.0;  // margins; below 0: none
+  // Of margins, without and with one; below 0: none.
+  struct Choice {
+    double margin = -1.0;
+    BroadPhase broad_phase = BroadPhase::grid;
+  };
+  Choice choices_[2];
+  double grid_margin_ = -1.0;
   bool is_grid_true_ = false;
   // The tree's boxes are of the bodies as they are; its order, which pairs are searched in, too.
   bool is_tree_true_ = false, is_tree_sorted_ = false, has_tree_same_bodies_ = false;

@@ -83,7 +83,10 @@ struct Scene::Impl::Visit {
   Aabb box;
 };
 
-const BodyTree& Scene::Impl::tree() { return phases_.tree_of_bodies(bodies_, checked_reach(0.0), settings_.n_threads); }
+const BodyTree& Scene::Impl::tree() {
+  require_no_judge();
+  return phases_.tree_of_bodies(bodies_, checked_reach(0.0), settings_.n_threads);
+}
 
 void Scene::overlaps_of(const ConvexBody& visitor, const Pose& world_from_body, ScenePairs& out) {
   Impl::Visit visit(*impl_, visitor, world_from_body);

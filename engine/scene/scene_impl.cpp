@@ -23,6 +23,10 @@ void check(const SceneSettings& settings) {
     throw UsageError("a scene's number of threads is " + std::to_string(settings.n_threads) +
                      " - give one between 1 and 4096");
   }
+  const int phase = static_cast<int>(settings.broad_phase);
+  if (phase < static_cast<int>(BroadPhase::automatic) || phase > static_cast<int>(BroadPhase::tree)) {
+    throw UsageError("a scene's broad phase is number " + std::to_string(phase) + " - give one that BroadPhase names");
+  }
 }
 
 }  // namespace
@@ -33,13 +37,18 @@ Scene::Impl::Impl(std::optional<PeriodicBox> box, const SceneSettings& settings)
 }
 
 void Scene::Impl::set(const SceneSettings& settings) {
+  require_no_judge();
   check(settings);
   settings_ = settings;
 }
 
-ShapeId Scene::Impl::add_shape(const ConvexBody& body) { return bodies_.add_shape(body); }
+ShapeId Scene::Impl::add_shape(const ConvexBody& body) {
+  require_no_judge();
+  return bodies_.add_shape(body);
+}
 
 BodyId Scene::Impl::add(ShapeId shape, const Pose& pose, const ImageOffset& moved) {
+  require_no_judge();
   const BodyId body = bodies_.add(shape, pose, moved);
   phases_.bodies_changed();
   memory_.forget();
@@ -49,6 +58,7 @@ BodyId Scene::Impl::add(ShapeId shape, const Pose& pose, const ImageOffset& move
 
 // Where numbers are free below the last body's they are taken one by one.
 void Scene::Impl::add(ShapeId shape, std::span<const Pose> poses) {
+  require_no_judge();
   if (bodies_.size() == bodies_.end()) {
     bodies_.append(shape, poses, {});
     phases_.bodies_changed();
@@ -80,11 +90,20 @@ void Scene::Impl::keep_waiting_in_cells() {
   }
 }
 
+void Scene::Impl::require_no_judge() const {
+  if (is_judge_asked_) {
+    throw UsageError(
+        "a judge of pairs searches or changes its own scene, which waits for its answer - ask another "
+        "scene, or wait until the query has ended");
+  }
+}
+
 void Scene::Impl::require(BodyId body) const {
   if (!bodies_.has(body)) throw UsageError("a scene has no body " + std::to_string(body) + " - ask `has` first");
 }
 
 void Scene::Impl::remove(BodyId body) {
+  require_no_judge();
   require(body);
   const bool were_cells_true = are_cells_true_;
   are_cells_true_ = false;  // also where memory gives out
@@ -96,6 +115,7 @@ void Scene::Impl::remove(BodyId body) {
 }
 
 void Scene::Impl::clear() {
+  require_no_judge();
   bodies_.clear();
   phases_.bodies_changed();
   memory_.forget();
@@ -111,12 +131,14 @@ void Scene::Impl::clear() {
 }
 
 void Scene::Impl::expect(std::size_t n_bodies) {
+  require_no_judge();
   n_expected_ = n_bodies;
   are_cells_true_ = false;
   n_in_cells_ = 0;
 }
 
 void Scene::Impl::move(BodyId body, const Pose& pose) {
+  require_no_judge();
   require(body);
   bodies_.set_pose(body, pose);
   const bool were_cells_true = are_cells_true_;
@@ -132,6 +154,7 @@ void Scene::Impl::move(BodyId body, const Pose& pose) {
 }
 
 void Scene::Impl::move_all(std::span<const Pose> poses) {
+  require_no_judge();
   if (poses.size() != bodies_.end() || bodies_.size() != bodies_.end()) {
     throw UsageError("poses of " + std::to_string(poses.size()) + " bodies are given, and the scene has " +
                      std::to_string(bodies_.size()) + " with numbers below " + std::to_string(bodies_.end()) +
@@ -210,6 +233,7 @@ PairQuestion Scene::Impl::question(double margin) {
 }
 
 void Scene::Impl::find_pairs(double margin, const OnBatch& on_batch, const OnBegin& on_begin) {
+  require_no_judge();
   if (margin != 0.0 && !(margin >= 1e-300 && margin <= 1e100)) {
     throw UsageError("the distance is " + shortest_number(margin) + " - give 0, or one from 1e-300 to 1e100");
   }
@@ -252,6 +276,7 @@ void Scene::Impl::on_searches(const PairQuestion& asked, PairKeeper* keeper,
 }
 
 void Scene::Impl::find_remembered_pairs(ScenePairs& out) {
+  require_no_judge();
   if (!memory_.holds(bodies_, settings_.skin)) {
     phases_.prepare(bodies_, settings_, checked_reach(settings_.skin), settings_.skin, false);
     memory_.build(bodies_, phases_, scene_kernel(settings_.instruction_set), settings_.skin, settings_.n_threads);

@@ -30,6 +30,8 @@ class Scene::Impl {
   void move_all(std::span<const Pose> poses);
   /// Throws UsageError where there is no such body.
   void require(BodyId body) const;
+  /// Throws UsageError where a judge is being asked: the search that asks it holds what others would change.
+  void require_no_judge() const;
 
   /// Sends all pairs that are within the margin, or may be, through the stages. `on_batch`, where there is one, is
   /// called by the thread that has found new pairs, with its search, and says whether to go on.
@@ -110,6 +112,7 @@ class Scene::Impl {
   bool last_had_margin_ = false;         // of the last query, and its threads
   int n_searches_ = 1;
   PairSearch single_;
+  bool is_judge_asked_ = false;
 
   ScenePairs pairs_buffer_;
   std::vector<Clusters> cluster_parts_;

@@ -60,7 +60,8 @@ struct SceneCounts {
   SceneCounts& operator+=(const SceneCounts& other);
 };
 
-/// A caller's own test of two shapes, b's at this pose in a's frame.
+/// A caller's own test of two shapes, b's at this pose in a's frame. Calls of the scene that asks it, other than those
+/// that tell of its bodies, throw UsageError.
 using PairJudge = std::function<Outcome(ShapeId a, ShapeId b, const Transformd& a_from_b)>;
 
 /// A caller's buffer: it is overwritten by each query that takes it, and keeps its memory. Sorted by a, b, image, but

@@ -46,6 +46,7 @@ void Scene::distances_within(double distance, SceneDistances& out) {
 void Scene::contact_manifolds(SceneManifolds& out, double margin) { contact_manifolds(out, {.margin = margin}); }
 
 void Scene::contact_manifolds(SceneManifolds& out, const ManifoldSettings& asked) {
+  check(asked);
   ScenePairs& near = impl_->pairs_buffer();
   pairs_within(asked.margin, near);
   out.counts = near.counts;

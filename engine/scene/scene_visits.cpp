@@ -31,6 +31,7 @@ PairQuestion Scene::Impl::question_of_cells(const BallCellsOfScene& cells) {
 
 // Sends what may be near a body, at a pose that need not be its own, through the stages.
 PairSearch& Scene::Impl::find_pairs_of(BodyId body, const Transformd& pose) {
+  require_no_judge();
   const ShapeId shape = bodies_.shape_of()[body];
   const ShapeBounds& bounds = bodies_.bounds(shape);
   const Vec3d centre = pose(bounds.centre);
@@ -111,6 +112,7 @@ void Scene::Impl::find_pairs_one_by_one(BodyId first, const BallCellsOfScene& ce
 }
 
 PairSearch& Scene::Impl::find_pairs_of_added(BodyId first, Clusters* joined, const PairJudge* judge) {
+  require_no_judge();
   // To sort all bodies costs more than to ask for each only where there are few.
   constexpr std::size_t kMany = 256;
   const BallCellsOfScene* cells = nullptr;
@@ -123,6 +125,11 @@ PairSearch& Scene::Impl::find_pairs_of_added(BodyId first, Clusters* joined, con
   }
   single_.joined = joined;
   single_.judge = judge;
+  struct Asking {
+    bool& is_asked;
+    ~Asking() { is_asked = false; }
+  } const asking{is_judge_asked_};
+  is_judge_asked_ = judge != nullptr;
   if (cells == nullptr) {
     find_all_pairs(single_);
   } else {

@@ -75,7 +75,7 @@ const std::vector<Parted> kParted = {
 
 TEST_F(Merge, RangesOfOtherProgramsInAnyOrderAreOneRun) {
   std::mt19937_64 random(26);
-  for (const Parted& one : kParted) {
+  for (const Parted& one : alike(kParted)) {
     const auto make = [&](std::uint64_t first, std::uint64_t n, const std::string& name) {
       const Finished finished =
           shell(one.run + " " + one.first + " " + std::to_string(first) + " " + one.number + " " + std::to_string(n) +

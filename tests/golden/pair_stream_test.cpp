@@ -32,6 +32,20 @@ TEST_F(PairStream, AWriterThatWaitsForItsAnswersGetsThem) {
   EXPECT_EQ(finished.out, "0,overlap\n1,disjoint\n2,overlap\n");
 }
 
+// What is left of a number may be one: 1.5 of 1.55.
+TEST_F(PairStream, ALastLineWithoutItsEndIsWarnedOf) {
+  const std::string file = "tx,ty,tz,qw,qx,qy,qz\n0.5,0,0,1,0,0,0\n";
+  for (const std::string end : {"", "2,0,0,1,0,0,0\n", "\n", " "}) {
+    write_file("poses.csv", file + end);
+    EXPECT_EQ(cubes({"--poses", "poses.csv", "--csv", "--quiet"}).err, "") << end;
+  }
+  write_file("poses.csv", file + "2,0,0,1,0,0,0");
+  const Finished open = cubes({"--poses", "poses.csv", "--csv", "--quiet"});
+  EXPECT_EQ(open.exit_code, 0);
+  EXPECT_EQ(lines_of(open.out).size(), 3u) << open.out;
+  EXPECT_NE(open.err.find("poses.csv, line 3: the last line has no end - "), std::string::npos) << open.err;
+}
+
 TEST_F(PairStream, AReaderThatGoesAwayEndsTheRun) {
   write_file("poses.csv", quaternion_file(random_poses(100000)));
   const Finished head = shell("{ \"$VEX\" box:1,1,1 box:1,1,1 --poses poses.csv; echo $? > code; } | head -n 1");

@@ -34,6 +34,16 @@ void expect_consistent(const json& stages, std::uint64_t undecided) {
   }
 }
 
+// A referee cut a file within its last number, which was one still: another scene.
+TEST_F(SceneTest, ALastLineWithoutItsEndIsWarnedOf) {
+  for (const std::string end : {"", "\n\n", " "}) EXPECT_EQ(run_on(four_cubes() + end, {"--quiet"}).err, "");
+  std::string open = four_cubes();
+  open.pop_back();
+  const Finished finished = run_on(open, {"--quiet"});
+  EXPECT_EQ(finished.out, rows_of(four_cubes(), {}));
+  EXPECT_NE(finished.err.find("scene.csv, line 5: the last line has no end - "), std::string::npos) << finished.err;
+}
+
 TEST_F(SceneTest, PairsOfAFile) {
   const std::string expected = kPairHeader + "0,1,0,0,0\n1,2,0,0,0\n";
   EXPECT_EQ(rows_of(four_cubes(), {}), expected);

@@ -84,6 +84,8 @@ TEST(SceneAllocations, QueriesOfAllPairsAllocateNothingInSteadyState) {
       ASSERT_GT(found.pairs.size(), kBodies / 2);
       EXPECT_EQ(allocations_of([&] { scene.move_all(poses), scene.overlapping_pairs(found); }), 0u);
       EXPECT_EQ(allocations_of([&] { scene.pairs_within(0.1, found); }), 0u);
+      EXPECT_EQ(allocations_of([&] { scene.pairs_within(0.1, found), scene.overlapping_pairs(found); }), 0u)
+          << "in turn";
       EXPECT_EQ(allocations_of([&] { scene.distances_within(0.1, distances); }), 0u);
       EXPECT_EQ(allocations_of([&] { scene.contact_manifolds(manifolds, {.margin = 0.1, .four_at_most = true}); }), 0u);
       ASSERT_EQ(manifolds.entries.size(), distances.entries.size());
