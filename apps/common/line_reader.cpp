@@ -7,6 +7,7 @@
 #include <cstring>
 #include <utility>
 
+#include "apps/common/pose_numbers.h"
 #include "engine/numeric/errors.h"
 
 namespace vex {
@@ -57,7 +58,7 @@ bool LineReader::next(std::string_view& line) {
       line = std::string_view(buffer_).substr(begin_, (is_last ? buffer_.size() : end) - begin_);
       begin_ = is_last ? buffer_.size() : end + 1;
       ++number_;
-      if (is_last && line.find_first_not_of(" \t\r") != std::string_view::npos) open_line_ = number_;
+      if (is_last && !without_blanks(line).empty()) open_line_ = number_;
       if (line.find('\0') != std::string_view::npos) {
         throw InputError(name_ + ", line " + std::to_string(number_) + ": a zero byte, which no text has - " + advice_);
       }

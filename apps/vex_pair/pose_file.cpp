@@ -7,12 +7,11 @@
 #include <cerrno>
 #include <cstring>
 
+#include "apps/common/pose_numbers.h"
 #include "engine/numeric/errors.h"
 
 namespace vex {
 namespace {
-
-bool holds_nothing(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
 
 [[noreturn]] void cannot_be_read(const std::string& name, int error) {
   throw InputError("the poses cannot be read (" + name + ": " + std::strerror(error) +
@@ -75,7 +74,7 @@ PoseFile::Found PoseFile::next_line(bool wait, std::string_view& line, bool& is_
       skips_line_ = false;
       begin_ = searched_ = is_last ? end : end + 1;
       ++n_lines_;
-      if (is_last && !is_too_long && !holds_nothing(line)) open_line_ = n_lines_;
+      if (is_last && !is_too_long && !without_blanks(line).empty()) open_line_ = n_lines_;
       return Found::line;
     }
     if (buffer_.size() - begin_ > kLongestLine) {
@@ -152,7 +151,7 @@ void PoseFile::read_rows(std::size_t n_most, RowBlock& block, const std::functio
     bool is_too_long = false;
     const bool may_wait = block.rows.empty();
     if (next_line(may_wait, line, is_too_long) != Found::line) return;
-    if (!is_too_long && holds_nothing(line)) {
+    if (!is_too_long && without_blanks(line).empty()) {
       ++n_empty_;
     } else if (n_empty_ > 0) {
       held_line_ = line;

@@ -91,7 +91,7 @@ void Scene::Impl::keep_waiting_in_cells() {
 }
 
 void Scene::Impl::require_no_judge() const {
-  if (is_judge_asked_) {
+  if (single_.judge != nullptr) {
     throw UsageError(
         "a judge of pairs searches or changes its own scene, which waits for its answer - ask another "
         "scene, or wait until the query has ended");

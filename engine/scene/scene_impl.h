@@ -112,7 +112,6 @@ class Scene::Impl {
   bool last_had_margin_ = false;         // of the last query, and its threads
   int n_searches_ = 1;
   PairSearch single_;
-  bool is_judge_asked_ = false;
 
   ScenePairs pairs_buffer_;
   std::vector<Clusters> cluster_parts_;

@@ -126,10 +126,9 @@ PairSearch& Scene::Impl::find_pairs_of_added(BodyId first, Clusters* joined, con
   single_.joined = joined;
   single_.judge = judge;
   struct Asking {
-    bool& is_asked;
-    ~Asking() { is_asked = false; }
-  } const asking{is_judge_asked_};
-  is_judge_asked_ = judge != nullptr;
+    const PairJudge*& judge;
+    ~Asking() { judge = nullptr; }
+  } const asking{single_.judge};
   if (cells == nullptr) {
     find_all_pairs(single_);
   } else {
