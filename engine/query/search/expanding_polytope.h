@@ -52,8 +52,13 @@ class ExpandingPolytope {
     return has_volume ? grow_until(wanted) : End::flat;
   }
 
-  /// A point that is known already: one of a surface to begin with, or the farthest along its direction.
-  void add_known(const Point& point, bool is_farthest) { is_farthest ? add(point, point.dir) : hull_.add_point(point); }
+  /// A point that is known already, as `make()` gives it: one of a surface to begin with.
+  template <class Make>
+  void add_known(const Make& make) {
+    hull_.add_point_of(make);
+  }
+  /// The same, of the farthest along its direction.
+  void add_farthest(const Point& point) { keep_height(hull_.add_point(point), point.dir); }
   /// From a surface of the points that are known on, `corners(k)` for k below n_faces, whatever these are. `stalled`
   /// where they do not go around the origin, proven.
   template <class CornersOf, class Wanted>
@@ -99,7 +104,7 @@ class ExpandingPolytope {
   L depth_lower() const {
     if (surface_) return surface_->distance - slack_;
     if (faces().empty()) return -error_.reach;
-    const L distance = -larger(-faces()[nearest_].distance, -height_) - slack_;
+    const L distance = -larger(-faces()[nearest_].distance(), -height_) - slack_;
     return distance > L(0.0) && goes_around_origin(hull_, nearest_) ? distance : -error_.reach;
   }
   int n_support_calls() const { return n_support_calls_; }
@@ -121,7 +126,7 @@ class ExpandingPolytope {
         const std::optional<std::uint32_t> next = hull_.face_towards(at, weights);
         if (!next) break;
         const bool is_coplanar =
-            faces()[*next].distance - faces()[nearest_].distance <= L(4.0) * hull_.coplanar() + gap();
+            faces()[*next].distance() - faces()[nearest_].distance() <= L(4.0) * hull_.coplanar() + gap();
         if (!is_coplanar) break;
         at = *next;
         weights = hull_.weights_along(faces()[at], dir);
@@ -151,7 +156,7 @@ class ExpandingPolytope {
 
   const std::vector<Face>& faces() const { return hull_.faces(); }
 
-  L gap() const { return larger(answer_height_ - faces()[nearest_].distance, L(0.0)); }
+  L gap() const { return larger(answer_height_ - faces()[nearest_].distance(), L(0.0)); }
 
   // Once K has been asked for along the nearest face's normal. That is the answer, unless another direction bounds the
   // depth clearly better.
@@ -172,7 +177,7 @@ class ExpandingPolytope {
       const std::optional<std::uint32_t> found = hull_.nearest_face();
       if (!found) return End::stalled;
       nearest_ = *found;
-      const L distance = faces()[nearest_].distance;
+      const L distance = faces()[nearest_].distance();
       const Vec3<L> normal = unit_along(faces()[nearest_].normal);
       const std::uint32_t added = add_support(normal);
       const L height = dot(normal, at(added));
@@ -187,10 +192,9 @@ class ExpandingPolytope {
   // Also keeps the least height.
   std::uint32_t add_support(const Vec3<L>& dir) {
     ++n_support_calls_;
-    return add(difference_.support(dir), dir);
+    return keep_height(hull_.add_point_of([&] { return difference_.support(dir); }), dir);
   }
-  std::uint32_t add(const Point& point, const Vec3<L>& dir) {
-    const std::uint32_t added = hull_.add_point(point);
+  std::uint32_t keep_height(std::uint32_t added, const Vec3<L>& dir) {
     const L height = dot(dir, at(added));
     if (!has_height_ || height < height_) {
       has_height_ = true;

@@ -43,6 +43,17 @@ class GrowingHull {
     points_.push_back(point);
     return static_cast<std::uint32_t>(points_.size() - 1);
   }
+  /// The point that `make()` gives, made where it stays: of one that is written by coordinates and then copied by
+  /// registers the copy waits for the coordinates to reach the cache.
+  template <class Make>
+  std::uint32_t add_point_of(const Make& make) {
+    struct Made {
+      const Make& make;
+      operator Point() const { return make(); }
+    };
+    points_.emplace_back(Made{make});
+    return static_cast<std::uint32_t>(points_.size() - 1);
+  }
   const Vec3<L>& at(std::uint32_t i) const { return points_[i].w; }
   /// Whether two points are one, found without a jump: which of their coordinates is larger nothing foretells.
   bool is_same(std::uint32_t i, std::uint32_t j) const {
@@ -92,7 +103,7 @@ class GrowingHull {
         same[std::max(i, j)] = std::min(i, j);
       }
     }
-    SurfaceEdges edges;
+    SurfaceEdges edges(n_points);
     is_linked_ = false;
     for (std::uint32_t f = 0; f < n_faces; ++f) {
       Corners of = corners(f);
@@ -256,12 +267,12 @@ class GrowingHull {
     const L least_sq = larger(least, L(0.0)) * larger(least, L(0.0));
     // What is farther than the depth can be is never the nearest, and need not be told apart.
     const bool is_far = has_least_height_ & (least_sq > farthest_sq_ * square);
-    const L distance = least / square_root(square);
+    const L nearness = absolute(least) * (least / square);  // by such steps, which neither of them overflows
     const bool has_origin_behind = !is_sliver & (least_sq > rounding_sq_ * product);  // E21
     const std::uint32_t index = static_cast<std::uint32_t>(faces_.size());
-    faces_.push_back({corners, across, normal, of_p, coplanar_ * norm_1(normal), distance, 0, true, has_origin_behind});
+    faces_.push_back({corners, across, normal, of_p, coplanar_ * norm_1(normal), nearness, 0, true, has_origin_behind});
     if (near_.size() <= n_near_) near_.resize(2 * n_near_ + 16);
-    near_[n_near_] = {distance, index};
+    near_[n_near_] = {nearness, index};
     n_near_ += std::size_t{!is_far};
     if (is_heap_) [[unlikely]] {
       if (!is_far) std::push_heap(near_.begin(), end_of_near(), is_farther);

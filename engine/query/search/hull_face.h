@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/numeric/lane.h"
 #include "engine/numeric/vec3.h"
 
 namespace vex {
@@ -32,10 +33,16 @@ struct HullFace {
   Vec3<L> normal;                        // outwards, of any length
   L offset;                              // of the plane: normal . corner
   L coplanar;                            // what is less above the plane, times the normal's length, is in it
-  L distance;                            // no point of the triangle is nearer to the origin, by its computed products
+  L nearness;                            // the square of `distance`, with its sign
   std::uint32_t mark = 0;                // of the last search that came by
   bool is_alive = true;
   bool has_origin_behind = false;  // proven
+
+  /// No point of the triangle is nearer to the origin, by its computed products; negative where that is in front.
+  L distance() const {
+    const L size = square_root(absolute(nearness));
+    return nearness < L(0.0) ? -size : size;
+  }
 };
 
 /// Of a sliver, the point of its longest edge that is nearest to the origin. Hardly ever asked, and so not in line.

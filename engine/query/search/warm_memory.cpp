@@ -60,9 +60,13 @@ std::optional<WarmMemory::Point> WarmMemory::point_of(std::uint32_t code, const 
     ++n_support_calls_;
     return difference_.support(frame.unit_dir(code));
   }
-  const std::size_t of_a = code >> 16, of_b = code & 0xffffu;
-  if (of_a >= corners_->a.size() || of_b >= corners_->b.size()) return std::nullopt;
-  return difference_.at(corners_->a[of_a], corners_->b[of_b]);
+  return are_corners(code) ? std::optional(corner_of(code)) : std::nullopt;
+}
+bool WarmMemory::are_corners(std::uint32_t code) const {
+  return (code >> 16) < corners_->a.size() && (code & 0xffffu) < corners_->b.size();
+}
+WarmMemory::Point WarmMemory::corner_of(std::uint32_t code) const {
+  return difference_.at(corners_->a[code >> 16], corners_->b[code & 0xffffu]);
 }
 std::optional<std::uint32_t> WarmMemory::code_of(const Point& point, const DirectionCode& frame) const {
   if (!corners_) return frame.code(point.dir);
@@ -133,12 +137,17 @@ bool WarmMemory::find_depth(const CoreSearchSettings<double>& settings, bool is_
   }
   const DirectionCode frame = frame_of(lowest.point.dir, lowest.x, lowest.y);
   for (std::size_t k = 0; k < state_.n_points_; ++k) {
-    const std::optional<Point> point = point_of(state_.dirs_[k], frame);
-    if (!point) return false;
-    polytope.add_known(*point, !corners_);
+    const std::uint32_t code = state_.dirs_[k];
+    if (!corners_) {
+      ++n_support_calls_;
+      polytope.add_farthest(difference_.support(frame.unit_dir(code)));
+      continue;
+    }
+    if (!are_corners(code)) return false;
+    polytope.add_known([&] { return corner_of(code); });
   }
   // Last, so that it changes no number of another.
-  if (is_smooth) polytope.add_known(lowest.point, true);
+  if (is_smooth) polytope.add_farthest(lowest.point);
   CoreSearchSettings<double> allowing = settings;
   allowing.relative_gap =
       std::min(kAllowance * settings.relative_gap, std::max(settings.relative_gap, settings.allowed_gap));

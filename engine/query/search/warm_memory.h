@@ -56,6 +56,8 @@ class WarmMemory {
  private:
   // Of corners by their numbers, or along a direction; none of numbers that the bodies do not have.
   std::optional<Point> point_of(std::uint32_t code, const DirectionCode& frame);
+  bool are_corners(std::uint32_t code) const;
+  Point corner_of(std::uint32_t code) const;
   std::optional<std::uint32_t> code_of(const Point& point, const DirectionCode& frame) const;
   // Corners by their numbers need none.
   DirectionCode frame_of(const Vec3d& middle, const Vec3d& x, const Vec3d& y) const;
