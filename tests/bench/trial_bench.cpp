@@ -19,7 +19,7 @@ namespace {
 
 struct Words {
   std::string rounds, turn_ms, poses, seed, most_vertices, most_peer_vertices, json, svg;
-  bool all = false, kinds = false, vertices = false, threads = false, peers_best = false;
+  bool all = false, kinds = false, parts = false, vertices = false, threads = false, peers_best = false;
 };
 
 void declare(OptionParser& options, Words& words) {
@@ -27,6 +27,8 @@ void declare(OptionParser& options, Words& words) {
   options.add_flag("--peers-best", words.peers_best, "The same with the peers at their own best settings, each named")
       .group(modes);
   options.add_flag("--kinds", words.kinds, "Whole trials of every kind of body, beside libccd").group(modes);
+  options.add_flag("--parts", words.parts, "What a trial cannot do without, by itself, beside whole trials")
+      .group(modes);
   options.add_flag("--vertices", words.vertices, "Cost of a trial against the number of vertices, 8 to 10^6")
       .group(modes);
   options.add_flag("--threads", words.threads, "One process with two threads against two processes with one")
@@ -68,9 +70,9 @@ BenchSettings interpret(const Words& words) {
   if (!words.most_peer_vertices.empty()) {
     settings.most_peer_vertices = parse_positive_count(words.most_peer_vertices, "--most-peer-vertices");
   }
-  if (words.kinds + words.vertices + words.threads + words.peers_best + words.all > 1) {
+  if (words.kinds + words.parts + words.vertices + words.threads + words.peers_best + words.all > 1) {
     throw UsageError(
-        "--kinds, --vertices, --threads, --peers-best and --all are one measurement each - give one of them");
+        "--kinds, --parts, --vertices, --threads, --peers-best and --all are one measurement each - give one of them");
   }
   if (!words.svg.empty() && !words.vertices && !words.all)
     throw UsageError("--svg without --vertices - there is one plot, of these");
@@ -84,10 +86,11 @@ struct Mode {
 };
 
 std::vector<Mode> modes(const Words& words) {
-  const bool is_default = !words.kinds && !words.vertices && !words.threads && !words.peers_best;
+  const bool is_default = !words.kinds && !words.parts && !words.vertices && !words.threads && !words.peers_best;
   return {{"trials", is_default, compare_trials},
           {"peers_best", words.peers_best || words.all, compare_best_peers},
           {"kinds", words.kinds || words.all, trials_of_kinds},
+          {"parts", words.parts || words.all, trial_parts},
           {"vertices", words.vertices || words.all, vertex_costs},
           {"thread_scaling", words.threads || words.all, thread_scaling}};
 }

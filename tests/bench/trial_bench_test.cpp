@@ -54,6 +54,15 @@ TEST_F(TrialBench, ShowsEveryKindOfBody) {
   }
 }
 
+TEST_F(TrialBench, ShowsWhatATrialCannotDoWithout) {
+  const json rows = rows_of("parts", {"--parts"});
+  for (const json& row : rows) {
+    EXPECT_LT(row.at("left").get<int>(), 200) << row.at("pair");
+    EXPECT_GT(row.at("contenders").at("pose").at("median_ns").get<double>(), 0.0) << row.at("pair");
+  }
+  EXPECT_GT(rows.back().at("supports_of_one_left").get<double>(), 1.0);
+}
+
 TEST_F(TrialBench, PlotsTheCostAgainstTheVertices) {
   const json rows = rows_of("vertices", {"--vertices", "--most-vertices", "100", "--svg", "cost.svg"});
   EXPECT_EQ(rows.at(0).at("vertices"), 8);

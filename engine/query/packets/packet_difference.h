@@ -21,15 +21,17 @@ inline constexpr bool kProven = false;
 inline constexpr bool kProven = true;
 #endif
 
+/// E of E1 and E18, one for all poses of a pair that are not farther than kFarthestPacket.
+inline double packet_error(const PacketPairForms& forms) {
+  return kProven ? forms.own_error + 40.0 * kUnitRoundoff * ((1.0 + kFarthestPacket) * forms.own_reach) : 0.0;
+}
+
 /// Loops work on a copy of their own: a search's member would be read again after each store.
 template <int W, class Core>
 struct PacketDifference {
   using L = Packet<W>;
   using Mask = PacketMask<W>;
   using Vec = Vec3<L>;
-
-  // |t|_1 in units of own_reach, up to which one bound of errors serves all: what is farther is apart.
-  static constexpr double kFarthest = 1.75;
 
   static Transform<L> pose_at(const double* columns, std::size_t stride, std::size_t k) {
     const auto column = [&](std::size_t c) { return L::load(columns + c * stride + k); };
@@ -48,10 +50,16 @@ struct PacketDifference {
         ball_radius(forms.ball_radius),
         own_reach(forms.own_reach),
         own_error(forms.own_error),
-        farthest(kFarthest * own_reach),
-        error(kProven ? own_error + 40.0 * kUnitRoundoff * (own_reach + farthest) : 0.0),
+        farthest(kFarthestPacket * own_reach),
+        error(packet_error(forms)),
         threshold(4.25 * error * ((own_reach + farthest) * (own_reach + farthest))),
         start_clearance(forms.start_clearance - 2.0 * error) {}
+
+  /// Of a rotation the magnitudes add up to 5.2 at most; of NaNs and infinities to nothing below 8.
+  Mask is_usual(const Transform<L>& pose) const {
+    const L turn = norm_1(pose.row_x) + (norm_1(pose.row_y) + norm_1(pose.row_z));
+    return both(turn < L(8.0), norm_1(pose.translation) < L(farthest));
+  }
 
   Vec start_point(const Transform<L>& pose) const {
     if (b_is_central) return broadcast<L>(start) - pose.translation;

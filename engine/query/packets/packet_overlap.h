@@ -8,6 +8,7 @@
 #include "engine/numeric/instruction_set.h"
 #include "engine/numeric/transform.h"
 #include "engine/query/packets/core_form.h"
+#include "engine/query/packets/pair_formula.h"
 #include "engine/support/convex_body.h"
 
 namespace vex {
@@ -39,6 +40,9 @@ inline void set_pose(double* columns, std::size_t stride, std::size_t row, const
 /// A packet's answer to a trial.
 enum class PacketAnswer : std::uint8_t { open, disjoint, overlap };
 
+/// |t|_1 in units of `own_reach`, up to which one bound of errors serves all poses of a pair: what is farther is apart.
+inline constexpr double kFarthestPacket = 1.75;
+
 /// Where the reach is beyond these a pose is left open: sixth powers of lengths, and their products with each other's,
 /// stay far from both ends (E18).
 inline constexpr double kLeastPacketReach = 0x1p-60, kLargestPacketReach = 0x1p60;
@@ -50,6 +54,7 @@ struct PacketPairForms {
   double ball_radius;
   double own_reach, own_error;  // E1's W and E but for what the translation adds
   double start_clearance;       // A - B has a ball of this radius about the search's first point, whatever the pose
+  PairFormula formula;
 };
 
 struct PacketClearances;
@@ -61,8 +66,8 @@ class PacketOverlap {
   static constexpr std::size_t kStride = kMostTrials + 16;  // of a table of so many
 
   virtual ~PacketOverlap();  // not inline: kernels would each have it
-  /// Of up to kMostTrials poses. What is answered disjoint or overlap is proven (E1, E18), and so are the clearances,
-  /// where they are asked for.
+  /// Of up to kMostTrials poses. What is answered disjoint or overlap is proven (E1, E18, E33), and so are the
+  /// clearances, where they are asked for: formulas tell none, so that a pose at contact may be left open then.
   virtual void decide(const PoseTable& poses, PacketAnswer* answers, PacketClearances* clearances = nullptr) = 0;
 };
 

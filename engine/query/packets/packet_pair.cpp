@@ -36,15 +36,17 @@ PacketPairForms PacketPair::forms() const {
   const QueryError<double> own = query_error(a_, b_, Transformd{});
   const double error = own.support + core_a_.support_error + 2.0 * core_b_.support_error;
   const double inradii = a_.inradius() + b_.inradius();
-  return PacketPairForms{&core_a_,
-                         &core_b_,
-                         a_.centre(),
-                         b_.centre(),
-                         inradii * kStartOffset,
-                         a_.ball_radius() + b_.ball_radius(),
-                         own.reach,
-                         error - 40.0 * kUnitRoundoff * own.reach * (1.0 - 8.0 * kUnitRoundoff),
-                         inradii * (1.0 - 0x1p-19 - norm_1(kStartOffset))};
+  return PacketPairForms{
+      &core_a_,
+      &core_b_,
+      a_.centre(),
+      b_.centre(),
+      inradii * kStartOffset,
+      a_.ball_radius() + b_.ball_radius(),
+      own.reach,
+      error - 40.0 * kUnitRoundoff * own.reach * (1.0 - 8.0 * kUnitRoundoff),
+      inradii * (1.0 - 0x1p-19 - norm_1(kStartOffset)),
+      pair_formula(core_a_, core_b_, a_.ball_radius() + b_.ball_radius(), kFarthestPacket * own.reach)};
 }
 
 }  // namespace vex
