@@ -449,8 +449,8 @@ TEST(PacketOverlap, AlignedPosesAnswerOnlyWhatIsTrue) {
 TEST(PacketOverlap, DecidesNearlyParallelBodies) {
   std::mt19937_64 random(19);
   for (const std::vector<const char*>& texts :
-       {std::vector<const char*>{"box:1,1,1", "box:0.2,1,3", "box:1e-6,1,1", "box:0,1,1.3", "box:0,0,2"},
-        std::vector<const char*>{"capsule:1,0.25", "capsule:10,0.01", "rounded:0.3,box:0,0,2"},
+       {std::vector<const char*>{"box:1,1,1", "box:0.2,1,3", "box:1e-6,1,1", "plate:1,1.3", "needle:2"},
+        std::vector<const char*>{"capsule:1,0.25", "capsule:10,0.01", "rounded:0.3,needle:2"},
         std::vector<const char*>{"ellipsoid:1,2,3", "ellipsoid:0.5,0.5,2", "ellipsoid:1,1,1e-3", "ellipsoid:1,1,1"}}) {
     for (const char* text_a : texts) {
       for (const char* text_b : texts) {
