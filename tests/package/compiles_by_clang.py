@@ -25,7 +25,7 @@ def by_clang(clang, entry):
     while k < len(words):
         if words[k] in WITH_A_WORD:
             k += 1
-        elif words[k] not in DROPPED:
+        elif words[k] not in DROPPED and not words[k].startswith("-mmemset-strategy="):
             kept.append(words[k])
         k += 1
     return kept
